@@ -1,0 +1,33 @@
+#include "pellucida/core/Observation.h"
+
+#include <array>
+#include <utility>
+
+namespace pellucida {
+namespace {
+
+constexpr std::array<std::pair<CellState, std::string_view>, 5> kStateNames{{
+    {CellState::kNoCell, "no_cell"},
+    {CellState::kFree, "free"},
+    {CellState::kContact, "contact"},
+    {CellState::kPunctured, "punctured"},
+    {CellState::kLost, "lost"},
+}};
+
+}  // namespace
+
+std::string_view to_string(CellState state) noexcept {
+  for (const auto& [value, name] : kStateNames) {
+    if (value == state) return name;
+  }
+  return "unknown";
+}
+
+std::optional<CellState> cell_state_from_string(std::string_view name) noexcept {
+  for (const auto& [value, text] : kStateNames) {
+    if (text == name) return value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,75 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core/SharedLatest.h"
+#include "pellucida/core_vtk/Scene.h"
+#include "pellucida/pipeline/PipelineOptions.h"
+
+namespace pellucida {
+
+/// What a live run looks like from outside, at one moment.
+struct LiveStatus {
+  std::uint64_t frame_count = 0;         ///< frames that arrived
+  std::uint64_t measured_count = 0;      ///< frames that went through the whole chain
+  std::uint64_t skipped_count = 0;       ///< frames replaced by a newer one before they were measured (never lost to the recorder)
+  std::uint64_t gap_count = 0;           ///< frames the source itself lost
+  double tracking_ms = 0.0;              ///< newest step times
+  double reconstruction_ms = 0.0;
+  double mechanics_ms = 0.0;
+  double frame_age_ms = 0.0;             ///< now minus the arrival of the newest measured frame
+  bool recording = false;
+  std::string recording_folder;          ///< of the running or last recording; empty before the first
+  std::uint64_t recorded_count = 0;
+  std::uint64_t recorder_dropped_count = 0;
+  bool finished = false;                 ///< the source ended and all was processed
+  std::optional<std::string> fault;      ///< one line, when a thread died
+};
+
+/// The chain with a thread a step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
+/// Every public call may come from any one controlling thread (the window's); none blocks for a frame.
+class LiveRun {
+ public:
+  /// Paced: a source that isn't live is read at its own frame rate; with `loop`, a source that can start again does so.
+  LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options);
+  ~LiveRun();
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
+  void start();
+  void stop();
+  /// A paused run keeps its newest scene; a source that isn't live waits.
+  void set_paused(bool paused);
+  bool paused() const noexcept;
+
+  const SourceInfo& source_info() const noexcept;
+
+  /// The newest measured scene: give it to a StageSource.
+  std::shared_ptr<SharedLatest<Scene>> scenes() const noexcept;
+  /// The newest frame as it arrived, not yet measured (a scene with only `frame`): for a feed that never lags.
+  std::shared_ptr<SharedLatest<Scene>> frames() const noexcept;
+
+  /// Rows measured since the one with number `first` (0 = all so far): for charts that miss nothing.
+  std::vector<Measurement> measurements_since(std::size_t first) const;
+  std::vector<Event> events_since(std::size_t first) const;
+
+  /// Records from the next frame on. Throws OutputError when the folder can't be written.
+  void start_recording(const std::filesystem::path& folder);
+  void stop_recording();
+  /// An operator's note, into the log of events and the running recording.
+  void note(const std::string& text);
+
+  LiveStatus status() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,38 @@
+# One short function for each kind of target.
+
+# pellucida_add_module(NAME SOURCES ... [PUBLIC ...] [PRIVATE ...] [INCLUDE dir])
+# A static library pellucida_NAME, alias pellucida::NAME. INCLUDE is the folder of its public headers (default: include).
+function(pellucida_add_module NAME)
+  cmake_parse_arguments(ARG "" "INCLUDE" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_INCLUDE)
+    set(ARG_INCLUDE include)
+  endif()
+  add_library(pellucida_${NAME} STATIC ${ARG_SOURCES})
+  add_library(pellucida::${NAME} ALIAS pellucida_${NAME})
+  target_include_directories(pellucida_${NAME} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_INCLUDE})
+  target_link_libraries(pellucida_${NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} pellucida::build_options)
+endfunction()
+
+# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ...)
+# A GoogleTest program; each test case becomes a CTest test with the labels given.
+function(pellucida_add_test NAME)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options GTest::gtest_main Threads::Threads)
+  target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  # Read by tests that look at the shipped resources, the small test data, or (where it is there) the folder beside the checkout.
+  target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES
+    LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "VTK_SMP_BACKEND_IN_USE=Sequential")
+endfunction()
+
+# pellucida_add_benchmark(NAME SOURCES ... [LIBRARIES ...]): a Google Benchmark program.
+function(pellucida_add_benchmark NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options benchmark::benchmark_main)
+  target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+endfunction()

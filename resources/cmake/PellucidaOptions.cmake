@@ -1,0 +1,32 @@
+# Build options and the flags every target of ours carries (pellucida::build_options).
+option(PELLUCIDA_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
+option(PELLUCIDA_CORE_ONLY "Build only the targets without VTK, Qt, OpenCV and ITK" OFF)
+set(PELLUCIDA_SANITIZE "" CACHE STRING "Sanitizers to compile with, as -fsanitize takes them")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(pellucida_build_options INTERFACE)
+add_library(pellucida::build_options ALIAS pellucida_build_options)
+# No contraction and no fast-math: a replay must give the same bits as the live run.
+target_compile_options(pellucida_build_options INTERFACE -Wall -Wextra -Wshadow -ffp-contract=off)
+if(PELLUCIDA_WARNINGS_AS_ERRORS)
+  target_compile_options(pellucida_build_options INTERFACE -Werror)
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  target_compile_definitions(pellucida_build_options INTERFACE _GLIBCXX_ASSERTIONS)
+endif()
+if(PELLUCIDA_SANITIZE)
+  target_compile_options(pellucida_build_options INTERFACE -fsanitize=${PELLUCIDA_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(pellucida_build_options INTERFACE -fsanitize=${PELLUCIDA_SANITIZE})
+endif()
