@@ -1,0 +1,80 @@
+#include "pellucida/core/Measurement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
+
+namespace pellucida {
+namespace {
+
+TEST(Measurement, HeaderIsTheContract) {
+  EXPECT_EQ(measurement_header(),
+            "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,"
+            "dimple_radius_um,contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,"
+            "frame_age_ms");
+  // The names used to read and to write are those of the header.
+  const auto header = split_csv(measurement_header());
+  ASSERT_EQ(header.size(), 3 + Measurement::kNumberCount);
+  for (std::size_t i = 0; i < Measurement::kNumberCount; ++i) EXPECT_EQ(header[3 + i], measurement_number_names()[i]);
+}
+
+TEST(Measurement, RowReadsBackAndEmptyCellsMeanNotMeasured) {
+  Measurement m;
+  m.frame = 41;
+  m.time_s = 1.3666667;
+  m.state = CellState::kContact;
+  m.confidence = 0.93;
+  m.indentation_um = 12.25;
+  m.contact_force_uN = 1.5;
+  const std::string row = to_csv(m);
+  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,");
+  const Measurement back = measurement_from_csv(row);
+  EXPECT_EQ(back.frame, 41);
+  EXPECT_EQ(back.state, CellState::kContact);
+  EXPECT_DOUBLE_EQ(back.indentation_um, 12.25);
+  EXPECT_TRUE(std::isnan(back.tip_x_um));
+  EXPECT_EQ(to_csv(back), row);
+}
+
+TEST(Measurement, BrokenRowsNameTheColumn) {
+  EXPECT_THROW(measurement_from_csv("1,2,free"), InputError);
+  try {
+    measurement_from_csv("1,2,free,high,,,,,,,,,,,,,");
+    FAIL() << "a word in a numeric column was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("confidence"), std::string::npos);
+  }
+  EXPECT_THROW(measurement_from_csv("1,2,asleep,,,,,,,,,,,,,,"), InputError);
+}
+
+TEST(Measurement, StateNamesRoundTrip) {
+  for (const char* name : {"no_cell", "free", "contact", "punctured", "lost"}) {
+    const auto state = cell_state_from_string(name);
+    ASSERT_TRUE(state) << name;
+    EXPECT_EQ(to_string(*state), name);
+  }
+  EXPECT_FALSE(cell_state_from_string("gone"));
+}
+
+TEST(Measurement, FromObservationTakesOnlyWhatWasSeen) {
+  Observation o;
+  o.state = CellState::kFree;
+  o.center_um = {10.0, 20.0};
+  Measurement m = measurement_from(o);
+  EXPECT_TRUE(std::isnan(m.cell_x_um));
+  EXPECT_TRUE(std::isnan(m.axis_deg));
+
+  o.outer = MembraneContour{};
+  o.needle = NeedlePose{};
+  o.axis = {0.0, 1.0};
+  m = measurement_from(o);
+  EXPECT_DOUBLE_EQ(m.cell_y_um, 20.0);
+  EXPECT_DOUBLE_EQ(m.axis_deg, 90.0);  // +y is down in the image, and positive
+}
+
+}  // namespace
+}  // namespace pellucida
