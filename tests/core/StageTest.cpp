@@ -28,7 +28,8 @@ TEST(Stage, ProcessesARingInOrderAndCounts) {
   Ring<int> input(16);
   std::vector<int> outputs;
   const SteadyClock clock;
-  Stage stage(step, input, [&](int n) { outputs.push_back(n); }, clock);
+  Stage stage(
+      step, input, [&](int n) { outputs.push_back(n); }, clock);
   stage.start();
   for (int i = 0; i < 5; ++i) input.push(i);
   input.close();
@@ -49,8 +50,10 @@ TEST(Stage, ChainsThroughExchanges) {
   SharedLatest<int> middle;
   SharedLatest<int> output;
   const SteadyClock clock;
-  Stage a(first, input, [&](int n) { middle.publish(n); }, clock);
-  Stage b(second, middle, [&](int n) { output.publish(n); }, clock);
+  Stage a(
+      first, input, [&](int n) { middle.publish(n); }, clock);
+  Stage b(
+      second, middle, [&](int n) { output.publish(n); }, clock);
   b.start();
   a.start();
   input.push(2);
@@ -66,7 +69,8 @@ TEST(Stage, AnExceptionEndsTheStageAndIsKept) {
   SquareStep step;
   Ring<int> input(16);
   const SteadyClock clock;
-  Stage stage(step, input, [](int) {}, clock);
+  Stage stage(
+      step, input, [](int) {}, clock);
   stage.start();
   input.push(-1);
   stage.join();
@@ -77,7 +81,8 @@ TEST(Stage, StopLeavesTheRestInTheInput) {
   SquareStep step;
   Ring<int> input(16);
   const SteadyClock clock;
-  Stage stage(step, input, [](int) {}, clock);
+  Stage stage(
+      step, input, [](int) {}, clock);
   stage.start();
   stage.stop();
   input.push(2);

@@ -10,12 +10,20 @@
 namespace pellucida {
 namespace {
 
-constexpr std::array<std::string_view, Measurement::kNumberCount> kNumberNames{
-    "confidence",       "cell_x_um",        "cell_y_um",
-    "axis_deg",         "tip_x_um",         "tip_y_um",
-    "indentation_um",   "dimple_radius_um", "contact_force_uN",
-    "contact_force_lower_uN", "contact_force_upper_uN", "pressure_Pa",
-    "volume_um3",       "frame_age_ms"};
+constexpr std::array<std::string_view, Measurement::kNumberCount> kNumberNames{"confidence",
+                                                                               "cell_x_um",
+                                                                               "cell_y_um",
+                                                                               "axis_deg",
+                                                                               "tip_x_um",
+                                                                               "tip_y_um",
+                                                                               "indentation_um",
+                                                                               "dimple_radius_um",
+                                                                               "contact_force_uN",
+                                                                               "contact_force_lower_uN",
+                                                                               "contact_force_upper_uN",
+                                                                               "pressure_Pa",
+                                                                               "volume_um3",
+                                                                               "frame_age_ms"};
 
 double parse_number(const std::string& cell, std::string_view name) {
   if (cell.empty()) return Measurement::kNotMeasured;
@@ -30,19 +38,37 @@ double parse_number(const std::string& cell, std::string_view name) {
 }  // namespace
 
 std::array<double, Measurement::kNumberCount> Measurement::numbers() const noexcept {
-  return {confidence,       cell_x_um,        cell_y_um,
-          axis_deg,         tip_x_um,         tip_y_um,
-          indentation_um,   dimple_radius_um, contact_force_uN,
-          contact_force_lower_uN, contact_force_upper_uN, pressure_Pa,
-          volume_um3,       frame_age_ms};
+  return {confidence,
+          cell_x_um,
+          cell_y_um,
+          axis_deg,
+          tip_x_um,
+          tip_y_um,
+          indentation_um,
+          dimple_radius_um,
+          contact_force_uN,
+          contact_force_lower_uN,
+          contact_force_upper_uN,
+          pressure_Pa,
+          volume_um3,
+          frame_age_ms};
 }
 
 void Measurement::set_numbers(const std::array<double, kNumberCount>& values) noexcept {
-  double* const targets[] = {&confidence,       &cell_x_um,        &cell_y_um,
-                             &axis_deg,         &tip_x_um,         &tip_y_um,
-                             &indentation_um,   &dimple_radius_um, &contact_force_uN,
-                             &contact_force_lower_uN, &contact_force_upper_uN, &pressure_Pa,
-                             &volume_um3,       &frame_age_ms};
+  double* const targets[] = {&confidence,
+                             &cell_x_um,
+                             &cell_y_um,
+                             &axis_deg,
+                             &tip_x_um,
+                             &tip_y_um,
+                             &indentation_um,
+                             &dimple_radius_um,
+                             &contact_force_uN,
+                             &contact_force_lower_uN,
+                             &contact_force_upper_uN,
+                             &pressure_Pa,
+                             &volume_um3,
+                             &frame_age_ms};
   for (std::size_t i = 0; i < kNumberCount; ++i) *targets[i] = values[i];
 }
 

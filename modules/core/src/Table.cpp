@@ -50,7 +50,8 @@ std::string csv_cell(std::string_view text) {
 std::string csv_number(double value) {
   if (std::isnan(value)) return "";
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 9).ptr;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 9).ptr;
   return std::string(buffer.data(), end);
 }
 

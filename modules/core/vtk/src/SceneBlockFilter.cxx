@@ -44,7 +44,8 @@ int SceneBlockFilter::RequestDataObject(vtkInformation*, vtkInformationVector**,
   return 1;
 }
 
-int SceneBlockFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int SceneBlockFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs) {
   if (block_ != SceneBlock::kFrame) return 1;
   // Image consumers ask for the extent before the data. The scene is at hand and handing it out costs nothing, so the
   // source is asked now.

@@ -61,7 +61,9 @@ void stamp(vtkDataObject* data, double time_s, long frame_index) {
   }
 }
 
-double stamped_time_s(const vtkDataObject* data) { return field_number(data, array_name::kTime); }
+double stamped_time_s(const vtkDataObject* data) {
+  return field_number(data, array_name::kTime);
+}
 
 long stamped_frame_index(const vtkDataObject* data) {
   return static_cast<long>(field_number(data, array_name::kFrameIndex));
@@ -126,6 +128,8 @@ vtkSmartPointer<vtkPolyData> make_membranes(const Observation& observation) {
   data->GetPointData()->AddArray(sigma_um);
   set_field_numbers(data, array_name::kCenter, {observation.center_um.x(), observation.center_um.y(), 0.0});
   set_field_numbers(data, array_name::kAxis, {observation.axis.x(), observation.axis.y(), 0.0});
+  set_field_numbers(data, array_name::kRestRadius,
+                    {observation.rest_outer_radius_um, observation.rest_inner_radius_um});
   stamp(data, observation.time_s, observation.frame_index);
   return data;
 }

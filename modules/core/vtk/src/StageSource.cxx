@@ -36,7 +36,9 @@ const char* to_string(SceneBlock block) noexcept {
 
 vtkStandardNewMacro(StageSource);
 
-StageSource::StageSource() { this->SetNumberOfInputPorts(0); }
+StageSource::StageSource() {
+  this->SetNumberOfInputPorts(0);
+}
 
 void StageSource::SetExchange(std::shared_ptr<SharedLatest<Scene>> exchange) {
   exchange_ = std::move(exchange);

@@ -6,9 +6,9 @@
 
 namespace pellucida {
 
-/// Wait-free newest-wins slot for the 1 kHz thread: one writer, one reader, three buffers. One atomic byte packs the index
-/// of the middle buffer and whether it is fresh, so a value is never torn and never goes back in time.
-/// T is trivially copyable and of fixed size. No call allocates, locks or throws.
+/// Wait-free newest-wins slot for the 1 kHz thread: one writer, one reader, three buffers. One atomic byte packs the
+/// index of the middle buffer and whether it is fresh, so a value is never torn and never goes back in time. T is
+/// trivially copyable and of fixed size. No call allocates, locks or throws.
 template <class T>
 class LatestValue {
   static_assert(std::is_trivially_copyable_v<T>, "the real-time hand-over copies bytes");

@@ -16,20 +16,20 @@ struct Measurement {
   long frame = 0;
   double time_s = 0.0;
   CellState state = CellState::kNoCell;
-  double confidence = 0.0;                         ///< 0..1
-  double cell_x_um = kNotMeasured;                 ///< centre of the outer membrane at rest, moving with the cell
+  double confidence = 0.0;          ///< 0..1
+  double cell_x_um = kNotMeasured;  ///< centre of the outer membrane at rest, moving with the cell
   double cell_y_um = kNotMeasured;
-  double axis_deg = kNotMeasured;                  ///< from cell centre to needle; 0 = +x, positive towards +y
+  double axis_deg = kNotMeasured;  ///< from cell centre to needle; 0 = +x, positive towards +y
   double tip_x_um = kNotMeasured;
   double tip_y_um = kNotMeasured;
-  double indentation_um = kNotMeasured;            ///< >= 0
+  double indentation_um = kNotMeasured;  ///< >= 0
   double dimple_radius_um = kNotMeasured;
-  double contact_force_uN = kNotMeasured;          ///< magnitude of the force of the needle on the cell; 0 when free
-  double contact_force_lower_uN = kNotMeasured;    ///< 95 % interval
+  double contact_force_uN = kNotMeasured;        ///< magnitude of the force of the needle on the cell; 0 when free
+  double contact_force_lower_uN = kNotMeasured;  ///< 95 % interval
   double contact_force_upper_uN = kNotMeasured;
-  double pressure_Pa = kNotMeasured;               ///< excess pressure inside the cell
-  double volume_um3 = kNotMeasured;                ///< enclosed by the outer membrane
-  double frame_age_ms = kNotMeasured;              ///< from the frame's arrival to this row
+  double pressure_Pa = kNotMeasured;   ///< excess pressure inside the cell
+  double volume_um3 = kNotMeasured;    ///< enclosed by the outer membrane
+  double frame_age_ms = kNotMeasured;  ///< from the frame's arrival to this row
 
   /// The numeric columns between `state` and the end, in the order of the header.
   static constexpr std::size_t kNumberCount = 14;

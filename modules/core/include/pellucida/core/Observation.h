@@ -6,7 +6,8 @@
 
 namespace pellucida {
 
-/// Points in the image plane, frame W, one column a point (2 x n), um. A closed contour does not repeat its first point.
+/// Points in the image plane, frame W, one column a point (2 x n), um. A closed contour does not repeat its first
+/// point.
 using Contour_um = Eigen::Matrix2Xd;
 
 /// State of the cell under the needle in one frame; names are those of `measurements.csv`.
@@ -23,36 +24,36 @@ enum class Membrane : int { kOuter = 0, kInner = 1, kOolemma = 2 };
 /// One membrane's closed contour: the centre line of its dark edge in bright field.
 struct MembraneContour {
   Membrane membrane = Membrane::kOuter;
-  Contour_um points_um;          ///< (2 x n), ordered round the cell, closed, positive signed area in (x, y)
-  Eigen::VectorXd sigma_um;      ///< (n) standard deviation along the normal; empty when not estimated
-  Eigen::VectorXd confidence;    ///< (n) in 0..1
+  Contour_um points_um;        ///< (2 x n), ordered round the cell, closed, positive signed area in (x, y)
+  Eigen::VectorXd sigma_um;    ///< (n) standard deviation along the normal; empty when not estimated
+  Eigen::VectorXd confidence;  ///< (n) in 0..1
 };
 
 /// The injection needle (micropipette) in the image plane.
 struct NeedlePose {
   Eigen::Vector2d tip_um = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit vector from the shaft to the tip: the way it pushes
-  double tip_radius_um = 0.0;    ///< half the width at the tip
-  double confidence = 0.0;       ///< 0..1
-  Contour_um outline_um;         ///< open polyline; its first point is the tip
+  double tip_radius_um = 0.0;                            ///< half the width at the tip
+  double confidence = 0.0;                               ///< 0..1
+  Contour_um outline_um;                                 ///< open polyline; its first point is the tip
 };
 
 /// The holding pipette in the image plane.
 struct HolderPose {
   Eigen::Vector2d mouth_um = Eigen::Vector2d::Zero();    ///< centre of the mouth, where the cell rests
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit vector from the cell centre to the mouth
-  double outer_radius_um = 0.0;  ///< half its width at the mouth
-  double confidence = 0.0;       ///< 0..1
-  Contour_um outline_um;         ///< open polyline
+  double outer_radius_um = 0.0;                          ///< half its width at the mouth
+  double confidence = 0.0;                               ///< 0..1
+  Contour_um outline_um;                                 ///< open polyline
 };
 
-/// All that one frame says about cell and tools: what a tracker measures, and what the virtual microscope knows as truth.
-/// Lengths in um in frame W.
+/// All that one frame says about cell and tools: what a tracker measures, and what the virtual microscope knows as
+/// truth. Lengths in um in frame W.
 struct Observation {
-  double time_s = 0.0;           ///< since the session began
+  double time_s = 0.0;  ///< since the session began
   long frame_index = 0;
   CellState state = CellState::kNoCell;
-  double confidence = 0.0;       ///< of the whole frame, 0..1
+  double confidence = 0.0;  ///< of the whole frame, 0..1
   std::optional<MembraneContour> outer;
   std::optional<MembraneContour> inner;
   std::optional<MembraneContour> oolemma;
@@ -65,10 +66,10 @@ struct Observation {
   double rest_inner_radius_um = 0.0;                    ///< of the inner one; 0 when it was not seen at rest
 
   // Valid when `outer` and `needle` are there.
-  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();      ///< unit vector from the cell centre to the needle
-  double indentation_um = 0.0;       ///< contact point's displacement along the axis, rigid motion removed; >= 0
-  double indentation_sigma_um = 0.0; ///< its standard deviation; 0 when not estimated
-  double dimple_radius_um = 0.0;     ///< radius of the dimple's mouth, across the axis; 0 without contact
+  Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit vector from the cell centre to the needle
+  double indentation_um = 0.0;        ///< contact point's displacement along the axis, rigid motion removed; >= 0
+  double indentation_sigma_um = 0.0;  ///< its standard deviation; 0 when not estimated
+  double dimple_radius_um = 0.0;      ///< radius of the dimple's mouth, across the axis; 0 without contact
 };
 
 }  // namespace pellucida

@@ -10,8 +10,8 @@
 
 namespace pellucida {
 
-/// Ordered, bounded, counted exchange for a consumer that must see everything (the recorder). When it is full the newest
-/// item is refused and counted: the caller reports that as an event, never as silence. Any number of threads.
+/// Ordered, bounded, counted exchange for a consumer that must see everything (the recorder). When it is full the
+/// newest item is refused and counted: the caller reports that as an event, never as silence. Any number of threads.
 template <class T>
 class Ring {
  public:

@@ -9,8 +9,8 @@
 
 namespace pellucida {
 
-/// Wait-free ordered queue for the 1 kHz thread: one writer, one reader, `Capacity` items (a power of two). A push into a
-/// full ring is refused and counted. No call allocates, locks or throws.
+/// Wait-free ordered queue for the 1 kHz thread: one writer, one reader, `Capacity` items (a power of two). A push into
+/// a full ring is refused and counted. No call allocates, locks or throws.
 template <class T, std::size_t Capacity>
 class SpscRing {
   static_assert(std::is_trivially_copyable_v<T>, "the real-time hand-over copies bytes");

@@ -17,16 +17,16 @@ namespace pellucida {
 
 /// What a stage did so far.
 struct StageCounts {
-  std::uint64_t done_count = 0;       ///< items turned into an output
-  std::uint64_t failed_count = 0;     ///< items the step gave no output for
-  double last_step_s = 0.0;           ///< how long the newest item took
-  double total_step_s = 0.0;          ///< all items together
-  std::string last_failure;           ///< reason of the newest failure
+  std::uint64_t done_count = 0;    ///< items turned into an output
+  std::uint64_t failed_count = 0;  ///< items the step gave no output for
+  double last_step_s = 0.0;        ///< how long the newest item took
+  double total_step_s = 0.0;       ///< all items together
+  std::string last_failure;        ///< reason of the newest failure
 };
 
-/// Gives any step a thread: takes items from `In` (SharedLatest: newest wins; Ring: all in order), runs the step, hands each
-/// output to `sink`. Stops when asked to, or when the input is closed and empty. An exception of the step ends the stage and
-/// is kept for `rethrow`. Step, input and clock must outlive the stage.
+/// Gives any step a thread: takes items from `In` (SharedLatest: newest wins; Ring: all in order), runs the step, hands
+/// each output to `sink`. Stops when asked to, or when the input is closed and empty. An exception of the step ends the
+/// stage and is kept for `rethrow`. Step, input and clock must outlive the stage.
 template <Step S, class In>
 class Stage {
  public:

@@ -8,8 +8,8 @@ namespace pellucida {
 /// Computes what VTK would cache at a first read (bounds, array ranges), so that many threads may read `data` at once.
 void prepare_for_sharing(vtkDataObject* data);
 
-/// A VTK data object that nobody writes again. It crosses threads freely; who wants to use it in a pipeline takes a shallow
-/// copy of its own. An empty handle (the default) stands for "not there".
+/// A VTK data object that nobody writes again. It crosses threads freely; who wants to use it in a pipeline takes a
+/// shallow copy of its own. An empty handle (the default) stands for "not there".
 template <class T>
 class Frozen {
  public:

@@ -14,17 +14,18 @@ namespace pellucida {
 
 /// Everything known of one frame. Each step of the chain takes a scene and returns a new one with its own part added:
 /// frame -> (tracking) membranes, tools -> (reconstruction) surface -> (mechanics) surface with forces, model.
-/// The parts are frozen: a copy costs a few reference counts, and may be read from any thread. Parts not made (yet) are empty.
+/// The parts are frozen: a copy costs a few reference counts, and may be read from any thread. Parts not made (yet) are
+/// empty.
 struct Scene {
-  double arrival_s = 0.0;          ///< session clock when the frame arrived: force age is counted from here
-  Frozen<vtkImageData> frame;      ///< 1 component, 8 or 16 bit, spacing in um, origin (0, 0, 0)
-  Frozen<vtkPolyData> membranes;   ///< one closed polyline a membrane; see SceneData.h
-  Frozen<vtkPolyData> tools;       ///< needle and holder outlines; see SceneData.h
-  Frozen<vtkPolyData> surface;     ///< both membranes revolved, with the force arrays after the mechanics step
-  Frozen<vtkPolyData> model;       ///< the mass-spring-damper mesh in its solved shape (triangles)
+  double arrival_s = 0.0;         ///< session clock when the frame arrived: force age is counted from here
+  Frozen<vtkImageData> frame;     ///< 1 component, 8 or 16 bit, spacing in um, origin (0, 0, 0)
+  Frozen<vtkPolyData> membranes;  ///< one closed polyline a membrane; see SceneData.h
+  Frozen<vtkPolyData> tools;      ///< needle and holder outlines; see SceneData.h
+  Frozen<vtkPolyData> surface;    ///< both membranes revolved, with the force arrays after the mechanics step
+  Frozen<vtkPolyData> model;      ///< the mass-spring-damper mesh in its solved shape (triangles)
   std::shared_ptr<const Observation> observation;  ///< the same contours and tools as plain numbers
-  Measurement measurement;         ///< the row of `measurements.csv`
-  std::vector<Event> events;       ///< what this frame brought about
+  Measurement measurement;                         ///< the row of `measurements.csv`
+  std::vector<Event> events;                       ///< what this frame brought about
 };
 
 }  // namespace pellucida

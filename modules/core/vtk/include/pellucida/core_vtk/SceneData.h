@@ -10,19 +10,22 @@ namespace pellucida {
 
 /// Names of the arrays in the session's files (a contract).
 namespace array_name {
-inline constexpr const char* kTime = "time_s";                      ///< field data, 1 value
-inline constexpr const char* kFrameIndex = "frame_index";           ///< field data, 1 value
-inline constexpr const char* kSchemaVersion = "schema_version";     ///< field data, 1 value
-inline constexpr const char* kMembrane = "membrane";                ///< 0 outer, 1 inner, 2 oolemma
-inline constexpr const char* kConfidence = "confidence";            ///< points of a contour, 0..1
-inline constexpr const char* kSigma = "sigma_um";                   ///< points of a contour
-inline constexpr const char* kTool = "tool";                        ///< cells: 0 needle, 1 holder
-inline constexpr const char* kForce = "force_uN";                   ///< points of the surface, 3 components
-inline constexpr const char* kForceSigma = "force_sigma_uN";        ///< points of the surface
-inline constexpr const char* kDisplacement = "displacement_um";     ///< points of the surface, 3 components
-inline constexpr const char* kTension = "tension_uN_per_um";        ///< points of the surface
-inline constexpr const char* kCenter = "center_um";                 ///< field data of membranes and surface, 3 values
-inline constexpr const char* kAxis = "axis";                        ///< field data, 3 values: unit, cell centre to needle
+inline constexpr const char* kTime = "time_s";                   ///< field data, 1 value
+inline constexpr const char* kFrameIndex = "frame_index";        ///< field data, 1 value
+inline constexpr const char* kSchemaVersion = "schema_version";  ///< field data, 1 value
+inline constexpr const char* kMembrane = "membrane";             ///< 0 outer, 1 inner, 2 oolemma
+inline constexpr const char* kConfidence = "confidence";         ///< points of a contour, 0..1
+inline constexpr const char* kSigma = "sigma_um";                ///< points of a contour
+inline constexpr const char* kTool = "tool";                     ///< cells: 0 needle, 1 holder
+inline constexpr const char* kForce = "force_uN";                ///< points of the surface, 3 components
+inline constexpr const char* kForceSigma = "force_sigma_uN";     ///< points of the surface
+inline constexpr const char* kDisplacement = "displacement_um";  ///< points of the surface, 3 components
+inline constexpr const char* kTension = "tension_uN_per_um";     ///< points of the surface
+inline constexpr const char* kCenter = "center_um";              ///< field data of membranes and surface, 3 values
+inline constexpr const char* kAxis = "axis";                     ///< field data, 3 values: unit, cell centre to needle
+inline constexpr const char* kRestRadius = "rest_radius_um";     ///< field data, 2 values: outer, inner; 0 = unknown
+inline constexpr const char* kRestDirection =
+    "rest_direction";  ///< points of the surface, 3: unit, from the cell centre
 }  // namespace array_name
 
 /// Stamps field data time_s, frame_index and schema_version.
@@ -38,9 +41,9 @@ vtkSmartPointer<vtkImageData> make_frame(const ImageView& image, double time_s, 
 /// The pixels of a frame, as an ImageView; valid while `frame` lives. `frame` has one component, 8 or 16 bit unsigned.
 ImageView view_of(const vtkImageData* frame);
 
-/// Contours as vtkPolyData: one closed polyline (first point repeated by index, not by coordinates) a membrane; cell array
-/// `membrane` (int); point arrays `confidence` (1 where unknown) and `sigma_um` (0 where unknown), float; field data the
-/// stamp, `center_um` and `axis`. z = 0.
+/// Contours as vtkPolyData: one closed polyline (first point repeated by index, not by coordinates) a membrane; cell
+/// array `membrane` (int); point arrays `confidence` (1 where unknown) and `sigma_um` (0 where unknown), float; field
+/// data the stamp, `center_um`, `axis` and `rest_radius_um`. z = 0.
 vtkSmartPointer<vtkPolyData> make_membranes(const Observation& observation);
 
 /// Needle and holder as open polylines; cell array `tool` (0 needle, 1 holder); the needle's first point is its tip.

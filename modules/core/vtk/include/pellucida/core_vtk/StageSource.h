@@ -13,10 +13,10 @@ namespace pellucida {
 enum class SceneBlock : unsigned { kFrame, kMembranes, kTools, kSurface, kModel };
 const char* to_string(SceneBlock block) noexcept;
 
-/// A VTK source (no input) that hands the newest frozen scene to any pipeline: a view, a writer, a third-party filter is fed
-/// by a module as by any reader.
-/// Output port 0: vtkMultiBlockDataSet, one block for each part of the scene (empty where the scene lacks it), blocks named.
-/// Use on one thread; `Poll` is the only call that looks across threads.
+/// A VTK source (no input) that hands the newest frozen scene to any pipeline: a view, a writer, a third-party filter
+/// is fed by a module as by any reader. Output port 0: vtkMultiBlockDataSet, one block for each part of the scene
+/// (empty where the scene lacks it), blocks named. Use on one thread; `Poll` is the only call that looks across
+/// threads.
 class StageSource : public vtkMultiBlockDataSetAlgorithm {
  public:
   static StageSource* New();
