@@ -41,6 +41,9 @@ class FrameSource {
   /// The next frame; blocks for it. Nothing at the end. Throws InputError when the input turns out broken (what came before
   /// stays valid), DeviceError when a camera is lost.
   virtual std::optional<Frame> next() = 0;
+
+  /// Begins anew: `next()` gives the first frame again. False when this kind of source can't.
+  virtual bool restart() { return false; }
 };
 
 }  // namespace pellucida
