@@ -1,0 +1,35 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pellucida/session/SessionCheck.h"
+
+namespace pellucida {
+
+struct ExportOptions {
+  /// Frames whose surface nodes go to `nodes.csv`: any of `first`, `last`, `peak` (largest contact force) and frame
+  /// numbers, comma separated. `first` and `last` are those with a surface.
+  std::string frames = "peak";
+  SessionProgress progress;
+};
+
+/// What an export wrote.
+struct ExportReport {
+  std::vector<std::filesystem::path> files;  ///< in the order they were written
+  std::vector<std::string> notes;            ///< what was not there to write, and why; a line each
+  std::vector<long> node_frames;             ///< frames in `nodes.csv`
+  std::size_t contour_point_count = 0;       ///< rows of `contours.csv`
+  std::size_t node_count = 0;                ///< rows of `nodes.csv`
+};
+
+/// Writes a session as flat files for other tools: `measurements.csv`, `events.csv`, `contours.csv`
+/// (`frame,membrane,point,x_um,y_um`), `nodes.csv`
+/// (`frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN`). An earlier export in `output` is replaced,
+/// file by file. Throws InputError when the session can't be read, UsageError when `options.frames` names no frame of
+/// the session or `output` is the session itself, OutputError when a file can't be written.
+ExportReport export_session(const std::filesystem::path& session, const std::filesystem::path& output,
+                            const ExportOptions& options = {});
+
+}  // namespace pellucida

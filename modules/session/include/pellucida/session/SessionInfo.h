@@ -1,0 +1,54 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core/Version.h"
+
+namespace pellucida {
+
+/// What a session says of itself: the head of `session.json`.
+struct SessionInfo {
+  std::string software_version = kVersion;
+  SourceInfo source;                              ///< where the frames came from, and the calibration with its origin
+  std::string profile_name;                       ///< of the cell profile used; empty for none
+  std::string profile_json;                       ///< the profile's whole content, JSON text; empty for none
+  std::string command_line;                       ///< as the user typed it; empty for the window
+  std::map<std::string, std::uint64_t> seeds;     ///< of everything random, by the name of its user
+  std::map<std::string, double> clock_offsets_s;  ///< other clock minus session clock, by the clock's name
+  std::string drop_policy = "none";               ///< what may be lost on the way to the recorder, in words
+};
+
+/// What may be chosen about writing.
+struct SessionOptions {
+  bool frames = true;  ///< keep the images themselves
+};
+
+/// The parts of a step that have a file of their own; the numbers are those of the attribute `part` in `session.pvd`.
+enum class SessionPart : int { kSurface = 0, kMembranes = 1, kTools = 2, kFrame = 3 };
+inline constexpr std::size_t kSessionPartCount = 4;
+
+/// How much there is.
+struct SessionCounts {
+  std::uint64_t step_count = 0;                               ///< rows of `measurements.csv`
+  std::array<std::uint64_t, kSessionPartCount> file_count{};  ///< data files, by SessionPart
+  std::uint64_t event_count = 0;                              ///< rows of `events.csv`
+  std::uint64_t dropped_count = 0;                            ///< frames the recorder was told it lost
+  std::uint64_t byte_count = 0;                               ///< of data files and rows
+
+  std::uint64_t files(SessionPart part) const noexcept { return file_count[static_cast<std::size_t>(part)]; }
+};
+
+/// One frame of a session: when it was, and which of its parts are on the disk.
+struct SessionStep {
+  long frame_index = 0;
+  double time_s = 0.0;
+  std::array<bool, kSessionPartCount> present{};  ///< by SessionPart
+
+  bool has(SessionPart part) const noexcept { return present[static_cast<std::size_t>(part)]; }
+};
+
+}  // namespace pellucida

@@ -1,0 +1,49 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "pellucida/core/Event.h"
+#include "pellucida/core/Measurement.h"
+#include "pellucida/core_vtk/Scene.h"
+#include "pellucida/session/SessionInfo.h"
+
+namespace pellucida {
+
+/// Reads a session folder, closed or cut off. Opening reads the head, the two tables and the names of the files; the
+/// data files are read one step at a time. Lines of the tables that can't be read are left out (`check_session` names
+/// them). One thread at a time; the scenes handed out may go anywhere.
+class SessionReader {
+ public:
+  /// Throws InputError when the folder isn't there or holds no readable session.
+  explicit SessionReader(const std::filesystem::path& folder);
+  ~SessionReader();
+  SessionReader(SessionReader&&) noexcept;
+  SessionReader& operator=(SessionReader&&) noexcept;
+
+  const std::filesystem::path& folder() const noexcept;
+  const SessionInfo& info() const noexcept;
+  /// True when the session was closed; false after a crash, repaired or not, and while it is still being written.
+  bool complete() const noexcept;
+  /// The counts `session.json` states.
+  const SessionCounts& stated_counts() const noexcept;
+
+  /// One entry a row of `measurements.csv`, in its order.
+  const std::vector<SessionStep>& steps() const noexcept;
+  /// One entry a step.
+  const std::vector<Measurement>& measurements() const noexcept;
+  const std::vector<Event>& events() const noexcept;
+  /// True when the session has a recording of the hand.
+  bool has_haptics() const noexcept;
+
+  /// Reads the parts of step `step` (0-based) that are there. `arrival_s` of the scene is the step's time; `events` are
+  /// those stamped within the step (from its time up to the next one's); `observation` stays empty. Throws InputError
+  /// when a file can't be read, std::out_of_range for a step that isn't there.
+  Scene load(std::size_t step) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "pellucida/core/Event.h"
+#include "pellucida/core_vtk/Scene.h"
+#include "pellucida/session/SessionInfo.h"
+
+namespace pellucida {
+
+/// Writes a session folder (docs/file-format.md) while it happens.
+///
+/// A file appears under its name only when it is whole; a row of a table is handed to the system as soon as it is
+/// known, after the files it speaks of; all of it is asked onto the disk each half second by a thread of the writer's
+/// own. So a power cut loses at most the last second, and a crash of the program nothing but the step being written;
+/// `check_session` mends the rest.
+///
+/// One thread at a time. Each call writes before it returns.
+class SessionWriter {
+ public:
+  /// Creates the folder (with its parents) and its heads. Throws
+  /// - UsageError when the folder already holds a session or part of one: nothing is ever overwritten;
+  /// - UsageError when `info.profile_json` isn't JSON;
+  /// - OutputError when the folder can't be made or written.
+  SessionWriter(const std::filesystem::path& folder, const SessionInfo& info, SessionOptions options = {});
+  /// Without a `close` before it, the session stays marked as interrupted (as after a crash); what was written stays
+  /// valid.
+  ~SessionWriter();
+  SessionWriter(const SessionWriter&) = delete;
+  SessionWriter& operator=(const SessionWriter&) = delete;
+
+  /// Adds one step: the parts the scene has, its events, and always its row. `scene.measurement.frame` numbers the
+  /// files and must rise from step to step. Parts without a stamp get `measurement.time_s` and `frame` as theirs.
+  /// Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the writer may be
+  /// used again (to close it, for example).
+  void write(const Scene& scene);
+
+  /// Adds one event. An event of kind `dropped` also counts a lost frame. Throws OutputError.
+  void event(const Event& event);
+
+  /// Writes what is still to be written and marks the session complete. Safe to call twice. Throws OutputError.
+  void close();
+
+  const SessionCounts& counts() const noexcept;
+  const std::filesystem::path& folder() const noexcept;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,20 @@
+#pragma once
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <filesystem>
+#include <string>
+
+namespace pellucida {
+
+/// The content of a `.vti` file (appended raw, compressed). `data` isn't changed.
+std::string serialise(vtkImageData* data);
+/// The content of a `.vtp` file (appended raw, compressed, 32 bit connectivity). `data` isn't changed.
+std::string serialise(vtkPolyData* data);
+
+/// Reads a `.vti` or `.vtp` file. Throws InputError, one line, for a file that is missing, cut off or not of that kind.
+vtkSmartPointer<vtkImageData> read_image_file(const std::filesystem::path& file);
+vtkSmartPointer<vtkPolyData> read_poly_file(const std::filesystem::path& file);
+
+}  // namespace pellucida

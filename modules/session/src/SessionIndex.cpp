@@ -1,0 +1,116 @@
+#include "SessionIndex.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "DiskFile.h"
+#include "SessionFolder.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
+
+namespace pellucida {
+namespace {
+
+bool is_whole_number(const std::string& cell) {
+  return !cell.empty() && std::all_of(cell.begin(), cell.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+double finite_number(const std::string& cell, const char* column) {
+  double value = 0.0;
+  const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (cell.empty() || code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+    throw InputError("\"" + cell + "\" in column " + column + " is not a number");
+  }
+  return value;
+}
+
+Measurement parse_measurement(const std::string& line, const std::vector<Measurement>& before) {
+  const auto cells = split_csv(line);
+  if (!is_whole_number(cells[0])) throw InputError("\"" + cells[0] + "\" in column frame is not a whole number");
+  if (cells.size() > 1) finite_number(cells[1], "time_s");
+  const Measurement row = measurement_from_csv(line);
+  if (!before.empty() && row.frame <= before.back().frame) throw InputError("frame number does not rise");
+  return row;
+}
+
+Event parse_event(const std::string& line, const std::vector<Event>&) {
+  const auto cells = split_csv(line);
+  if (cells.size() < 3) throw InputError("a row of " + std::to_string(cells.size()) + " cells; 3 are needed");
+  return {finite_number(cells[0], "time_s"), cells[1], cells[2]};
+}
+
+// Reads a table line by line; a line that lacks its end was cut off, even where it happens to parse.
+template <class Row, class Parse>
+SessionTable<Row> read_table(const std::filesystem::path& file, std::string_view header, Parse parse) {
+  SessionTable<Row> table;
+  if (!std::filesystem::exists(file)) return table;
+  table.present = true;
+  const std::string text = read_whole_file(file);
+  std::size_t number = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    const bool whole = end != std::string::npos;
+    std::string line = text.substr(start, whole ? end - start : std::string::npos);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    start = whole ? end + 1 : text.size();
+    if (++number == 1) {
+      table.header_right = whole && line.starts_with(header);
+      continue;
+    }
+    try {
+      if (!whole) throw InputError("cut off in the middle");
+      table.rows.push_back(parse(line, table.rows));
+      table.lines.push_back(std::move(line));
+    } catch (const Error& error) {
+      table.bad.push_back({number, std::move(line), error.what()});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+SessionTable<Measurement> read_measurements(const std::filesystem::path& file) {
+  return read_table<Measurement>(file, measurement_header(), parse_measurement);
+}
+
+SessionTable<Event> read_events(const std::filesystem::path& file) {
+  return read_table<Event>(file, session_name::kEventsHeader, parse_event);
+}
+
+SessionFiles list_files(const std::filesystem::path& session) {
+  SessionFiles files;
+  const auto look_at = [&](const std::filesystem::path& folder, const PartNames* names) {
+    std::error_code status;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
+      const std::string name = entry.path().filename().string();
+      if (name.ends_with(kTemporarySuffix)) {
+        files.temporary.push_back(entry.path());
+      } else if (names) {
+        const auto index = frame_index_of(names->part, name);
+        if (index) files.frames[static_cast<std::size_t>(names->part)].push_back(*index);
+      }
+    }
+  };
+  look_at(session, nullptr);
+  for (const PartNames& names : kParts) look_at(session / names.folder, &names);
+  for (auto& frames : files.frames) std::sort(frames.begin(), frames.end());
+  return files;
+}
+
+std::vector<SessionStep> make_steps(const std::vector<Measurement>& rows, const SessionFiles& files) {
+  std::vector<SessionStep> steps;
+  steps.reserve(rows.size());
+  for (const Measurement& row : rows) {
+    SessionStep step{.frame_index = row.frame, .time_s = row.time_s};
+    for (std::size_t part = 0; part < kSessionPartCount; ++part) {
+      step.present[part] = std::binary_search(files.frames[part].begin(), files.frames[part].end(), row.frame);
+    }
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+}  // namespace pellucida

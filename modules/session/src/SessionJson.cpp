@@ -1,0 +1,129 @@
+#include "SessionJson.h"
+
+#include <nlohmann/json.hpp>
+
+#include "DiskFile.h"
+#include "SessionFolder.h"
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parse_profile(const std::string& text) {
+  if (text.empty()) return nullptr;
+  const Json parsed = Json::parse(text, nullptr, false);
+  if (parsed.is_discarded()) throw UsageError("the cell profile's content is not JSON; check the profile's file");
+  return parsed;
+}
+
+// Each value goes to its place only when it is there and not null.
+template <class T>
+void take(const Json& object, const char* key, T& value) {
+  if (const auto found = object.find(key); found != object.end() && !found->is_null()) value = found->template get<T>();
+}
+
+Json source_json(const SourceInfo& source) {
+  return {{"name", source.name},
+          {"width_px", source.width_px},
+          {"height_px", source.height_px},
+          {"bit_depth", source.bit_depth},
+          {"frame_rate_hz", source.frame_rate_hz},
+          {"frame_rate_origin", source.frame_rate_origin},
+          {"frame_count", source.frame_count ? Json(*source.frame_count) : Json(nullptr)},
+          {"live", source.live}};
+}
+
+SourceInfo source_from(const Json& head) {
+  SourceInfo source;
+  const Json object = head.value("source", Json::object());
+  take(object, "name", source.name);
+  take(object, "width_px", source.width_px);
+  take(object, "height_px", source.height_px);
+  take(object, "bit_depth", source.bit_depth);
+  take(object, "frame_rate_hz", source.frame_rate_hz);
+  take(object, "frame_rate_origin", source.frame_rate_origin);
+  take(object, "live", source.live);
+  long frame_count = -1;
+  take(object, "frame_count", frame_count);
+  if (frame_count >= 0) source.frame_count = frame_count;
+
+  const Json calibration = head.value("calibration", Json::object());
+  take(calibration, "pixel_size_um", source.pixel_size_um);
+  take(calibration, "pixel_size_origin", source.pixel_size_origin);
+  return source;
+}
+
+Json counts_json(const SessionCounts& counts) {
+  Json object{{"steps", counts.step_count}};
+  for (const PartNames& names : kParts) object[names.folder] = counts.files(names.part);
+  object["events"] = counts.event_count;
+  object["dropped"] = counts.dropped_count;
+  object["bytes"] = counts.byte_count;
+  return object;
+}
+
+SessionCounts counts_from(const Json& head) {
+  SessionCounts counts;
+  const Json object = head.value("counts", Json::object());
+  take(object, "steps", counts.step_count);
+  for (const PartNames& names : kParts)
+    take(object, names.folder, counts.file_count[static_cast<std::size_t>(names.part)]);
+  take(object, "events", counts.event_count);
+  take(object, "dropped", counts.dropped_count);
+  take(object, "bytes", counts.byte_count);
+  return counts;
+}
+
+}  // namespace
+
+std::string to_json(const SessionHead& head) {
+  const SessionInfo& info = head.info;
+  Json json{{"schema_version", kSchemaVersion},
+            {"software", {{"name", "Pellucida"}, {"version", info.software_version}}},
+            {"created", head.created},
+            {"complete", head.complete}};
+  if (head.recovered) json["recovered"] = true;
+  json["source"] = source_json(info.source);
+  json["calibration"] = {{"pixel_size_um", info.source.pixel_size_um},
+                         {"pixel_size_origin", info.source.pixel_size_origin}};
+  json["profile"] = {{"name", info.profile_name}, {"content", parse_profile(info.profile_json)}};
+  json["command_line"] = info.command_line;
+  json["seeds"] = info.seeds;
+  json["clock_offsets_s"] = info.clock_offsets_s;
+  json["drop_policy"] = info.drop_policy;
+  json["frames_kept"] = head.options.frames;
+  json["counts"] = counts_json(head.counts);
+  // File names may hold any bytes; what isn't UTF-8 is replaced rather than refused.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+SessionHead read_session_json(const std::filesystem::path& file) {
+  const Json json = Json::parse(read_whole_file(file), nullptr, false);
+  if (!json.is_object()) throw InputError(file.string() + ": not JSON; run pellucida check --repair on the session");
+  try {
+    SessionHead head;
+    SessionInfo& info = head.info;
+    take(json, "created", head.created);
+    take(json, "complete", head.complete);
+    take(json, "recovered", head.recovered);
+    take(json, "frames_kept", head.options.frames);
+    take(json.value("software", Json::object()), "version", info.software_version);
+    info.source = source_from(json);
+    const Json profile = json.value("profile", Json::object());
+    take(profile, "name", info.profile_name);
+    if (profile.contains("content") && !profile["content"].is_null()) info.profile_json = profile["content"].dump();
+    take(json, "command_line", info.command_line);
+    take(json, "seeds", info.seeds);
+    take(json, "clock_offsets_s", info.clock_offsets_s);
+    take(json, "drop_policy", info.drop_policy);
+    head.counts = counts_from(json);
+    return head;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(file.string() + ": a value of a wrong type (" + error.what() +
+                     "); run pellucida check --repair on the session");
+  }
+}
+
+}  // namespace pellucida

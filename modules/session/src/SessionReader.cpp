@@ -1,0 +1,99 @@
+#include "pellucida/session/SessionReader.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "DataFile.h"
+#include "SessionFolder.h"
+#include "SessionIndex.h"
+#include "SessionJson.h"
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+
+class SessionReader::Impl {
+ public:
+  explicit Impl(const std::filesystem::path& folder) : folder_(folder) {
+    if (!std::filesystem::exists(folder_)) throw InputError(folder_.string() + ": no such folder; check the path");
+    if (!std::filesystem::exists(folder_ / session_name::kJson)) {
+      throw InputError(folder_.string() + ": no session here (session.json is missing); name a session's folder");
+    }
+    head_ = read_session_json(folder_ / session_name::kJson);
+    auto measurements = read_measurements(folder_ / session_name::kMeasurements);
+    if (!measurements.present) {
+      throw InputError(folder_.string() + ": measurements.csv is missing; the session can't be read without it");
+    }
+    measurements_ = std::move(measurements.rows);
+    events_ = read_events(folder_ / session_name::kEvents).rows;
+    steps_ = make_steps(measurements_, list_files(folder_));
+  }
+
+  Scene load(std::size_t index) const {
+    if (index >= steps_.size()) {
+      throw std::out_of_range("step " + std::to_string(index) + " of a session of " + std::to_string(steps_.size()));
+    }
+    const SessionStep& step = steps_[index];
+    Scene scene;
+    scene.arrival_s = step.time_s;
+    scene.measurement = measurements_[index];
+    scene.surface = read_part(step, SessionPart::kSurface);
+    scene.membranes = read_part(step, SessionPart::kMembranes);
+    scene.tools = read_part(step, SessionPart::kTools);
+    if (step.has(SessionPart::kFrame)) {
+      scene.frame = Frozen(read_image_file(folder_ / part_file(SessionPart::kFrame, step.frame_index)));
+    }
+    // Events belong to the step they came with: from its time up to the next one's.
+    const bool last = index + 1 == steps_.size();
+    std::copy_if(events_.begin(), events_.end(), std::back_inserter(scene.events), [&](const Event& event) {
+      return event.time_s >= step.time_s && (last || event.time_s < steps_[index + 1].time_s);
+    });
+    return scene;
+  }
+
+  Frozen<vtkPolyData> read_part(const SessionStep& step, SessionPart part) const {
+    if (!step.has(part)) return {};
+    return Frozen(read_poly_file(folder_ / part_file(part, step.frame_index)));
+  }
+
+  std::filesystem::path folder_;
+  SessionHead head_;
+  std::vector<Measurement> measurements_;
+  std::vector<Event> events_;
+  std::vector<SessionStep> steps_;
+};
+
+SessionReader::SessionReader(const std::filesystem::path& folder) : impl_(std::make_unique<Impl>(folder)) {}
+SessionReader::~SessionReader() = default;
+SessionReader::SessionReader(SessionReader&&) noexcept = default;
+SessionReader& SessionReader::operator=(SessionReader&&) noexcept = default;
+
+const std::filesystem::path& SessionReader::folder() const noexcept {
+  return impl_->folder_;
+}
+const SessionInfo& SessionReader::info() const noexcept {
+  return impl_->head_.info;
+}
+bool SessionReader::complete() const noexcept {
+  return impl_->head_.complete;
+}
+const SessionCounts& SessionReader::stated_counts() const noexcept {
+  return impl_->head_.counts;
+}
+const std::vector<SessionStep>& SessionReader::steps() const noexcept {
+  return impl_->steps_;
+}
+const std::vector<Measurement>& SessionReader::measurements() const noexcept {
+  return impl_->measurements_;
+}
+const std::vector<Event>& SessionReader::events() const noexcept {
+  return impl_->events_;
+}
+bool SessionReader::has_haptics() const noexcept {
+  std::error_code status;
+  return std::filesystem::exists(impl_->folder_ / session_name::kHaptics, status);
+}
+Scene SessionReader::load(std::size_t step) const {
+  return impl_->load(step);
+}
+
+}  // namespace pellucida

@@ -1,0 +1,202 @@
+#include "pellucida/session/SessionWriter.h"
+
+#include <vtkFieldData.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <vector>
+
+#include "DataFile.h"
+#include "DiskFile.h"
+#include "DiskSync.h"
+#include "SessionFolder.h"
+#include "SessionJson.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
+#include "pellucida/core_vtk/SceneData.h"
+
+namespace pellucida {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+using SteadyTime = std::chrono::steady_clock::time_point;
+
+// The list of files grows with the session: it is rewritten so seldom that this share of the time is never exceeded.
+constexpr double kPvdTimeShare = 0.02;
+constexpr Seconds kHeadPeriod{1.0};
+
+std::string now_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+// Refuses to touch a folder that holds a session, or any part of one.
+std::filesystem::path new_session_folder(const std::filesystem::path& folder) {
+  make_folder(folder);
+  std::vector<std::string> own{session_name::kJson,   session_name::kPvd,     session_name::kMeasurements,
+                               session_name::kEvents, session_name::kHaptics, session_name::kEmpty};
+  for (const PartNames& names : kParts) own.emplace_back(names.folder);
+  for (const std::string& name : own) {
+    if (std::filesystem::exists(folder / name)) {
+      throw UsageError(folder.string() + ": already holds a session (" + name +
+                       "), which is never overwritten; choose another folder");
+    }
+  }
+  return folder;
+}
+
+bool is_stamped(vtkDataObject* data) {
+  vtkFieldData* field = data->GetFieldData();
+  return field->GetArray(array_name::kTime) && field->GetArray(array_name::kFrameIndex) &&
+         field->GetArray(array_name::kSchemaVersion);
+}
+
+}  // namespace
+
+class SessionWriter::Impl {
+ public:
+  Impl(const std::filesystem::path& folder, const SessionInfo& info, SessionOptions options)
+      : folder_(new_session_folder(folder)), head_{.info = info, .options = options, .created = now_utc()} {
+    // The head comes first: from here on the folder is a session.
+    write_head();
+    for (const PartNames& names : kParts) {
+      if (names.part != SessionPart::kFrame || options.frames) make_folder(folder_ / names.folder);
+    }
+    replace_file(folder_ / session_name::kEmpty, serialise(vtkSmartPointer<vtkPolyData>::New().Get()));
+    measurements_ = std::make_unique<AppendFile>(folder_ / session_name::kMeasurements, measurement_header());
+    events_ = std::make_unique<AppendFile>(folder_ / session_name::kEvents, session_name::kEventsHeader);
+    write_pvd();
+    sync_ = std::make_unique<DiskSync>(folder_);
+  }
+
+  void write(const Scene& scene) {
+    require_open();
+    const Measurement& row = scene.measurement;
+    if (!steps_.empty() && row.frame <= steps_.back().frame_index) {
+      throw Error(ExitCode::kOurFault, folder_.string() + ": frame " + std::to_string(row.frame) + " after frame " +
+                                           std::to_string(steps_.back().frame_index) + "; frame numbers must rise");
+    }
+    // Files first, then the row that speaks of them.
+    SessionStep step{.frame_index = row.frame, .time_s = row.time_s};
+    write_part(step, SessionPart::kSurface, scene.surface);
+    write_part(step, SessionPart::kMembranes, scene.membranes);
+    write_part(step, SessionPart::kTools, scene.tools);
+    if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame);
+    measurements_->append(to_csv(row));
+    steps_.push_back(step);
+    ++head_.counts.step_count;
+    for (const Event& event : scene.events) append_event(event);
+    refresh();
+  }
+
+  void event(const Event& event) {
+    require_open();
+    append_event(event);
+    refresh();
+  }
+
+  void close() {
+    if (closed_) return;
+    write_pvd();
+    head_.complete = true;
+    try {
+      write_head();
+      sync_->mark();
+      sync_->finish();
+    } catch (...) {
+      head_.complete = false;
+      throw;
+    }
+    closed_ = true;
+  }
+
+  const SessionCounts& counts() const noexcept { return head_.counts; }
+  const std::filesystem::path& folder() const noexcept { return folder_; }
+
+ private:
+  void require_open() const {
+    if (closed_) throw Error(ExitCode::kOurFault, folder_.string() + ": the session is closed; nothing can be added");
+    sync_->rethrow();
+  }
+
+  template <class T>
+  void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data) {
+    if (!data) return;
+    auto copy = data.shallow_copy();
+    if (!is_stamped(copy)) stamp(copy, step.time_s, step.frame_index);
+    const std::string content = serialise(copy.Get());
+    replace_file(folder_ / part_file(part, step.frame_index), content);
+    step.present[static_cast<std::size_t>(part)] = true;
+    ++head_.counts.file_count[static_cast<std::size_t>(part)];
+    file_byte_count_ += content.size();
+  }
+
+  void append_event(const Event& event) {
+    events_->append(csv_number(event.time_s) + ',' + csv_cell(event.kind) + ',' + csv_cell(event.detail));
+    ++head_.counts.event_count;
+    if (event.kind == "dropped") ++head_.counts.dropped_count;
+  }
+
+  // After each write: the head about once a second, the list of files at intervals that grow with what it costs.
+  void refresh() {
+    head_.counts.byte_count = file_byte_count_ + measurements_->byte_count() + events_->byte_count();
+    sync_->mark();
+    const SteadyTime now = std::chrono::steady_clock::now();
+    if (now >= next_head_) write_head();
+    if (now >= next_pvd_) write_pvd();
+  }
+
+  void write_head() {
+    replace_file(folder_ / session_name::kJson, to_json(head_));
+    next_head_ = later(kHeadPeriod);
+  }
+
+  void write_pvd() {
+    const SteadyTime start = std::chrono::steady_clock::now();
+    replace_file(folder_ / session_name::kPvd, make_pvd(steps_, head_.options.frames));
+    const Seconds cost = std::chrono::steady_clock::now() - start;
+    next_pvd_ = later(std::max(kHeadPeriod, cost / kPvdTimeShare));
+  }
+
+  static SteadyTime later(Seconds delay) {
+    return std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(delay);
+  }
+
+  std::filesystem::path folder_;
+  SessionHead head_;
+  std::vector<SessionStep> steps_;
+  std::uint64_t file_byte_count_ = 0;
+  std::unique_ptr<AppendFile> measurements_;
+  std::unique_ptr<AppendFile> events_;
+  std::unique_ptr<DiskSync> sync_;
+  SteadyTime next_head_;
+  SteadyTime next_pvd_;
+  bool closed_ = false;
+};
+
+SessionWriter::SessionWriter(const std::filesystem::path& folder, const SessionInfo& info, SessionOptions options)
+    : impl_(std::make_unique<Impl>(folder, info, options)) {}
+SessionWriter::~SessionWriter() = default;
+
+void SessionWriter::write(const Scene& scene) {
+  impl_->write(scene);
+}
+void SessionWriter::event(const Event& event) {
+  impl_->event(event);
+}
+void SessionWriter::close() {
+  impl_->close();
+}
+const SessionCounts& SessionWriter::counts() const noexcept {
+  return impl_->counts();
+}
+const std::filesystem::path& SessionWriter::folder() const noexcept {
+  return impl_->folder();
+}
+
+}  // namespace pellucida
