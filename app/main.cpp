@@ -2,6 +2,15 @@
 #include <exception>
 #include <iostream>
 
+#include "commands/AnalyzeCommand.h"
+#include "commands/BenchCommand.h"
+#include "commands/CheckCommand.h"
+#include "commands/CommandLine.h"
+#include "commands/ExportCommand.h"
+#include "commands/ForceCommand.h"
+#include "commands/ProfilesCommand.h"
+#include "commands/SimulateCommand.h"
+#include "commands/WorkstationCommand.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Version.h"
 
@@ -16,12 +25,30 @@ int report(pellucida::ExitCode code, const char* text) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Pellucida: see a living cell's membrane in 3-D, and the force on it, from the microscope image alone");
+  CLI::App app("Pellucida: see a living cell's membrane in 3-D, and the force on it, from the microscope image alone",
+               "pellucida");
   app.set_version_flag("--version", pellucida::kVersion);
+  app.require_subcommand(0, 1);
+  pellucida::add_workstation_command(app);
+  pellucida::add_simulate_command(app);
+  pellucida::add_analyze_command(app);
+  pellucida::add_force_command(app);
+  pellucida::add_check_command(app);
+  pellucida::add_export_command(app);
+  pellucida::add_bench_command(app);
+  pellucida::add_profiles_command(app);
+  pellucida::keep_command_line(argc, argv);
   try {
     app.parse(argc, argv);
+    // Without a subcommand: the workstation on the virtual microscope.
+    if (app.get_subcommands().empty()) app.parse("workstation");
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    return app.exit(version);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(pellucida::ExitCode::kWrongUsage);
+    const std::string text = std::string(error.what()) + "; see pellucida --help";
+    return report(pellucida::ExitCode::kWrongUsage, text.c_str());
   } catch (const pellucida::Error& error) {
     return report(error.code(), error.what());
   } catch (const std::exception& error) {

@@ -28,6 +28,20 @@ TEST(Ring, WhatIsInsideCanBeReadAfterClose) {
   EXPECT_FALSE(ring.wait({}));
 }
 
+TEST(Ring, PushWaitLosesNothing) {
+  Ring<int> ring(2);
+  constexpr int kCount = 20000;
+  std::jthread writer([&] {
+    for (int i = 0; i < kCount; ++i) ring.push_wait(i);
+    ring.close();
+  });
+  int expected_next = 0;
+  while (auto value = ring.wait({})) ASSERT_EQ(*value, expected_next++);
+  EXPECT_EQ(expected_next, kCount);
+  EXPECT_EQ(ring.dropped_count(), 0U);
+  EXPECT_FALSE(ring.push_wait(1));
+}
+
 TEST(Ring, NothingIsLostBetweenTwoThreads) {
   Ring<int> ring(64);
   constexpr int kCount = 20000;

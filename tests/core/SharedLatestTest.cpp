@@ -11,13 +11,13 @@ namespace {
 TEST(SharedLatest, TheNewestWinsAndOverwrittenOnesAreCounted) {
   SharedLatest<int> exchange;
   EXPECT_FALSE(exchange.peek());
-  exchange.publish(1);
-  exchange.publish(2);
+  EXPECT_FALSE(exchange.publish(1));
+  EXPECT_EQ(exchange.publish(2), 1);  // what it replaced unread comes back
   EXPECT_EQ(exchange.peek(), 2);
   EXPECT_EQ(exchange.sequence(), 2U);
   EXPECT_EQ(exchange.overwritten_count(), 1U);
   EXPECT_EQ(exchange.wait({}), 2);
-  exchange.publish(3);
+  EXPECT_FALSE(exchange.publish(3));
   EXPECT_EQ(exchange.overwritten_count(), 1U);
 }
 

@@ -35,6 +35,7 @@ TEST(Stage, ProcessesARingInOrderAndCounts) {
   input.close();
   stage.join();
   EXPECT_EQ(outputs, (std::vector<int>{0, 4, 16}));
+  EXPECT_EQ(failures, (std::vector<int>{1, 3}));
   const StageCounts counts = stage.counts();
   EXPECT_EQ(counts.done_count, 3U);
   EXPECT_EQ(counts.failed_count, 2U);
@@ -75,6 +76,7 @@ TEST(Stage, AnExceptionEndsTheStageAndIsKept) {
   input.push(-1);
   stage.join();
   EXPECT_THROW(stage.rethrow(), std::domain_error);
+  EXPECT_FALSE(input.push(2));  // nobody would take it
 }
 
 TEST(Stage, StopLeavesTheRestInTheInput) {

@@ -28,17 +28,34 @@ class Ring {
       }
       items_.push_back(std::move(value));
     }
-    changed_.notify_one();
+    changed_.notify_all();
+    return true;
+  }
+
+  /// Waits for room instead of refusing: for a batch, where nothing may be lost and nobody waits. False when `stop` is
+  /// requested or the ring is closed; the item is then not taken, and not counted.
+  bool push_wait(T value, std::stop_token stop = {}) {
+    {
+      std::unique_lock lock(mutex_);
+      const bool ready = changed_.wait(lock, stop, [&] { return items_.size() < capacity_count_ || closed_; });
+      if (!ready || closed_) return false;
+      items_.push_back(std::move(value));
+    }
+    changed_.notify_all();
     return true;
   }
 
   /// The oldest item; blocks for it. Nothing when `stop` is requested, or the ring is closed and empty.
   std::optional<T> wait(std::stop_token stop) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, stop, [&] { return !items_.empty() || closed_; });
-    if (stop.stop_requested() || items_.empty()) return std::nullopt;
-    std::optional<T> item(std::move(items_.front()));
-    items_.pop_front();
+    std::optional<T> item;
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, stop, [&] { return !items_.empty() || closed_; });
+      if (stop.stop_requested() || items_.empty()) return std::nullopt;
+      item = std::move(items_.front());
+      items_.pop_front();
+    }
+    changed_.notify_all();
     return item;
   }
 

@@ -15,17 +15,21 @@ namespace pellucida {
 template <class T>
 class SharedLatest {
  public:
-  /// Puts `value` in place. The old value is released outside the lock.
-  void publish(T value) {
+  /// Puts `value` in place. Returns the value it replaced if nobody had taken that one by `wait`.
+  std::optional<T> publish(T value) {
     std::optional<T> old;
+    bool unread = false;
     {
       std::lock_guard lock(mutex_);
       old = std::exchange(value_, std::optional<T>(std::move(value)));
-      if (!taken_ && old) ++overwritten_count_;
+      unread = old && !taken_;
+      if (unread) ++overwritten_count_;
       taken_ = false;
       ++sequence_;
     }
     changed_.notify_all();
+    if (!unread) old.reset();
+    return old;
   }
 
   /// The newest value, or nothing before the first `publish`. Does not mark it as taken.

@@ -31,9 +31,11 @@ template <Step S, class In>
 class Stage {
  public:
   using Sink = std::function<void(typename S::Output)>;
+  using FailureSink = std::function<void(const typename S::Input&, const StepFailure&)>;
 
-  Stage(S& step, In& input, Sink sink, const Clock& clock)
-      : step_(step), input_(input), sink_(std::move(sink)), clock_(clock) {}
+  /// `failed` (may be empty) gets the items the step has no output for. Both sinks are called on the stage's thread.
+  Stage(S& step, In& input, Sink sink, const Clock& clock, FailureSink failed = {})
+      : step_(step), input_(input), sink_(std::move(sink)), failed_(std::move(failed)), clock_(clock) {}
   ~Stage() { stop(); }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -73,8 +75,11 @@ class Stage {
     try {
       while (auto item = input_.wait(stop)) process(*item);
     } catch (...) {
-      std::lock_guard lock(mutex_);
-      fault_ = std::current_exception();
+      {
+        std::lock_guard lock(mutex_);
+        fault_ = std::current_exception();
+      }
+      input_.close();
     }
     running_.store(false, std::memory_order_release);
   }
@@ -94,12 +99,17 @@ class Stage {
         counts_.last_failure = output.error().reason;
       }
     }
-    if (output) sink_(std::move(*output));
+    if (output) {
+      sink_(std::move(*output));
+    } else if (failed_) {
+      failed_(item, output.error());
+    }
   }
 
   S& step_;
   In& input_;
   Sink sink_;
+  FailureSink failed_;
   const Clock& clock_;
   mutable std::mutex mutex_;
   StageCounts counts_;

@@ -36,7 +36,7 @@ struct LiveStatus {
 /// Every public call may come from any one controlling thread (the window's); none blocks for a frame.
 class LiveRun {
  public:
-  /// Paced: a source that isn't live is read at its own frame rate; with `loop`, a source that can start again does so.
+  /// Paced: a source that isn't live is read at its own frame rate. Throws as `Chain` does.
   LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options);
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
@@ -47,6 +47,9 @@ class LiveRun {
   /// A paused run keeps its newest scene; a source that isn't live waits.
   void set_paused(bool paused);
   bool paused() const noexcept;
+  /// Begins anew from the source's first frame, where the source can; false where it can't. Frame numbers and times go on
+  /// rising; rows and events so far are kept.
+  bool restart();
 
   const SourceInfo& source_info() const noexcept;
 
@@ -59,8 +62,10 @@ class LiveRun {
   std::vector<Measurement> measurements_since(std::size_t first) const;
   std::vector<Event> events_since(std::size_t first) const;
 
-  /// Records from the next frame on. Throws OutputError when the folder can't be written.
+  /// Records from the next frame on. Throws OutputError when the folder can't be written, UsageError when it already holds a
+  /// session, or a recording is running.
   void start_recording(const std::filesystem::path& folder);
+  /// Ends the recording and waits until all of it is on the disk. Throws OutputError when the disk refused.
   void stop_recording();
   /// An operator's note, into the log of events and the running recording.
   void note(const std::string& text);

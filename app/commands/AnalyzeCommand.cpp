@@ -1,0 +1,54 @@
+#include "commands/AnalyzeCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "commands/CommandLine.h"
+#include "commands/MeasureSession.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/pipeline/AnySource.h"
+
+namespace pellucida {
+namespace {
+
+struct AnalyzeArguments {
+  std::string input;
+  std::string output;
+  PipelineOptions pipeline;
+  SourceOptions source;
+  bool no_frames = false;
+  int job_count = 1;
+};
+
+void analyze(const AnalyzeArguments& arguments) {
+  if (arguments.job_count < 1) {
+    throw UsageError("--jobs " + std::to_string(arguments.job_count) + ": give a number of 1 or more");
+  }
+  const auto source = open_any_source(arguments.input, arguments.source);
+  const BatchResult result = measure_session(*source, arguments.pipeline, arguments.job_count, arguments.output,
+                                             {.frames = !arguments.no_frames}, command_line());
+  std::cout << summary(result, arguments.output);
+  require_measured(result, arguments.input);
+}
+
+}  // namespace
+
+void add_analyze_command(CLI::App& app) {
+  auto arguments = std::make_shared<AnalyzeArguments>();
+  CLI::App* command = app.add_subcommand("analyze", "measure a recording: contours, 3-D surface, forces, into a session");
+  command->add_option("input", arguments->input, "video, folder of images, multi-page TIFF, still, or virtual[:SCENARIO]")
+      ->required();
+  command->add_option("--output", arguments->output, "folder of the session to write")->required();
+  command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
+  command->add_option("--pixel-size-um", arguments->source.pixel_size_um, "edge of a pixel, um (default: metadata)");
+  command->add_option("--fps", arguments->source.frame_rate_hz, "frames a second (default: metadata)");
+  command->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
+                      "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
+      ->capture_default_str();
+  command->add_flag("--no-frames", arguments->no_frames, "leave the images out of the session");
+  command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps side by side, same numbers")
+      ->capture_default_str();
+  command->callback([arguments] { analyze(*arguments); });
+}
+
+}  // namespace pellucida

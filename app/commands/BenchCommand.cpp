@@ -1,0 +1,191 @@
+#include "commands/BenchCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "commands/Progress.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/pipeline/AnySource.h"
+#include "pellucida/pipeline/BatchRun.h"
+#include "pellucida/session/SessionReader.h"
+#include "pellucida/session/SessionWriter.h"
+#include "pellucida/visualization/DisplayBench.h"
+
+namespace pellucida {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BenchArguments {
+  std::string part = "all";
+  std::string json;
+  std::string source = "virtual";
+  double seconds = 10.0;
+  PipelineOptions pipeline;
+};
+
+// A folder that goes away with its owner.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "pellucida-bench-XXXXXX").string();
+    if (!mkdtemp(pattern.data())) throw OutputError(pattern + ": no temporary folder can be made there; check TMPDIR");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Json to_json(const Distribution& distribution) {
+  return {{"p50", distribution.quantile(0.5)},
+          {"p99", distribution.quantile(0.99)},
+          {"p99_9", distribution.quantile(0.999)},
+          {"max", distribution.max()},
+          {"count", distribution.count()}};
+}
+
+void print_row(const char* name, const Distribution& us) {
+  std::printf("%-28s %9.2f ms median %9.2f ms p99 %9.2f ms max %8zu\n", name, 1e-3 * us.quantile(0.5),
+              1e-3 * us.quantile(0.99), 1e-3 * us.max(), us.count());
+}
+
+// The source as often as it takes to fill the time; the figures of all rounds together.
+struct Rounds {
+  std::map<std::string, Distribution> step_us;
+  Distribution frame_to_force_us;
+  Distribution first_frame_us;
+  long frame_count = 0;
+  double elapsed_s = 0.0;
+  std::vector<Scene> scenes;  ///< of the first round
+};
+
+Rounds run_rounds(const BenchArguments& arguments) {
+  Rounds rounds;
+  Progress progress("bench: frame");
+  do {
+    const auto source = open_any_source(arguments.source, {});
+    const bool first_round = rounds.frame_count == 0;
+    // Only the chain is timed: reading (or rendering) the frames comes before.
+    long count = 0;
+    const auto keep = [&](const Scene& scene) {
+      if (first_round) rounds.scenes.push_back(scene);
+      if (count++ == 0) rounds.first_frame_us.add(1e3 * scene.measurement.frame_age_ms);
+      rounds.frame_to_force_us.add(1e3 * scene.measurement.frame_age_ms);
+      rounds.elapsed_s += 1e-3 * scene.measurement.frame_age_ms;
+      progress.update(rounds.frame_count + count, std::nullopt);
+    };
+    BatchResult result = run_batch(*source, {.pipeline = arguments.pipeline}, keep);
+    if (result.input_fault) std::rethrow_exception(result.input_fault);
+    for (const auto& [step, us] : result.step_us) rounds.step_us[step].add(us);
+    rounds.frame_count += count;
+  } while (rounds.elapsed_s < arguments.seconds && rounds.frame_count > 0);
+  return rounds;
+}
+
+Json bench_tracking(const Rounds& rounds) {
+  print_row("tracking, a frame", rounds.step_us.at("tracking"));
+  print_row("first frame, whole chain", rounds.first_frame_us);
+  return {{"frame_us", to_json(rounds.step_us.at("tracking"))}};
+}
+
+Json bench_mechanics(const Rounds& rounds) {
+  print_row("reconstruction, a frame", rounds.step_us.at("reconstruction"));
+  print_row("mechanics, a frame", rounds.step_us.at("mechanics"));
+  const Scene* modelled = nullptr;
+  for (const Scene& scene : rounds.scenes) {
+    if (scene.model) modelled = &scene;
+  }
+  const auto nodes = modelled ? const_cast<vtkPolyData*>(modelled->model.get())->GetNumberOfPoints() : 0;
+  return {{"nodes", nodes}, {"step_us", to_json(rounds.step_us.at("mechanics"))}};
+}
+
+Json bench_pipeline(const Rounds& rounds) {
+  print_row("frame arrival to force", rounds.frame_to_force_us);
+  const double frames_per_s = static_cast<double>(rounds.frame_count) / rounds.elapsed_s;
+  std::printf("%-28s %9.1f frames/s, one thread\n", "chain", frames_per_s);
+  const double display_frames_per_s = measure_display_frames_per_s(rounds.scenes);
+  std::printf("%-28s %9.1f frames/s, off screen\n", "feed, 3-D view, charts", display_frames_per_s);
+  return {{"frame_to_force_us", to_json(rounds.frame_to_force_us)},
+          {"frames_per_s", frames_per_s},
+          {"display_frames_per_s", display_frames_per_s}};
+}
+
+Json bench_session(const Rounds& rounds, const SourceInfo& source) {
+  const TemporaryFolder folder;
+  const auto session = folder.path() / "session";
+  const SteadyClock clock;
+  SessionInfo info;
+  info.source = source;
+  SessionWriter writer(session, info);
+  for (const Scene& scene : rounds.scenes) writer.write(scene);
+  writer.close();
+  const double write_s = clock.now_s();
+
+  const SteadyClock open_clock;
+  const SessionReader reader(session);
+  const double open_ms = 1e3 * open_clock.now_s();
+  Distribution seek_ms;
+  for (std::size_t i = 0; i < reader.steps().size(); i += 5) {
+    const SteadyClock seek_clock;
+    reader.load((i * 7919) % reader.steps().size());
+    seek_ms.add(1e3 * seek_clock.now_s());
+  }
+  const double frames_per_s = static_cast<double>(rounds.scenes.size()) / write_s;
+  const double bytes_per_frame =
+      static_cast<double>(writer.counts().byte_count) / static_cast<double>(rounds.scenes.size());
+  std::printf("%-28s %9.1f frames/s, %.0f kB a frame; open %.1f ms, seek %.1f ms median\n", "session writing",
+              frames_per_s, 1e-3 * bytes_per_frame, open_ms, seek_ms.quantile(0.5));
+  return {{"frames_per_s", frames_per_s},
+          {"bytes_per_frame", bytes_per_frame},
+          {"dropped", writer.counts().dropped_count},
+          {"open_ms", open_ms},
+          {"seek_ms", to_json(seek_ms)}};
+}
+
+void bench(const BenchArguments& arguments) {
+  const auto wanted = [&](const char* part) { return arguments.part == "all" || arguments.part == part; };
+  if (!(wanted("tracking") || wanted("mechanics") || wanted("pipeline") || wanted("session"))) {
+    throw UsageError("bench " + arguments.part + ": give tracking, mechanics, pipeline, session or all");
+  }
+  const SourceInfo source = open_any_source(arguments.source, {})->info();
+  const Rounds rounds = run_rounds(arguments);
+  if (rounds.frame_count == 0) throw NothingMeasuredError(arguments.source + ": it has no frames");
+
+  Json report;
+  if (wanted("tracking")) report["tracking"] = bench_tracking(rounds);
+  if (wanted("mechanics")) report["mechanics"] = bench_mechanics(rounds);
+  if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds);
+  if (wanted("session")) report["session"] = bench_session(rounds, source);
+  if (arguments.json.empty()) return;
+  std::ofstream file(arguments.json);
+  file << report.dump(2) << '\n';
+  file.close();
+  if (!file) throw OutputError(arguments.json + ": can't be written; check the folder and the space on the disk");
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app) {
+  auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command = app.add_subcommand("bench", "measure the program's own speed");
+  command->add_option("part", arguments->part, "tracking, mechanics, pipeline, session or all")->capture_default_str();
+  command->add_option("--json", arguments->json, "also write the figures to this file (microseconds unless named)");
+  command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")->capture_default_str();
+  command->add_option("--source", arguments->source, "virtual[:SCENARIO] or a file")->capture_default_str();
+  command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
+  command->callback([arguments] { bench(*arguments); });
+}
+
+}  // namespace pellucida

@@ -1,0 +1,95 @@
+#include "commands/MeasureSession.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "commands/Progress.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/session/SessionWriter.h"
+
+namespace pellucida {
+namespace {
+
+template <class... Numbers>
+std::string format(const char* pattern, Numbers... numbers) {
+  char text[256];
+  std::snprintf(text, sizeof text, pattern, numbers...);
+  return text;
+}
+
+// "172 frames: 15 free, 157 contact"
+std::string state_line(const BatchResult& result) {
+  std::string line = std::to_string(result.rows.size()) + (result.rows.size() == 1 ? " frame" : " frames");
+  const char* separator = ": ";
+  for (const auto& [state, count] : result.state_count) {
+    line += separator + std::to_string(count) + ' ' + std::string(to_string(state));
+    separator = ", ";
+  }
+  return line;
+}
+
+std::string force_line(const BatchResult& result) {
+  if (!result.peak || !(result.peak->measurement.contact_force_uN > 0.0)) return "no contact force measured";
+  const Measurement& m = result.peak->measurement;
+  return format("%.2f uN (95 %%: %.2f to %.2f) at %.1f um, %.2f s", m.contact_force_uN, m.contact_force_lower_uN,
+                m.contact_force_upper_uN, m.indentation_um, m.time_s);
+}
+
+std::string cell_line(const BatchResult& result) {
+  if (!result.peak || !result.peak->observation || !result.peak->observation->outer) return "no cell seen";
+  const Observation& o = *result.peak->observation;
+  std::string line = format("outer radius %.1f um at rest", o.rest_outer_radius_um);
+  line += o.rest_inner_radius_um > 0.0 ? format(", inner %.1f um", o.rest_inner_radius_um) : ", inner membrane not seen";
+  line += format(", confidence %.2f", o.confidence);
+  line += o.needle ? "" : ", no needle seen";
+  line += o.holder ? "" : ", no holding pipette seen";
+  return line;
+}
+
+}  // namespace
+
+BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline, int job_count,
+                            const std::filesystem::path& folder, const SessionOptions& session_options,
+                            const std::string& command_line) {
+  // The profile first: a wrong name must not leave an empty session behind.
+  const CellProfile profile = load_profile(pipeline.profile);
+  SessionInfo info;
+  info.source = source.info();
+  info.profile_name = profile.name;
+  info.profile_json = to_json(profile);
+  info.command_line = command_line;
+  info.drop_policy = "none: every frame is measured and written";
+  SessionWriter writer(folder, info, session_options);
+
+  Progress progress("frame");
+  const BatchOptions options{.pipeline = pipeline,
+                             .job_count = job_count,
+                             .progress = [&](long done, std::optional<long> all) { progress.update(done, all); }};
+  BatchResult result = run_batch(source, options, [&](const Scene& scene) { writer.write(scene); });
+  writer.close();
+  return result;
+}
+
+std::string summary(const BatchResult& result, const std::filesystem::path& folder) {
+  const Distribution& age_us = result.frame_to_force_us;
+  std::string text = "frames   " + state_line(result) + '\n';
+  text += "force    " + force_line(result) + '\n';
+  text += "cell     " + cell_line(result) + '\n';
+  text += format("speed    frame to force %.1f ms (median), %.1f ms (99 %%); %.0f frames/s in all\n",
+                 1e-3 * age_us.quantile(0.5), 1e-3 * age_us.quantile(0.99),
+                 static_cast<double>(result.rows.size()) / result.elapsed_s);
+  text += "session  " + folder.string() + '\n';
+  return text;
+}
+
+void require_measured(const BatchResult& result, const std::string& input) {
+  if (result.input_fault) std::rethrow_exception(result.input_fault);
+  for (const Measurement& row : result.rows) {
+    if (!std::isnan(row.cell_x_um)) return;
+  }
+  throw NothingMeasuredError(input + ": no cell was found in any of " + std::to_string(result.rows.size()) +
+                             " frames; check that a round cell is in view and the pixel size is right");
+}
+
+}  // namespace pellucida

@@ -1,0 +1,80 @@
+#include "commands/WorkstationCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "commands/CommandLine.h"
+#include "commands/MeasureSession.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/pipeline/AnySource.h"
+#include "pellucida/pipeline/LiveRun.h"
+#include "pellucida/ui/Workstation.h"
+#include "pellucida/visualization/Picture.h"
+
+namespace pellucida {
+namespace {
+
+struct WorkstationArguments {
+  std::string source = "virtual";
+  PipelineOptions pipeline;
+  SourceOptions source_options;
+  std::string mode = "guide";
+  std::string session;
+  std::string screenshot;
+  double after_s = 8.0;
+};
+
+// No display: the same run, every frame measured, a session and a picture left behind.
+void run_headless(const WorkstationArguments& arguments) {
+  const std::string session = arguments.session.empty() ? default_session_folder() : arguments.session;
+  std::cerr << "pellucida: no display (DISPLAY is not set): running headless\n";
+  const auto source = open_any_source(arguments.source, arguments.source_options);
+  if (source->info().live) {
+    throw UsageError(arguments.source + ": a live camera runs without end and needs the window; set DISPLAY, or name a " +
+                     "recording or a virtual microscope");
+  }
+  const BatchResult result = measure_session(*source, arguments.pipeline, 2, session, {}, command_line());
+  std::cout << summary(result, session);
+  require_measured(result, arguments.source);
+
+  const std::filesystem::path picture =
+      arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png" : std::filesystem::path(arguments.screenshot);
+  render_picture(*result.peak, result.rows, picture);
+  std::cout << "picture  " << picture.string() << '\n';
+}
+
+void run_workstation_command(const WorkstationArguments& arguments) {
+  if (arguments.mode != "guide") {
+    throw UsageError("--mode " + arguments.mode + ": this version has the mode guide only");
+  }
+  if (!has_display()) {
+    run_headless(arguments);
+    return;
+  }
+  auto run = std::make_unique<LiveRun>(open_any_source(arguments.source, arguments.source_options), arguments.pipeline);
+  WindowOptions options;
+  options.session_folder = arguments.session;
+  options.screenshot = arguments.screenshot;
+  options.screenshot_after_s = arguments.after_s;
+  if (run_workstation(std::move(run), options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+}
+
+}  // namespace
+
+void add_workstation_command(CLI::App& app) {
+  auto arguments = std::make_shared<WorkstationArguments>();
+  CLI::App* command = app.add_subcommand("workstation", "the window: live feed, 3-D membrane, forces (the default command)");
+  command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, or a camera v4l2:N")->capture_default_str();
+  command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
+  command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um, "edge of a pixel, um (default: metadata)");
+  command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");
+  command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
+  command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");
+  command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then leave");
+  command->add_option("--after", arguments->after_s, "seconds before the screenshot")->capture_default_str();
+  command->callback([arguments] { run_workstation_command(*arguments); });
+}
+
+}  // namespace pellucida

@@ -1,0 +1,174 @@
+#include "pellucida/pipeline/BatchRun.h"
+
+#include <cmath>
+#include <thread>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Ring.h"
+#include "pellucida/core/Stage.h"
+#include "pellucida/pipeline/Chain.h"
+
+namespace pellucida {
+namespace {
+
+constexpr std::size_t kQueueCount = 8;
+
+// How good a scene is for the one picture of a run: force first, then how much was seen.
+double picture_score(const Scene& scene) {
+  const Measurement& m = scene.measurement;
+  if (!std::isnan(m.contact_force_uN) && m.contact_force_uN > 0.0) return 10.0 + m.contact_force_uN;
+  return scene.observation && scene.observation->outer ? 1.0 + m.confidence : m.confidence;
+}
+
+// Runs one step and keeps how long it took. A failed step passes the scene on as it was, with the reason as an event.
+template <class S>
+Scene timed(S& step, const Scene& scene, const Clock& clock, Distribution& step_us) {
+  const double start_s = clock.now_s();
+  auto output = step.process(scene);
+  step_us.add(1e6 * (clock.now_s() - start_s));
+  if (output) return std::move(*output);
+  Scene failed = scene;
+  failed.events.push_back({scene.measurement.time_s, "lost", output.error().reason});
+  return failed;
+}
+
+// The chain cut in two halves that may run side by side, as steps for a Stage.
+struct TrackHalf {
+  using Input = Scene;
+  using Output = Scene;
+  expected<Scene, StepFailure> process(const Scene& scene) { return timed(chain.tracking, scene, clock, tracking_us); }
+  Chain& chain;
+  const Clock& clock;
+  Distribution tracking_us;
+};
+
+struct ForceHalf {
+  using Input = Scene;
+  using Output = Scene;
+  expected<Scene, StepFailure> process(const Scene& tracked) {
+    const Scene surface = timed(chain.reconstruction, tracked, clock, reconstruction_us);
+    Scene scene = timed(chain.mechanics, surface, clock, mechanics_us);
+    stamp_age(scene, clock);
+    return scene;
+  }
+  Chain& chain;
+  const Clock& clock;
+  Distribution reconstruction_us;
+  Distribution mechanics_us;
+};
+
+// What happens to each finished scene.
+class Collector {
+ public:
+  Collector(BatchResult& result, const BatchOptions& options, std::optional<long> frame_count,
+            const std::function<void(const Scene&)>& sink, const Clock& clock)
+      : result_(result), options_(options), frame_count_(frame_count), sink_(sink), clock_(clock) {}
+
+  void take(const Scene& scene) {
+    result_.rows.push_back(scene.measurement);
+    ++result_.state_count[scene.measurement.state];
+    result_.frame_to_force_us.add(1e3 * scene.measurement.frame_age_ms);
+    if (const double score = picture_score(scene); !result_.peak || score > best_score_) {
+      best_score_ = score;
+      result_.peak = scene;
+    }
+    if (sink_) {
+      const double start_s = clock_.now_s();
+      sink_(scene);
+      writing_us.add(1e6 * (clock_.now_s() - start_s));
+    }
+    if (options_.progress) options_.progress(static_cast<long>(result_.rows.size()), frame_count_);
+  }
+
+  Distribution writing_us;
+
+ private:
+  BatchResult& result_;
+  const BatchOptions& options_;
+  std::optional<long> frame_count_;
+  const std::function<void(const Scene&)>& sink_;
+  const Clock& clock_;
+  double best_score_ = 0.0;
+};
+
+// Hands every frame to `give` until the source ends or breaks, or `give` wants no more.
+void read_all(FrameSource& source, const Clock& clock, BatchResult& result, const std::function<bool(Scene)>& give) {
+  try {
+    while (auto frame = source.next()) {
+      if (!give(scene_of(*frame, clock.now_s(), 0))) return;
+    }
+  } catch (const Error&) {
+    result.input_fault = std::current_exception();
+  }
+}
+
+// Three threads beside the reading one; bounded queues between them make the faster wait for the slower.
+void run_side_by_side(FrameSource& source, TrackHalf& track, ForceHalf& force, Collector& collector, const Clock& clock,
+                      BatchResult& result) {
+  Ring<Scene> to_track(kQueueCount);
+  Ring<Scene> to_force(kQueueCount);
+  Ring<Scene> done(kQueueCount);
+  Stage track_stage(track, to_track, [&](Scene scene) { to_force.push_wait(std::move(scene)); }, clock);
+  Stage force_stage(force, to_force, [&](Scene scene) { done.push_wait(std::move(scene)); }, clock);
+  std::jthread reader([&] {
+    read_all(source, clock, result, [&](Scene scene) { return to_track.push_wait(std::move(scene)); });
+    to_track.close();
+    track_stage.join();
+    to_force.close();
+    force_stage.join();
+    done.close();
+  });
+  track_stage.start();
+  force_stage.start();
+  const auto close_all = [&] {
+    to_track.close();
+    to_force.close();
+    done.close();
+  };
+  try {
+    while (auto scene = done.wait({})) collector.take(*scene);
+  } catch (...) {
+    close_all();
+    reader.join();
+    throw;
+  }
+  reader.join();
+  track_stage.rethrow();
+  force_stage.rethrow();
+}
+
+}  // namespace
+
+BatchResult run_batch(FrameSource& source, const BatchOptions& options, const std::function<void(const Scene&)>& sink) {
+  const SteadyClock clock;
+  Chain chain(options.pipeline);
+  BatchResult result;
+  TrackHalf track{.chain = chain, .clock = clock};
+  ForceHalf force{.chain = chain, .clock = clock};
+  Collector collector(result, options, source.info().frame_count, sink, clock);
+
+  if (options.job_count > 1) {
+    run_side_by_side(source, track, force, collector, clock, result);
+  } else {
+    // Failures of the steps are events of the scene by now: the halves always give one.
+    std::exception_ptr sink_fault;
+    read_all(source, clock, result, [&](Scene scene) {
+      const Scene finished = force.process(track.process(scene).value()).value();
+      try {
+        collector.take(finished);
+      } catch (...) {
+        sink_fault = std::current_exception();
+      }
+      return !sink_fault;
+    });
+    if (sink_fault) std::rethrow_exception(sink_fault);
+  }
+  result.step_us["tracking"] = track.tracking_us;
+  result.step_us["reconstruction"] = force.reconstruction_us;
+  result.step_us["mechanics"] = force.mechanics_us;
+  result.step_us["writing"] = collector.writing_us;
+  result.elapsed_s = clock.now_s();
+  return result;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,40 @@
+#include "pellucida/pipeline/Chain.h"
+
+#include <string>
+
+namespace pellucida {
+
+Chain::Chain(const PipelineOptions& options)
+    : profile(load_profile(options.profile)),
+      reconstruction({.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
+      mechanics(profile) {}
+
+Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
+  Scene scene;
+  scene.arrival_s = arrival_s;
+  scene.run_index = run_index;
+  scene.frame = frame.image;
+  scene.measurement.frame = frame.frame_index;
+  scene.measurement.time_s = frame.time_s;
+  if (frame.gap_count > 0) {
+    scene.events.push_back({frame.time_s, "gap",
+                            std::to_string(frame.gap_count) + " frames missing from the source before frame " +
+                                std::to_string(frame.frame_index)});
+  }
+  return scene;
+}
+
+Scene unmeasured(Scene scene) {
+  scene.measurement.state = CellState::kLost;
+  scene.measurement.confidence = 0.0;
+  scene.events.push_back({scene.measurement.time_s, "dropped",
+                          "frame " + std::to_string(scene.measurement.frame) +
+                              " was recorded but not measured: a newer frame came first; a replay measures it"});
+  return scene;
+}
+
+void stamp_age(Scene& scene, const Clock& clock) {
+  scene.measurement.frame_age_ms = 1e3 * (clock.now_s() - scene.arrival_s);
+}
+
+}  // namespace pellucida
