@@ -35,15 +35,18 @@ void analyze(const AnalyzeArguments& arguments) {
 
 void add_analyze_command(CLI::App& app) {
   auto arguments = std::make_shared<AnalyzeArguments>();
-  CLI::App* command = app.add_subcommand("analyze", "measure a recording: contours, 3-D surface, forces, into a session");
-  command->add_option("input", arguments->input, "video, folder of images, multi-page TIFF, still, or virtual[:SCENARIO]")
+  CLI::App* command =
+      app.add_subcommand("analyze", "measure a recording: contours, 3-D surface, forces, into a session");
+  command
+      ->add_option("input", arguments->input, "video, folder of images, multi-page TIFF, still, or virtual[:SCENARIO]")
       ->required();
   command->add_option("--output", arguments->output, "folder of the session to write")->required();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   command->add_option("--pixel-size-um", arguments->source.pixel_size_um, "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source.frame_rate_hz, "frames a second (default: metadata)");
-  command->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
-                      "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
+  command
+      ->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
+                   "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
       ->capture_default_str();
   command->add_flag("--no-frames", arguments->no_frames, "leave the images out of the session");
   command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps side by side, same numbers")

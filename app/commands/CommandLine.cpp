@@ -20,7 +20,9 @@ bool is_set(const char* variable) {
 
 }  // namespace
 
-const std::string& command_line() { return kept(); }
+const std::string& command_line() {
+  return kept();
+}
 
 void keep_command_line(int argc, char** argv) {
   std::string line = "pellucida";
@@ -28,7 +30,9 @@ void keep_command_line(int argc, char** argv) {
   kept() = line;
 }
 
-bool has_display() { return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY"); }
+bool has_display() {
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
 
 std::string default_session_folder() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());

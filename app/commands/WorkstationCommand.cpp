@@ -32,15 +32,16 @@ void run_headless(const WorkstationArguments& arguments) {
   std::cerr << "pellucida: no display (DISPLAY is not set): running headless\n";
   const auto source = open_any_source(arguments.source, arguments.source_options);
   if (source->info().live) {
-    throw UsageError(arguments.source + ": a live camera runs without end and needs the window; set DISPLAY, or name a " +
+    throw UsageError(arguments.source +
+                     ": a live camera runs without end and needs the window; set DISPLAY, or name a " +
                      "recording or a virtual microscope");
   }
   const BatchResult result = measure_session(*source, arguments.pipeline, 2, session, {}, command_line());
   std::cout << summary(result, session);
   require_measured(result, arguments.source);
 
-  const std::filesystem::path picture =
-      arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png" : std::filesystem::path(arguments.screenshot);
+  const std::filesystem::path picture = arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png"
+                                                                     : std::filesystem::path(arguments.screenshot);
   render_picture(*result.peak, result.rows, picture);
   std::cout << "picture  " << picture.string() << '\n';
 }
@@ -65,10 +66,13 @@ void run_workstation_command(const WorkstationArguments& arguments) {
 
 void add_workstation_command(CLI::App& app) {
   auto arguments = std::make_shared<WorkstationArguments>();
-  CLI::App* command = app.add_subcommand("workstation", "the window: live feed, 3-D membrane, forces (the default command)");
-  command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, or a camera v4l2:N")->capture_default_str();
+  CLI::App* command =
+      app.add_subcommand("workstation", "the window: live feed, 3-D membrane, forces (the default command)");
+  command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, or a camera v4l2:N")
+      ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
-  command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um, "edge of a pixel, um (default: metadata)");
+  command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um,
+                      "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");
   command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
   command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");

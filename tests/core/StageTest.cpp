@@ -28,8 +28,10 @@ TEST(Stage, ProcessesARingInOrderAndCounts) {
   Ring<int> input(16);
   std::vector<int> outputs;
   const SteadyClock clock;
+  std::vector<int> failures;
   Stage stage(
-      step, input, [&](int n) { outputs.push_back(n); }, clock);
+      step, input, [&](int n) { outputs.push_back(n); }, clock,
+      [&](const int& n, const StepFailure&) { failures.push_back(n); });
   stage.start();
   for (int i = 0; i < 5; ++i) input.push(i);
   input.close();

@@ -79,8 +79,8 @@ TEST(Layering, IncludesPointDownward) {
       const std::string used = part_of(include.header);
       if (used.empty()) continue;
       ++checked_count;
-      EXPECT_TRUE(uses.contains(used)) << include.file << " includes " << include.header << ": " << part << " may not use "
-                                       << used;
+      EXPECT_TRUE(uses.contains(used)) << include.file << " includes " << include.header << ": " << part
+                                       << " may not use " << used;
     }
   }
   EXPECT_GT(checked_count, 100);
@@ -100,10 +100,18 @@ TEST(Layering, ThereAreNoCycles) {
   EXPECT_EQ(settled.size(), allowed.size());
 }
 
-bool is_vtk(const std::string& header) { return std::regex_search(header, std::regex("^(vtk[A-Z]|QVTK)")); }
-bool is_qt(const std::string& header) { return std::regex_search(header, std::regex("^(Q[A-Z]|QVTK)")); }
-bool is_opencv(const std::string& header) { return header.starts_with("opencv2/"); }
-bool is_itk(const std::string& header) { return header.starts_with("itk"); }
+bool is_vtk(const std::string& header) {
+  return std::regex_search(header, std::regex("^(vtk[A-Z]|QVTK)"));
+}
+bool is_qt(const std::string& header) {
+  return std::regex_search(header, std::regex("^(Q[A-Z]|QVTK)"));
+}
+bool is_opencv(const std::string& header) {
+  return header.starts_with("opencv2/");
+}
+bool is_itk(const std::string& header) {
+  return header.starts_with("itk");
+}
 
 TEST(Layering, QtOnlyInTheWindowAndTheApp) {
   for (const auto& include : includes_below(kRoot / "modules")) {

@@ -108,8 +108,10 @@ void run_side_by_side(FrameSource& source, TrackHalf& track, ForceHalf& force, C
   Ring<Scene> to_track(kQueueCount);
   Ring<Scene> to_force(kQueueCount);
   Ring<Scene> done(kQueueCount);
-  Stage track_stage(track, to_track, [&](Scene scene) { to_force.push_wait(std::move(scene)); }, clock);
-  Stage force_stage(force, to_force, [&](Scene scene) { done.push_wait(std::move(scene)); }, clock);
+  Stage track_stage(
+      track, to_track, [&](Scene scene) { to_force.push_wait(std::move(scene)); }, clock);
+  Stage force_stage(
+      force, to_force, [&](Scene scene) { done.push_wait(std::move(scene)); }, clock);
   std::jthread reader([&] {
     read_all(source, clock, result, [&](Scene scene) { return to_track.push_wait(std::move(scene)); });
     to_track.close();

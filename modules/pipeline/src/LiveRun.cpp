@@ -105,7 +105,8 @@ class LiveRun::Impl {
   // Sleeps until something is asked of the reader.
   void rest(std::stop_token stop) {
     std::unique_lock lock(wake_mutex_);
-    wake_.wait_for(lock, stop, std::chrono::milliseconds(200), [&] { return restart_wanted_ || (!paused_ && !ended_); });
+    wake_.wait_for(lock, stop, std::chrono::milliseconds(200),
+                   [&] { return restart_wanted_ || (!paused_ && !ended_); });
     first_due_s_.reset();
   }
 
@@ -167,7 +168,8 @@ class LiveRun::Impl {
     info.profile_name = chain_.profile.name;
     info.profile_json = to_json(chain_.profile);
     info.drop_policy =
-        "live: a frame that a newer one overtakes is recorded but not measured (event dropped); a frame the disk has no "
+        "live: a frame that a newer one overtakes is recorded but not measured (event dropped); a frame the disk has "
+        "no "
         "time for is lost (event dropped)";
     {
       std::lock_guard lock(recorder_mutex_);
@@ -318,14 +320,20 @@ LiveRun::LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options)
     : impl_(std::make_unique<Impl>(std::move(source), std::move(options))) {}
 LiveRun::~LiveRun() = default;
 
-void LiveRun::start() { impl_->start(); }
-void LiveRun::stop() { impl_->stop(); }
+void LiveRun::start() {
+  impl_->start();
+}
+void LiveRun::stop() {
+  impl_->stop();
+}
 
 void LiveRun::set_paused(bool paused) {
   impl_->paused_ = paused;
   impl_->wake_.notify_all();
 }
-bool LiveRun::paused() const noexcept { return impl_->paused_; }
+bool LiveRun::paused() const noexcept {
+  return impl_->paused_;
+}
 
 bool LiveRun::restart() {
   if (!impl_->can_restart_) return false;
@@ -334,14 +342,32 @@ bool LiveRun::restart() {
   return true;
 }
 
-const SourceInfo& LiveRun::source_info() const noexcept { return impl_->info_; }
-std::shared_ptr<SharedLatest<Scene>> LiveRun::scenes() const noexcept { return impl_->scenes_; }
-std::shared_ptr<SharedLatest<Scene>> LiveRun::frames() const noexcept { return impl_->frames_; }
-std::vector<Measurement> LiveRun::measurements_since(std::size_t first) const { return impl_->rows_.since(first); }
-std::vector<Event> LiveRun::events_since(std::size_t first) const { return impl_->events_.since(first); }
-void LiveRun::start_recording(const std::filesystem::path& folder) { impl_->start_recording(folder); }
-void LiveRun::stop_recording() { impl_->stop_recording(); }
-void LiveRun::note(const std::string& text) { impl_->note(text); }
-LiveStatus LiveRun::status() const { return impl_->status(); }
+const SourceInfo& LiveRun::source_info() const noexcept {
+  return impl_->info_;
+}
+std::shared_ptr<SharedLatest<Scene>> LiveRun::scenes() const noexcept {
+  return impl_->scenes_;
+}
+std::shared_ptr<SharedLatest<Scene>> LiveRun::frames() const noexcept {
+  return impl_->frames_;
+}
+std::vector<Measurement> LiveRun::measurements_since(std::size_t first) const {
+  return impl_->rows_.since(first);
+}
+std::vector<Event> LiveRun::events_since(std::size_t first) const {
+  return impl_->events_.since(first);
+}
+void LiveRun::start_recording(const std::filesystem::path& folder) {
+  impl_->start_recording(folder);
+}
+void LiveRun::stop_recording() {
+  impl_->stop_recording();
+}
+void LiveRun::note(const std::string& text) {
+  impl_->note(text);
+}
+LiveStatus LiveRun::status() const {
+  return impl_->status();
+}
 
 }  // namespace pellucida

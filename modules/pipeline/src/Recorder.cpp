@@ -17,11 +17,16 @@ expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
 }
 
 Recorder::Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock)
-    : folder_(folder.string()), writer_(folder, info), stage_(step_, queue_, [](bool) {}, clock) {
+    : folder_(folder.string()),
+      writer_(folder, info),
+      stage_(
+          step_, queue_, [](bool) {}, clock) {
   stage_.start();
 }
 
-Recorder::~Recorder() { stage_.stop(); }
+Recorder::~Recorder() {
+  stage_.stop();
+}
 
 void Recorder::announce(const Scene& scene) {
   std::lock_guard lock(mutex_);
@@ -50,9 +55,9 @@ void Recorder::flush() {
     const Scene& scene = pending_.front().scene;
     if (!queue_.push({scene, std::nullopt})) {
       ++dropped_count_;
-      owed_events_.push_back({scene.measurement.time_s, "dropped",
-                              "frame " + std::to_string(scene.measurement.frame) +
-                                  " was lost: the disk is slower than the camera"});
+      owed_events_.push_back(
+          {scene.measurement.time_s, "dropped",
+           "frame " + std::to_string(scene.measurement.frame) + " was lost: the disk is slower than the camera"});
     }
     pending_.pop_front();
   }

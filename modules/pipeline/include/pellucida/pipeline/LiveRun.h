@@ -16,20 +16,21 @@ namespace pellucida {
 
 /// What a live run looks like from outside, at one moment.
 struct LiveStatus {
-  std::uint64_t frame_count = 0;         ///< frames that arrived
-  std::uint64_t measured_count = 0;      ///< frames that went through the whole chain
-  std::uint64_t skipped_count = 0;       ///< frames replaced by a newer one before they were measured (never lost to the recorder)
-  std::uint64_t gap_count = 0;           ///< frames the source itself lost
-  double tracking_ms = 0.0;              ///< newest step times
+  std::uint64_t frame_count = 0;     ///< frames that arrived
+  std::uint64_t measured_count = 0;  ///< frames that went through the whole chain
+  std::uint64_t skipped_count =
+      0;  ///< frames replaced by a newer one before they were measured (never lost to the recorder)
+  std::uint64_t gap_count = 0;  ///< frames the source itself lost
+  double tracking_ms = 0.0;     ///< newest step times
   double reconstruction_ms = 0.0;
   double mechanics_ms = 0.0;
-  double frame_age_ms = 0.0;             ///< now minus the arrival of the newest measured frame
+  double frame_age_ms = 0.0;  ///< now minus the arrival of the newest measured frame
   bool recording = false;
-  std::string recording_folder;          ///< of the running or last recording; empty before the first
+  std::string recording_folder;  ///< of the running or last recording; empty before the first
   std::uint64_t recorded_count = 0;
   std::uint64_t recorder_dropped_count = 0;
-  bool finished = false;                 ///< the source ended and all was processed
-  std::optional<std::string> fault;      ///< one line, when a thread died
+  bool finished = false;             ///< the source ended and all was processed
+  std::optional<std::string> fault;  ///< one line, when a thread died
 };
 
 /// The chain with a thread a step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
@@ -47,8 +48,8 @@ class LiveRun {
   /// A paused run keeps its newest scene; a source that isn't live waits.
   void set_paused(bool paused);
   bool paused() const noexcept;
-  /// Begins anew from the source's first frame, where the source can; false where it can't. Frame numbers and times go on
-  /// rising; rows and events so far are kept.
+  /// Begins anew from the source's first frame, where the source can; false where it can't. Frame numbers and times go
+  /// on rising; rows and events so far are kept.
   bool restart();
 
   const SourceInfo& source_info() const noexcept;
@@ -62,8 +63,8 @@ class LiveRun {
   std::vector<Measurement> measurements_since(std::size_t first) const;
   std::vector<Event> events_since(std::size_t first) const;
 
-  /// Records from the next frame on. Throws OutputError when the folder can't be written, UsageError when it already holds a
-  /// session, or a recording is running.
+  /// Records from the next frame on. Throws OutputError when the folder can't be written, UsageError when it already
+  /// holds a session, or a recording is running.
   void start_recording(const std::filesystem::path& folder);
   /// Ends the recording and waits until all of it is on the disk. Throws OutputError when the disk refused.
   void stop_recording();
