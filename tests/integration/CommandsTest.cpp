@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "pellucida/core/Table.h"
+#include "support/RunProgram.h"
+
+// Commands that need no long run: help, profiles, force, the headless workstation, bench.
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Commands, EachHasHelpAndExplainsItsOptions) {
+  const auto folder = test::fresh_folder("commands_help", testing::TempDir());
+  for (const char* command :
+       {"workstation", "simulate", "analyze", "force", "check", "export", "bench", "profiles"}) {
+    const auto outcome = test::run_program(std::string(command) + " --help", folder);
+    EXPECT_EQ(outcome.exit_code, 0) << command;
+    EXPECT_GT(outcome.out.size(), 80U) << command;
+  }
+  EXPECT_EQ(test::run_program("--version", folder).exit_code, 0);
+}
+
+TEST(Commands, ProfilesAreListed) {
+  const auto outcome = test::run_program("profiles", test::fresh_folder("commands_profiles", testing::TempDir()));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("mouse-oocyte"), std::string::npos);
+  EXPECT_NE(outcome.out.find("mouse-embryo"), std::string::npos);
+}
+
+TEST(Commands, ForcePassesTheMeasuredPuncturePoint) {
+  const auto folder = test::fresh_folder("commands_force", testing::TempDir());
+  const auto file = folder / "f.csv";
+  const auto outcome = test::run_program(
+      "force mouse-oocyte --configuration 1 --max-indentation-um 44 --step-um 2 --output '" + file.string() + "'", folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Table table = Table::read(file);
+  const auto force_uN = table.column("force_uN");
+  EXPECT_DOUBLE_EQ(force_uN[0], 0.0);
+  EXPECT_NEAR(force_uN[force_uN.size() - 1], 7.5, 0.075);
+}
+
+// With no display the main job runs headless: a session that checks out, and a picture that shows something.
+TEST(Commands, WorkstationWithoutADisplayLeavesASessionAndAPicture) {
+  const auto folder = test::fresh_folder("commands_headless", testing::TempDir());
+  const auto session = folder / "session";
+  const auto outcome = test::run_program("workstation --session '" + session.string() + "'", folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 6) << outcome.out;
+  EXPECT_EQ(test::run_program("check '" + session.string() + "'", folder).exit_code, 0);
+
+  const cv::Mat picture = cv::imread((session / "picture.png").string());
+  ASSERT_GE(picture.cols, 1200);
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  cv::meanStdDev(picture, mean, deviation);
+  EXPECT_GT(deviation[1], 10.0);  // a picture, not one colour
+}
+
+TEST(Commands, BenchWritesItsFigures) {
+  const auto folder = test::fresh_folder("commands_bench", testing::TempDir());
+  const auto file = folder / "b.json";
+  const auto outcome = test::run_program("bench pipeline --seconds 0.1 --json '" + file.string() + "'", folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(test::read_text(file));
+  for (const char* key : {"p50", "p99", "p99_9", "max", "count"}) {
+    EXPECT_GT(report["pipeline"]["frame_to_force_us"][key].get<double>(), 0.0) << key;
+  }
+  EXPECT_GT(report["pipeline"]["frames_per_s"].get<double>(), 0.0);
+  EXPECT_GT(report["pipeline"]["display_frames_per_s"].get<double>(), 0.0);
+}
+
+}  // namespace
+}  // namespace pellucida
