@@ -45,16 +45,25 @@ class Complaints {
   std::string text_;
 };
 
+// How a kind of data is packed. Measured on 728 x 486 pixels and 2 x 1,764 nodes with their arrays: zlib at its fastest halves
+// an image in 4 ms, where LZ4 gains nothing on its noise; of the surface LZ4 saves a third in 0.3 ms, zlib half in 4 ms.
+struct Packing {
+  int compressor;
+  int level;
+};
+constexpr Packing kImagePacking{vtkXMLWriter::ZLIB, 1};
+constexpr Packing kPolyPacking{vtkXMLWriter::LZ4, 1};
+
 // Raw appended blocks are the smallest and fastest form VTK reads everywhere. The writer keeps what it is given only
 // until it has written, so one writer a call leaves no reference behind.
 template <class Writer, class Data>
-std::string serialise_with(Data* data) {
+std::string serialise_with(Data* data, Packing packing) {
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  writer->SetCompressionLevel(1);
+  writer->SetCompressorType(packing.compressor);
+  writer->SetCompressionLevel(packing.level);
   writer->SetWriteToOutputString(true);
   if (writer->Write() != 1) throw Error(ExitCode::kOurFault, "a data object could not be turned into a VTK file");
   return writer->GetOutputString();
@@ -87,11 +96,11 @@ vtkSmartPointer<Data> read_with(const std::filesystem::path& file) {
 }  // namespace
 
 std::string serialise(vtkImageData* data) {
-  return serialise_with<vtkXMLImageDataWriter>(data);
+  return serialise_with<vtkXMLImageDataWriter>(data, kImagePacking);
 }
 
 std::string serialise(vtkPolyData* data) {
-  return serialise_with<vtkXMLPolyDataWriter>(data);
+  return serialise_with<vtkXMLPolyDataWriter>(data, kPolyPacking);
 }
 
 vtkSmartPointer<vtkImageData> read_image_file(const std::filesystem::path& file) {

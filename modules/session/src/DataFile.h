@@ -10,7 +10,7 @@ namespace pellucida {
 
 /// The content of a `.vti` file (appended raw, compressed). `data` isn't changed.
 std::string serialise(vtkImageData* data);
-/// The content of a `.vtp` file (appended raw, compressed, 32 bit connectivity). `data` isn't changed.
+/// The content of a `.vtp` file (appended raw, compressed). `data` isn't changed.
 std::string serialise(vtkPolyData* data);
 
 /// Reads a `.vti` or `.vtp` file. Throws InputError, one line, for a file that is missing, cut off or not of that kind.

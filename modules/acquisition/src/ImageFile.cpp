@@ -1,0 +1,129 @@
+#include "ImageFile.h"
+
+#include <itkBMPImageIO.h>
+#include <itkJPEGImageIO.h>
+#include <itkMetaDataObject.h>
+#include <itkPNGImageIO.h>
+#include <itkTIFFImageIO.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+
+#include "TiffPages.h"
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+using namespace std::string_view_literals;
+
+// ITK's text spans several lines and names its own source files: only the reason at its end is for a user.
+std::string reason_of(const itk::ExceptionObject& error) {
+  std::string text = error.GetDescription();
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+  text = text.substr(text.find_last_of('\n') + 1);
+  if (const auto end_of_class = text.find("): "); end_of_class != std::string::npos)
+    text = text.substr(end_of_class + 3);
+  return text;
+}
+
+itk::ImageIOBase::Pointer make_reader(ImageKind kind) {
+  switch (kind) {
+    case ImageKind::kPng:
+      return itk::PNGImageIO::New().GetPointer();
+    case ImageKind::kTiff:
+      return itk::TIFFImageIO::New().GetPointer();
+    case ImageKind::kJpeg:
+      return itk::JPEGImageIO::New().GetPointer();
+    case ImageKind::kBmp:
+      return itk::BMPImageIO::New().GetPointer();
+    case ImageKind::kNone:
+      break;
+  }
+  return nullptr;
+}
+
+// A reader that has read the head of `file`.
+itk::ImageIOBase::Pointer open_image(const std::filesystem::path& file) {
+  itk::Object::SetGlobalWarningDisplay(false);
+  const itk::ImageIOBase::Pointer reader = make_reader(image_kind(file));
+  if (!reader) throw InputError(file.string() + ": not a PNG, TIFF, JPEG or BMP image");
+  try {
+    reader->SetFileName(file.string());
+    reader->ReadImageInformation();
+  } catch (const itk::ExceptionObject& error) {
+    throw InputError(file.string() + ": broken image (" + reason_of(error) + ")");
+  }
+  const auto type = reader->GetComponentType();
+  if (type != itk::IOComponentEnum::UCHAR && type != itk::IOComponentEnum::USHORT) {
+    throw InputError(file.string() + ": holds " + itk::ImageIOBase::GetComponentTypeAsString(type) +
+                     " pixels; convert it to 8 or 16 bit grey");
+  }
+  return reader;
+}
+
+int bytes_per_sample(const itk::ImageIOBase& reader) {
+  return reader.GetComponentType() == itk::IOComponentEnum::USHORT ? 2 : 1;
+}
+
+}  // namespace
+
+ImageKind image_kind(const std::filesystem::path& file) {
+  std::array<char, 8> bytes{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (start.starts_with("\x89PNG\r\n\x1a\n"sv)) return ImageKind::kPng;
+  if (start.starts_with("\xff\xd8\xff"sv)) return ImageKind::kJpeg;
+  for (const auto magic : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}) {
+    if (start.starts_with(magic)) return ImageKind::kTiff;
+  }
+  // Two letters are little: a bitmap must also be called one.
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return start.starts_with("BM") && extension == ".bmp" ? ImageKind::kBmp : ImageKind::kNone;
+}
+
+ImageFileInfo read_image_info(const std::filesystem::path& file) {
+  const ImageKind kind = image_kind(file);
+  if (kind == ImageKind::kTiff) {
+    // Pages, resolution and description come from the TIFF library itself: ITK drops the unit of the resolution.
+    const TiffPages pages(file);
+    return pages.info();
+  }
+  const auto reader = open_image(file);
+  ImageFileInfo info;
+  info.width_px = static_cast<int>(reader->GetDimensions(0));
+  info.height_px = static_cast<int>(reader->GetDimensions(1));
+  info.bit_depth = 8 * bytes_per_sample(*reader);
+  // ITK's spacing is in mm, and exactly 1 where the file says nothing.
+  if (const double spacing_mm = reader->GetSpacing(0); spacing_mm != 1.0 && spacing_mm == reader->GetSpacing(1)) {
+    info.physical.pixel_size_um = plausible_pixel_size_um(spacing_mm * 1e3);
+  }
+  return info;
+}
+
+GreyImage read_image(const std::filesystem::path& file) {
+  const auto reader = open_image(file);
+  const auto width_px = static_cast<int>(reader->GetDimensions(0));
+  const auto height_px = static_cast<int>(reader->GetDimensions(1));
+  itk::ImageIORegion region(2);
+  region.SetSize(0, reader->GetDimensions(0));
+  region.SetSize(1, reader->GetDimensions(1));
+  reader->SetIORegion(region);
+
+  GreyImage image = make_grey(width_px, height_px, 8 * bytes_per_sample(*reader));
+  const auto channel_count = static_cast<int>(reader->GetNumberOfComponents());
+  std::vector<std::uint8_t> samples(image.bytes.size() * static_cast<std::size_t>(channel_count));
+  try {
+    reader->Read(samples.data());
+  } catch (const itk::ExceptionObject& error) {
+    throw InputError(file.string() + ": broken image (" + reason_of(error) + ")");
+  }
+  to_grey(samples.data(), channel_count, bytes_per_sample(*reader), image.pixel_count(), image.bytes.data());
+  return image;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,42 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "Grey.h"
+#include "ImageFile.h"
+
+struct tiff;
+
+namespace pellucida {
+
+/// The pages of a TIFF, one after the other: only one is ever in memory. (ITK's TIFF reader can only read all of them
+/// at once, which a recording of some gigabytes forbids; so pages come straight from the TIFF library below it.)
+class TiffPages {
+ public:
+  /// Opens at the first page. Throws InputError when the file is broken or its pixels are neither 8 nor 16 bit
+  /// unsigned.
+  explicit TiffPages(const std::filesystem::path& file);
+
+  /// Of the first page.
+  const ImageFileInfo& info() const noexcept { return info_; }
+
+  /// The page the reader stands at, as grey. Throws InputError when it is broken.
+  GreyImage read() const;
+
+  /// Goes to page `index` (0-based). Cheap for the next one. Throws InputError when the file breaks off before it.
+  void go_to(long index);
+
+ private:
+  struct Close {
+    void operator()(::tiff* file) const noexcept;
+  };
+  int channel_count() const;
+  bool read_samples(std::uint8_t* samples, std::size_t row_bytes) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<::tiff, Close> tiff_;
+  long page_ = 0;
+  ImageFileInfo info_;
+};
+
+}  // namespace pellucida
