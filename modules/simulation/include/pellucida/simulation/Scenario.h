@@ -1,0 +1,103 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pellucida {
+
+/// All that describes one virtual experiment. The members are the keys of a scenario file, grouped as in the JSON; a
+/// key left out has the default written here, an unknown key is an error. Angles in degrees, 0 = +x, positive towards
+/// +y (down).
+struct Scenario {
+  std::string name;         ///< the shipped name or the file, as the user wrote it
+  std::string description;  ///< one line for lists
+
+  struct Image {
+    int width_px = 728;            ///< 64..4096
+    int height_px = 486;           ///< 64..4096
+    double pixel_size_um = 0.825;  ///< 0.05..5
+    int bit_depth = 8;             ///< 8 or 16
+    double frame_rate_hz = 30.0;   ///< 1..1000
+    double duration_s = 0.0;       ///< 0..3600; 0: until the needle's motion has ended
+  } image;
+
+  struct Cell {
+    std::string reference = "mouse-oocyte";  ///< "mouse-oocyte" or "mouse-embryo"
+    double center_x_um = 270.0;              ///< rest centre of the cell
+    double center_y_um = 200.0;
+    double size_scale = 1.0;            ///< 0.3..3: all lengths of the specimen; forces go with its square
+    double perivitelline_gap_um = 0.0;  ///< 0..8: between zona and ooplasm; 0: none is seen
+  } cell;
+
+  struct Tools {
+    int configuration = 1;              ///< 1: needle opposite the holder; 2: 45 degrees off; 3: 90 degrees off
+    double holder_angle_deg = 180.0;    ///< from the cell's centre to the holder; turns the whole scene
+    bool mirrored = false;              ///< the needle on the other side of the holder's axis (configurations 2 and 3)
+    double needle_tip_radius_um = 1.5;  ///< 0.5..3
+    double needle_taper_deg = 3.0;      ///< 0.5..6: half-angle of its cone
+    double needle_shaft_radius_um = 6.0;  ///< 1..12: where the cone ends
+  } tools;
+
+  struct Motion {
+    double gap_um = 12.0;                      ///< 0..300: tip to membrane at the start
+    double approach_speed_um_per_s = 24.0;     ///< 1..500
+    double indentation_um = 44.0;              ///< 0..200: how far the tip goes beyond the first touch
+    double indentation_speed_um_per_s = 12.0;  ///< 1..500
+    double hold_s = 0.8;                       ///< 0..600
+    double retraction_speed_um_per_s = 0.0;    ///< 0..500; 0: it stays
+    double smoothing_s = 0.3;                  ///< 0..5: time over which a speed changes
+  } motion;
+
+  struct Puncture {
+    bool enabled = false;
+    double indentation_um = 44.0;  ///< > 0: depth at which the membrane gives way
+    double residual_um = 2.0;      ///< 0..20: depth the membrane keeps about the needle
+    double relaxation_s = 0.06;    ///< 0.001..10: time constant of its return
+  } puncture;
+
+  struct Optics {
+    double background_ratio = 0.58;  ///< 0.1..0.9 of full scale
+    double contrast = 1.0;           ///< 0.1..2: of edges and texture
+    double halo = 1.0;               ///< 0..2: bright fringes beside dark edges
+    double relief = 1.0;             ///< 0..2: one-sided shading, as of modulation contrast
+    double granularity = 1.0;        ///< 0..3: of the ooplasm
+    double gradient_ratio = 0.08;    ///< 0..0.6: illumination from one side to the other
+    double gradient_angle_deg = 30.0;
+    double vignette_ratio = 0.06;         ///< 0..0.6: loss in the corners
+    double defocus_um = 0.0;              ///< 0..10: Gaussian blur of the whole image
+    double needle_defocus_um = 0.4;       ///< 0..10: further blur of the needle
+    double full_well_electrons = 9000.0;  ///< 100..1e6: shot noise
+    double read_noise_electrons = 12.0;   ///< 0..1000
+    bool noise = true;                    ///< false: a clean image
+  } optics;
+
+  struct Drift {
+    double x_um_per_s = 0.0;  ///< -50..50: cell, holder and needle together
+    double y_um_per_s = 0.0;
+  } drift;
+
+  struct Debris {
+    int count = 5;               ///< 0..500 particles
+    double max_radius_um = 2.5;  ///< 0.5..10
+  } debris;
+
+  std::uint64_t seed = 1;
+};
+
+/// Reads a scenario: a name in `resources/scenarios` or a JSON file.
+/// Throws InputError (no such scenario; not JSON), UsageError (unknown key; wrong type; value outside its range: names
+/// key, value and range).
+Scenario load_scenario(std::string_view name_or_file);
+
+/// The same from JSON text; `name` stands in messages.
+Scenario parse_scenario(std::string_view json_text, std::string_view name);
+
+/// Checks ranges and what belongs together. Throws UsageError.
+void validate(const Scenario& scenario);
+
+/// Names of the shipped scenarios.
+std::vector<std::string> scenario_names();
+
+}  // namespace pellucida

@@ -1,0 +1,226 @@
+#include "pellucida/simulation/CellReference.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "Interpolation.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Resources.h"
+#include "pellucida/core/Table.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kMiddleRadius_um = 50.0;
+constexpr double kHalfThickness_um = 2.5;
+constexpr int kPointCount = 400;
+
+// Rows of one depth step of a profile file.
+struct Step {
+  double depth_um;
+  Eigen::Index first, count;
+};
+
+std::vector<Step> steps_of(const Eigen::VectorXd& depth_um) {
+  std::vector<Step> steps;
+  for (Eigen::Index i = 0; i < depth_um.size(); ++i) {
+    if (steps.empty() || steps.back().depth_um != depth_um(i)) steps.push_back({depth_um(i), i, 0});
+    ++steps.back().count;
+  }
+  return steps;
+}
+
+// Material angles of the contour points: even, but 3.5 times as dense under the tip, where the dimple is sharp.
+Eigen::VectorXd material_angles() {
+  constexpr int kFine = 20000;
+  auto density = [](double angle) { return 1.0 + 2.5 * std::exp(-angle * angle / (2 * 0.3 * 0.3)); };
+  Eigen::VectorXd cumulative(kFine + 1);
+  cumulative(0) = 0;
+  for (int i = 0; i < kFine; ++i) cumulative(i + 1) = cumulative(i) + density(-kPi + 2 * kPi * (i + 0.5) / kFine);
+
+  Eigen::VectorXd angles(kPointCount);
+  int cell = 0;
+  for (int k = 0; k < kPointCount; ++k) {
+    const double target = cumulative(kFine) * k / kPointCount;
+    while (cumulative(cell + 1) < target) ++cell;
+    const double part = (target - cumulative(cell)) / (cumulative(cell + 1) - cumulative(cell));
+    angles(k) = -kPi + 2 * kPi * (cell + part) / kFine;
+  }
+  // The apex itself is a material point.
+  angles(kPointCount / 2) = 0.0;
+  return angles;
+}
+
+// A surface's displacement (2 x n) at the material angles, from scattered nodes on a sphere of radius `radius_um`.
+// The mesh's last corners under the tip are rounded off over about 1 um, so that the surfaces 2.5 um to both sides have
+// no folds; the apex keeps its depth.
+Contour_um smooth_surface(const Eigen::VectorXd& node_angle, const Eigen::VectorXd& node_x,
+                          const Eigen::VectorXd& node_z, double radius_um, double apex_z_um,
+                          const Eigen::VectorXd& angles) {
+  const Eigen::VectorXd ux = node_x.array() - radius_um * node_angle.array().sin();
+  const Eigen::VectorXd uz = node_z.array() - radius_um * node_angle.array().cos();
+  const PeriodicSpline across(node_angle, ux, 2 * kPi), along(node_angle, uz, 2 * kPi);
+
+  // Local average of a spline with a Gaussian that fades with the distance from the apex.
+  auto average = [](const PeriodicSpline& spline, double angle) {
+    const double sigma = 0.030 * std::exp(-angle * angle / (2 * 0.16 * 0.16)) + 0.004;
+    double sum = 0, weight_sum = 0;
+    for (int j = -8; j <= 8; ++j) {
+      const double t = j * 0.3, weight = std::exp(-t * t / 2);
+      sum += weight * spline(angle + sigma * t);
+      weight_sum += weight;
+    }
+    return sum / weight_sum;
+  };
+  const double lift = apex_z_um - (radius_um + average(along, 0.0));
+  const double shift = -average(across, 0.0);
+
+  Contour_um surface(2, angles.size());
+  for (Eigen::Index k = 0; k < angles.size(); ++k) {
+    const double a = angles(k), near_tip = std::exp(-a * a / (2 * 0.12 * 0.12));
+    surface(0, k) = radius_um * std::sin(a) + average(across, a) + shift * near_tip;
+    surface(1, k) = radius_um * std::cos(a) + average(along, a) + lift * near_tip;
+  }
+  return surface;
+}
+
+// The surface `offset_um` outwards along the normal.
+Contour_um offset_surface(const Contour_um& middle, double offset_um) {
+  const Eigen::Index n = middle.cols();
+  Contour_um moved(2, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::Vector2d tangent = (middle.col((k + 1) % n) - middle.col((k + n - 1) % n)).normalized();
+    // The angle runs clockwise in (x, z): the outward normal is left of the tangent.
+    moved.col(k) = middle.col(k) + offset_um * Eigen::Vector2d(-tangent.y(), tangent.x());
+  }
+  return moved;
+}
+
+// A half-profile (r, z) from pole to pole, mirrored to a whole section with rising angles.
+void mirror_half(const Eigen::VectorXd& angle, const Eigen::VectorXd& r, const Eigen::VectorXd& z,
+                 Eigen::VectorXd& whole_angle, Eigen::VectorXd& whole_x, Eigen::VectorXd& whole_z) {
+  const Eigen::Index n = angle.size(), total = 2 * n - 2;
+  whole_angle.resize(total);
+  whole_x.resize(total);
+  whole_z.resize(total);
+  for (Eigen::Index i = 0; i < total; ++i) {
+    // From -pi (the far pole) through 0 (the apex) to just before +pi.
+    const Eigen::Index source = std::abs(i - (n - 1));
+    const double side = i < n - 1 ? -1.0 : 1.0;
+    const bool pole = source == 0 || source == n - 1;
+    whole_angle(i) = side * (source == n - 1 ? kPi : angle(source));
+    whole_x(i) = pole ? 0.0 : side * r(source);
+    whole_z(i) = z(source);
+  }
+}
+
+}  // namespace
+
+CellReference CellReference::load(std::string_view cell, int configuration) {
+  const std::string stem = std::string(cell) + "-" + std::to_string(configuration);
+  const auto folder = resource_folder() / "reference";
+  if (!std::filesystem::exists(folder / (stem + "-profile.csv"))) {
+    std::string known;
+    for (const auto& name : list_resources("reference", ".csv"))
+      if (name.ends_with("-profile")) known += (known.empty() ? "" : ", ") + name.substr(0, name.size() - 8);
+    throw UsageError("no finite-element reference for cell '" + std::string(cell) + "' in configuration " +
+                     std::to_string(configuration) + "; there are: " + known);
+  }
+
+  CellReference reference;
+  reference.holder_angle_rad_ = (configuration - 1) * kPi / 4;
+  reference.angle_rad_ = material_angles();
+  const Eigen::Index n = reference.angle_rad_.size();
+
+  // Force and pressure against depth.
+  const Table force = Table::read(folder / (stem + "-force.csv"));
+  reference.force_depth_um_ = force.column("indentation_um");
+  reference.force_uN_ = force.column("force_uN");
+  reference.pressure_Pa_ = 1e3 * force.column("pressure_kPa");
+  reference.force_slope_ = monotone_slopes(reference.force_depth_um_, reference.force_uN_);
+  reference.pressure_slope_ = monotone_slopes(reference.force_depth_um_, reference.pressure_Pa_);
+
+  // Shapes: the shell gives the middle surface, the solid both faces as half-profiles.
+  const Table profile = Table::read(folder / (stem + "-profile.csv"));
+  const bool solid = profile.has("outer_r_um");
+  reference.outer_radius_um_ = kMiddleRadius_um + kHalfThickness_um;
+  reference.inner_radius_um_ = kMiddleRadius_um - kHalfThickness_um;
+  const Eigen::VectorXd angle = profile.column("theta0_rad");
+  const auto steps = steps_of(profile.column("indentation_um"));
+  reference.depth_um_.resize(static_cast<Eigen::Index>(steps.size()));
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    const auto& step = steps[s];
+    reference.depth_um_(static_cast<Eigen::Index>(s)) = step.depth_um;
+    auto rows = [&](const char* name) -> Eigen::VectorXd {
+      return profile.column(name).segment(step.first, step.count);
+    };
+    const Eigen::VectorXd step_angle = angle.segment(step.first, step.count);
+    Contour_um outer, inner;
+    if (solid) {
+      Eigen::VectorXd a, x, z;
+      mirror_half(step_angle, rows("outer_r_um"), rows("outer_z_um"), a, x, z);
+      outer = smooth_surface(a, x, z, reference.outer_radius_um_, reference.outer_radius_um_ - step.depth_um,
+                             reference.angle_rad_);
+      mirror_half(step_angle, rows("inner_r_um"), rows("inner_z_um"), a, x, z);
+      inner = smooth_surface(a, x, z, reference.inner_radius_um_, rows("inner_z_um")(0), reference.angle_rad_);
+    } else {
+      const Contour_um middle = smooth_surface(step_angle, rows("x_mid_um"), rows("z_mid_um"), kMiddleRadius_um,
+                                               kMiddleRadius_um - step.depth_um, reference.angle_rad_);
+      outer = offset_surface(middle, kHalfThickness_um);
+      inner = offset_surface(middle, -kHalfThickness_um);
+    }
+    Eigen::VectorXd shape(4 * n);
+    shape << outer.row(0).transpose(), outer.row(1).transpose(), inner.row(0).transpose(), inner.row(1).transpose();
+    reference.shape_.push_back(std::move(shape));
+  }
+
+  // Slopes by depth, a monotone cubic for each coordinate.
+  const auto step_count = static_cast<Eigen::Index>(steps.size());
+  reference.shape_slope_.assign(steps.size(), Eigen::VectorXd(4 * n));
+  Eigen::VectorXd values(step_count);
+  for (Eigen::Index i = 0; i < 4 * n; ++i) {
+    for (Eigen::Index s = 0; s < step_count; ++s) values(s) = reference.shape_[static_cast<std::size_t>(s)](i);
+    const Eigen::VectorXd slopes = monotone_slopes(reference.depth_um_, values);
+    for (Eigen::Index s = 0; s < step_count; ++s) reference.shape_slope_[static_cast<std::size_t>(s)](i) = slopes(s);
+  }
+  return reference;
+}
+
+CellReference::Section CellReference::section(double indentation_um) const {
+  const auto w = hermite_weights(depth_um_, indentation_um);
+  const auto i = static_cast<std::size_t>(w.cell);
+  const Eigen::VectorXd shape =
+      w.y0 * shape_[i] + w.y1 * shape_[i + 1] + w.m0 * shape_slope_[i] + w.m1 * shape_slope_[i + 1];
+  const Eigen::Index n = angle_rad_.size();
+  Section section;
+  section.outer_um.resize(2, n);
+  section.inner_um.resize(2, n);
+  section.outer_um.row(0) = shape.segment(0, n).transpose();
+  section.outer_um.row(1) = shape.segment(n, n).transpose();
+  section.inner_um.row(0) = shape.segment(2 * n, n).transpose();
+  section.inner_um.row(1) = shape.segment(3 * n, n).transpose();
+  return section;
+}
+
+double CellReference::force_uN(double indentation_um) const {
+  const auto w = hermite_weights(force_depth_um_, indentation_um);
+  return w.y0 * force_uN_(w.cell) + w.y1 * force_uN_(w.cell + 1) + w.m0 * force_slope_(w.cell) +
+         w.m1 * force_slope_(w.cell + 1);
+}
+
+double CellReference::pressure_Pa(double indentation_um) const {
+  const auto w = hermite_weights(force_depth_um_, indentation_um);
+  return w.y0 * pressure_Pa_(w.cell) + w.y1 * pressure_Pa_(w.cell + 1) + w.m0 * pressure_slope_(w.cell) +
+         w.m1 * pressure_slope_(w.cell + 1);
+}
+
+double CellReference::max_indentation_um() const noexcept {
+  return depth_um_(depth_um_.size() - 1);
+}
+
+std::vector<std::string> reference_cells() {
+  return {"mouse-embryo", "mouse-oocyte"};
+}
+
+}  // namespace pellucida

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <vector>
+
+#include "EdgeProfile.h"
+#include "Texture.h"
+#include "pellucida/simulation/Scenario.h"
+#include "pellucida/simulation/Truth.h"
+#include "pellucida/simulation/VirtualSpecimen.h"
+
+namespace pellucida {
+
+/// Draws a frame of the virtual microscope. Every object is a transmittance: light of the field, multiplied by what
+/// debris, cell, holder and needle let through, then blurred by the defocus, then counted with shot and read noise.
+/// Edges are functions of the exact signed distance to a contour, so lines are anti-aliased and sub-pixel exact.
+class Renderer {
+ public:
+  Renderer(const Scenario& scenario, const VirtualSpecimen& specimen);
+
+  /// The frame as 8 or 16 bit grey, valid until the next call. `truth` and `state` belong together.
+  const cv::Mat& render(const Truth& truth, const SpecimenState& state);
+
+ private:
+  void draw_cell(const Truth& truth, const SpecimenState& state);
+  void draw_holder(const HolderPose& holder, const Eigen::Vector2d& center_um);
+  void draw_needle(const NeedlePose& needle);
+  void fill_polar_map(const SpecimenState& state);
+  template <class Pixel>
+  void count_light(long frame_index);
+
+  Scenario scenario_;
+  HolderRim rim_;
+  SpecimenPose rest_pose_;
+  Eigen::VectorXd material_angle_rad_;  // of the section's points
+  double inner_radius_um_;
+  EdgeProfile outer_edge_, inner_edge_, ooplasm_edge_, ooplasm_weight_, holder_edge_, needle_edge_;
+  GranularTexture texture_;
+  NoiseBank noise_;
+  cv::Mat1f background_;  // ratio of full scale
+  cv::Mat1f light_;       // the frame being drawn
+  cv::Mat1f outer_distance_um_, inner_distance_um_, ooplasm_distance_um_;
+  cv::Mat frame_;
+
+  // Where the ooplasm's material went: about a centre (section frame), by direction, the material angle's sine and
+  // cosine and one over the boundary's distance.
+  struct Direction {
+    float sine, cosine, inverse_radius;
+  };
+  std::vector<Direction> polar_map_;
+  Eigen::Vector2d polar_center_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace pellucida

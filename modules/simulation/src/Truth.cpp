@@ -1,0 +1,183 @@
+#include "pellucida/simulation/Truth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// A section's contour in the image, turned so that its signed area is positive.
+MembraneContour place(Membrane membrane, const Contour_um& section, const SpecimenPose& pose) {
+  MembraneContour contour;
+  contour.membrane = membrane;
+  const Eigen::Index n = section.cols();
+  contour.points_um.resize(2, n);
+  // The section runs clockwise in (across, axis): its area has the sign of minus their handedness.
+  const bool reverse = pose.across.x() * pose.axis.y() - pose.across.y() * pose.axis.x() > 0;
+  for (Eigen::Index i = 0; i < n; ++i) contour.points_um.col(i) = pose.to_image(section.col(reverse ? (n - i) % n : i));
+  contour.confidence = Eigen::VectorXd::Ones(n);
+  return contour;
+}
+
+// The section moved `inwards_um` along its normal.
+Contour_um shrink(const Contour_um& section, double inwards_um) {
+  const Eigen::Index n = section.cols();
+  Contour_um moved(2, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::Vector2d tangent = (section.col((k + 1) % n) - section.col((k + n - 1) % n)).normalized();
+    moved.col(k) = section.col(k) + inwards_um * Eigen::Vector2d(tangent.y(), -tangent.x());
+  }
+  return moved;
+}
+
+NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, double tip_z_um, double length_um) {
+  NeedlePose needle;
+  needle.tip_um = pose.to_image({0, tip_z_um});
+  needle.direction = -pose.axis;
+  needle.tip_radius_um = tools.needle_tip_radius_um;
+  needle.confidence = 1.0;
+
+  // Tip, down one side, and back along the other. Fine steps round the tip, coarse ones along the shaft.
+  std::vector<double> back_um;
+  for (double back = 0.1; back < length_um; back += back < 2 * tools.needle_tip_radius_um ? 0.25 : 5.0)
+    back_um.push_back(back);
+  const auto count = static_cast<Eigen::Index>(back_um.size());
+  needle.outline_um.resize(2, 2 * count + 1);
+  needle.outline_um.col(0) = needle.tip_um;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double back = back_um[static_cast<std::size_t>(i)], width = needle_half_width_um(tools, back);
+    needle.outline_um.col(1 + i) = pose.to_image({width, tip_z_um + back});
+    needle.outline_um.col(2 * count - i) = pose.to_image({-width, tip_z_um + back});
+  }
+  return needle;
+}
+
+HolderPose place_holder(const VirtualSpecimen& specimen, const Eigen::Vector2d& center_um, double length_um) {
+  const HolderRim rim = holder_rim(specimen);
+  HolderPose holder;
+  holder.direction = specimen.holder_direction();
+  holder.mouth_um = center_um + (rim.distance_um - rim.wall_radius_um) * holder.direction;
+  holder.outer_radius_um = rim.ring_radius_um + rim.wall_radius_um;
+  holder.confidence = 1.0;
+
+  // One outer side, round both rims and the mouth between them, and back along the other side.
+  const Eigen::Vector2d side(-holder.direction.y(), holder.direction.x());
+  std::vector<Eigen::Vector2d> points;
+  auto add = [&](double across, double along) {
+    points.push_back(center_um + across * side + along * holder.direction);
+  };
+  add(holder.outer_radius_um, rim.distance_um + length_um);
+  for (int sign : {1, -1})
+    for (int k = 0; k <= 12; ++k) {
+      // Each wall's end is a half circle towards the cell: from outside to inside, then from inside to outside.
+      const double angle = kPi * k / 12, across = rim.wall_radius_um * std::cos(angle);
+      add(sign * rim.ring_radius_um + across, rim.distance_um - rim.wall_radius_um * std::sin(angle));
+    }
+  add(-holder.outer_radius_um, rim.distance_um + length_um);
+  holder.outline_um.resize(2, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) holder.outline_um.col(static_cast<Eigen::Index>(i)) = points[i];
+  return holder;
+}
+
+}  // namespace
+
+double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept {
+  const double r = tools.needle_tip_radius_um;
+  if (back_um < r) return std::sqrt(std::max(0.0, r * r - (r - back_um) * (r - back_um)));
+  return std::min(tools.needle_shaft_radius_um, r + (back_um - r) * std::tan(tools.needle_taper_deg * kPi / 180));
+}
+
+HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept {
+  // The wall is as thick as the ring that holds the shell in the finite elements (12.5 to 22.5 um).
+  const double scale = specimen.size_scale();
+  const double middle_radius = (specimen.outer_radius_um() + specimen.inner_radius_um()) / 2;
+  const double sine = scale * CellReference::kHolderRingRadius_um / middle_radius;
+  HolderRim rim;
+  rim.wall_radius_um = 5.0 * scale;
+  const double reach = specimen.outer_radius_um() + rim.wall_radius_um;
+  rim.ring_radius_um = reach * sine;
+  rim.distance_um = reach * std::sqrt(1 - sine * sine);
+  return rim;
+}
+
+Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
+                 const Eigen::Vector2d& drift_um, double time_s, long frame_index) {
+  SpecimenPose pose = specimen.pose();
+  pose.center_um += drift_um;
+
+  Truth truth;
+  Observation& seen = truth.observation;
+  seen.time_s = time_s;
+  seen.frame_index = frame_index;
+  seen.state = state.state;
+  seen.confidence = 1.0;
+  seen.outer = place(Membrane::kOuter, state.section.outer_um, pose);
+  seen.inner = place(Membrane::kInner, state.section.inner_um, pose);
+  if (scenario.cell.perivitelline_gap_um > 0)
+    seen.oolemma = place(Membrane::kOolemma, shrink(state.section.inner_um, scenario.cell.perivitelline_gap_um), pose);
+
+  // The tip sits on the outer apex while the membrane is whole. Tools reach out of any picture.
+  const double diagonal_um =
+      scenario.image.pixel_size_um * std::hypot(scenario.image.width_px, scenario.image.height_px) + 100.0;
+  seen.needle = place_needle(scenario.tools, pose, specimen.outer_radius_um() - state.tip_depth_um, diagonal_um);
+  seen.holder = place_holder(specimen, pose.center_um, diagonal_um);
+
+  seen.center_um = pose.center_um;
+  seen.rest_outer_radius_um = specimen.outer_radius_um();
+  seen.rest_inner_radius_um = specimen.inner_radius_um();
+  seen.axis = pose.axis;
+  seen.indentation_um = state.membrane_depth_um;
+  seen.dimple_radius_um = state.membrane_depth_um > 0 ? dimple_radius_um(state.section.outer_um) : 0.0;
+
+  truth.contact_force_uN = state.contact_force_uN;
+  truth.pressure_Pa = state.pressure_Pa;
+  truth.volume_um3 = revolved_volume_um3(state.section.outer_um);
+  return truth;
+}
+
+TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_(file), contours_(contour_file(file)) {
+  rows_ << "frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,"
+           "contact_force_uN,pressure_Pa,volume_um3\n";
+  contours_ << "frame,membrane,point,x_um,y_um\n";
+  check(rows_, file_);
+  check(contours_, contour_file(file_));
+}
+
+void TruthWriter::write(const Truth& truth) {
+  const Observation& seen = truth.observation;
+  rows_ << seen.frame_index << ',' << csv_number(seen.time_s) << ',' << static_cast<int>(seen.state);
+  for (double value : {seen.center_um.x(), seen.center_um.y(), std::atan2(seen.axis.y(), seen.axis.x()) * 180 / kPi,
+                       seen.needle->tip_um.x(), seen.needle->tip_um.y(), seen.indentation_um, seen.dimple_radius_um,
+                       truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3})
+    rows_ << ',' << csv_number(value);
+  rows_ << '\n' << std::flush;
+
+  for (const auto* contour : {&seen.outer, &seen.inner, &seen.oolemma}) {
+    if (!*contour) continue;
+    const auto& points = (*contour)->points_um;
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+      contours_ << seen.frame_index << ',' << static_cast<int>((*contour)->membrane) << ',' << i << ','
+                << csv_number(points(0, i)) << ',' << csv_number(points(1, i)) << '\n';
+  }
+  contours_ << std::flush;
+  check(rows_, file_);
+  check(contours_, contour_file(file_));
+}
+
+std::filesystem::path TruthWriter::contour_file(const std::filesystem::path& file) {
+  auto beside = file;
+  return beside.replace_filename(file.stem().string() + "_contours" + file.extension().string());
+}
+
+void TruthWriter::check(const std::ofstream& stream, const std::filesystem::path& file) const {
+  if (!stream)
+    throw OutputError("truth file '" + file.string() + "' can't be written; check folder, permission and free space");
+}
+
+}  // namespace pellucida
