@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/SceneData.h"
+
+namespace pellucida::test {
+
+/// A camera over an empty dish: flat grey frames, as many and as fast as asked. May break after some.
+class FlatSource : public FrameSource {
+ public:
+  FlatSource(long frame_count, double frame_rate_hz, long break_after = -1)
+      : frame_count_(frame_count), break_after_(break_after), pixels_(64 * 48, 128) {
+    info_.name = "flat";
+    info_.width_px = 64;
+    info_.height_px = 48;
+    info_.pixel_size_um = 1.0;
+    info_.pixel_size_origin = "scenario";
+    info_.frame_rate_hz = frame_rate_hz;
+    info_.frame_rate_origin = "scenario";
+    info_.frame_count = frame_count;
+  }
+
+  const SourceInfo& info() const noexcept override { return info_; }
+
+  std::optional<Frame> next() override {
+    if (next_ == break_after_) throw InputError("flat: broken after frame " + std::to_string(next_ - 1));
+    if (next_ >= frame_count_) return std::nullopt;
+    Frame frame;
+    frame.frame_index = next_;
+    frame.time_s = static_cast<double>(next_) / info_.frame_rate_hz;
+    frame.gap_count = next_ == 3 ? 1 : 0;
+    frame.image = Frozen<vtkImageData>(make_frame({.data = pixels_.data(),
+                                                   .format = PixelFormat::kGray8,
+                                                   .width_px = 64,
+                                                   .height_px = 48,
+                                                   .row_bytes = 64,
+                                                   .pixel_size_um = 1.0},
+                                                  frame.time_s, frame.frame_index));
+    ++next_;
+    return frame;
+  }
+
+  bool restart() override {
+    next_ = 0;
+    return true;
+  }
+
+ private:
+  long frame_count_;
+  long break_after_;
+  long next_ = 0;
+  std::vector<std::uint8_t> pixels_;
+  SourceInfo info_;
+};
+
+}  // namespace pellucida::test

@@ -1,0 +1,120 @@
+#include "pellucida/pipeline/LiveRun.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/session/SessionCheck.h"
+#include "pellucida/session/SessionReader.h"
+#include "pellucida/simulation/VirtualMicroscope.h"
+#include "pipeline/FlatSource.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Waits for a condition; a minute is for a machine that is busy with other things.
+bool wait_until(const std::function<bool()>& condition) {
+  for (int i = 0; i < 6000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+fs::path fresh(const std::string& name) {
+  const auto folder = fs::path(testing::TempDir()) / ("pellucida_live_" + name);
+  fs::remove_all(folder);
+  return folder;
+}
+
+TEST(LiveRun, EveryFrameIsMeasuredOrCountedAsSkipped) {
+  LiveRun run(std::make_unique<test::FlatSource>(60, 200.0), {});
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
+  const LiveStatus status = run.status();
+  EXPECT_EQ(status.frame_count, 60U);
+  EXPECT_EQ(status.measured_count + status.skipped_count, 60U);
+  EXPECT_EQ(status.gap_count, 1U);
+  EXPECT_EQ(run.measurements_since(0).size(), status.measured_count);
+  EXPECT_FALSE(status.fault);
+  ASSERT_TRUE(run.scenes()->peek());
+  EXPECT_EQ(run.scenes()->peek()->measurement.frame, 59);  // the newest always gets through
+}
+
+// Frames come faster than they can be measured: all of them are in the recording all the same, in order, each once.
+TEST(LiveRun, TheRecordingHoldsEveryFrame) {
+  const auto folder = fresh("record");
+  LiveRun run(std::make_unique<test::FlatSource>(100, 2000.0), {});
+  run.start_recording(folder);
+  EXPECT_THROW(run.start_recording(fresh("other")), UsageError);
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
+  run.note("the dish is empty");
+  run.stop_recording();
+  EXPECT_FALSE(run.status().recording);
+  EXPECT_EQ(run.status().recorded_count + run.status().recorder_dropped_count, 100U);
+
+  EXPECT_EQ(check_session(folder, false).problem_count, 0U);
+  const SessionReader session(folder);
+  EXPECT_TRUE(session.complete());
+  long last = -1;
+  for (const auto& step : session.steps()) {
+    EXPECT_GT(step.frame_index, last);
+    EXPECT_TRUE(step.has(SessionPart::kFrame));
+    last = step.frame_index;
+  }
+  EXPECT_EQ(session.steps().size(), run.status().recorded_count);
+  bool noted = false;
+  for (const auto& event : session.events()) noted |= event.kind == "note" && event.detail == "the dish is empty";
+  EXPECT_TRUE(noted);
+}
+
+TEST(LiveRun, ABrokenSourceIsAFaultAndWhatCameBeforeStays) {
+  LiveRun run(std::make_unique<test::FlatSource>(60, 200.0, 20), {});
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().fault.has_value(); }));
+  EXPECT_NE(run.status().fault->find("broken after frame 19"), std::string::npos);
+  EXPECT_TRUE(wait_until([&] { return run.status().finished; }));
+  EXPECT_EQ(run.status().frame_count, 20U);
+}
+
+TEST(LiveRun, PauseHoldsAndRestartBeginsAnew) {
+  LiveRun run(std::make_unique<test::FlatSource>(30, 300.0), {});
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
+  EXPECT_TRUE(run.restart());
+  ASSERT_TRUE(wait_until([&] { return run.status().frame_count == 60U && run.status().finished; }));
+  const auto newest = run.scenes()->peek();
+  EXPECT_EQ(newest->measurement.frame, 59);  // numbers go on rising
+  EXPECT_EQ(newest->run_index, 1);
+
+  run.set_paused(true);
+  EXPECT_TRUE(run.restart());
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(run.status().frame_count, 60U);
+  run.set_paused(false);
+  EXPECT_TRUE(wait_until([&] { return run.status().frame_count == 90U; }));
+}
+
+// The live threads and the batch loop are the same steps: a measured frame has the same numbers either way.
+TEST(LiveRun, ASlowSourceGivesTheBatchesNumbers) {
+  auto scenario = load_scenario("default");
+  scenario.image.duration_s = 1.0;
+  scenario.image.frame_rate_hz = 10.0;
+  LiveRun run(std::make_unique<VirtualMicroscope>(scenario), {});
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
+  const auto rows = run.measurements_since(0);
+  ASSERT_GT(rows.size(), 5U);
+  EXPECT_EQ(rows.front().state, CellState::kFree);
+  for (const auto& row : rows) EXPECT_GE(row.frame_age_ms, 0.0);
+}
+
+}  // namespace
+}  // namespace pellucida
