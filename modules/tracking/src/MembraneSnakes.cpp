@@ -1,0 +1,236 @@
+#include "MembraneSnakes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucida {
+namespace {
+
+constexpr double kStep = 0.5;           // px between samples on a normal
+constexpr double kNeedleMargin = 2.5;   // px: half width of the needle's own dark edge, with its halo
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Feature in units of the learnt strength, bounded: a glaring speck counts no more than the membrane itself.
+Eigen::MatrixXf as_reward(const Eigen::MatrixXf& feature, double strength) {
+  return (feature / static_cast<float>(strength)).cwiseMin(1.3F).cwiseMax(-0.6F);
+}
+
+}  // namespace
+
+void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake, const NeedleZone* needle) {
+  const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
+  strip_.sample(image, snake.points, normals, 6.0 * snake.scale_px, 6.0 * snake.scale_px, kStep);
+  const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
+  strip_.features(filter, 1, feature_);
+  std::vector<double> heights;
+  const int middle = static_cast<int>(strip_.column_of(0.0)), reach = static_cast<int>(std::ceil(2.0 / kStep));
+  for (int i = 0; i < strip_.rows(); ++i) {
+    if (needle && needle->covers(snake.points.col(i), 4.0)) continue;
+    heights.push_back(feature_.row(i).segment(std::max(0, middle - reach), 2 * reach + 1).maxCoeff());
+  }
+  const double now = median_of(std::move(heights));
+  if (now <= 0.0) return;
+  snake.strength = snake.strength > 0.0 ? 0.9 * snake.strength + 0.1 * now : now;
+}
+
+void MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle) {
+  const auto take = [&](const FoundEdge& edge, SnakeContour& snake) {
+    snake = {};
+    snake.kind = edge.kind;
+    // A line is followed at the finest scale; a soft step keeps the scale it was found at.
+    snake.scale_px = edge.kind.line != 0.0 ? std::min(edge.scale_px, options_.edge_scale_px) : edge.scale_px;
+    snake.points = contour::resample(contour::positively_oriented(edge.points), options_.contour_point_count);
+    learn_strength(image, snake, needle);
+  };
+  inner_ = {};
+  thickness_ = 0.0;
+  take(cell.outer, outer_);
+  if (cell.inner) take(*cell.inner, inner_);
+  for (int round = 0; round < 2; ++round) {
+    refine(image, noise, outer_, needle, true, 3.0);
+    if (has_inner()) refine(image, noise, inner_, needle, false, 3.0);
+  }
+  learn_strength(image, outer_, needle);
+  if (!has_inner()) return;
+  learn_strength(image, inner_, needle);
+  std::vector<double> gaps;
+  for (Eigen::Index i = 0; i < outer_.points.cols(); i += 2)
+    gaps.push_back(contour::distance_to(inner_.points, outer_.points.col(i)));
+  thickness_ = median_of(std::move(gaps));
+}
+
+void MembraneSnakes::search_pair(const GrayImage& image, const NeedleZone* needle, double search_px) {
+  const Eigen::Matrix2Xd normals = contour::outward_normals(outer_.points);
+  const double reach_in = search_px + (has_inner() ? 1.6 * thickness_ : 0.0);
+  strip_.sample(image, outer_.points, normals, reach_in + 3.0, search_px + 3.0, kStep);
+  strip_.features(EdgeFilter(outer_.scale_px, kStep, outer_.kind), 1, feature_);
+  reward_outer_ = as_reward(feature_, outer_.strength);
+  if (has_inner()) {
+    strip_.features(EdgeFilter(inner_.scale_px, kStep, inner_.kind), 1, feature_);
+    reward_inner_ = as_reward(feature_, inner_.strength);
+  }
+  // The needle's own edges say nothing about a membrane; the tip itself does, once it touches.
+  if (needle) {
+    for (int i = 0; i < strip_.rows(); ++i) {
+      for (int j = 0; j < strip_.columns(); ++j) {
+        const Eigen::Vector2d p = outer_.points.col(i) + strip_.offset_of(j) * normals.col(i);
+        if (!needle->covers(p, kNeedleMargin)) continue;
+        const Eigen::Vector2d d = p - needle->tip;
+        const double ahead = d.dot(needle->direction);
+        const double across = std::abs(needle->direction.x() * d.y() - needle->direction.y() * d.x());
+        reward_outer_(i, j) = 0.0F;
+        if (needle->touching && across < needle->tip_half_width) {
+          reward_outer_(i, j) = static_cast<float>(1.6 * std::exp(-0.5 * ahead * ahead) - 0.3);
+        }
+        if (has_inner() && ahead < 1.0) reward_inner_(i, j) = needle->touching ? -0.3F : 0.0F;
+      }
+    }
+  }
+  // Not further out or in than asked.
+  const int low = static_cast<int>(strip_.column_of(-search_px)), high = static_cast<int>(strip_.column_of(search_px));
+  reward_outer_.leftCols(std::max(0, low)).setConstant(-2.0F);
+  reward_outer_.rightCols(std::max(0, strip_.columns() - 1 - high)).setConstant(-2.0F);
+
+  constexpr float kSlope = 0.12F, kGap = 0.12F;
+  std::vector<int> outer_path, inner_path;
+  if (has_inner()) {
+    const int gap_from = std::max(2, static_cast<int>(0.45 * thickness_ / kStep));
+    const int gap_to = static_cast<int>(std::ceil(1.5 * thickness_ / kStep));
+    PathPair pair = best_closed_path_pair(reward_outer_, reward_inner_, gap_from, gap_to, kSlope, kGap);
+    outer_path = std::move(pair.outer);
+    inner_path = std::move(pair.inner);
+  } else {
+    outer_path = best_closed_path(reward_outer_, 2, kSlope);
+  }
+  Eigen::Matrix2Xd outer(2, strip_.rows()), inner(2, strip_.rows());
+  for (int i = 0; i < strip_.rows(); ++i) {
+    outer.col(i) = outer_.points.col(i) + strip_.offset_of(outer_path[static_cast<std::size_t>(i)]) * normals.col(i);
+    if (has_inner())
+      inner.col(i) = outer_.points.col(i) + strip_.offset_of(inner_path[static_cast<std::size_t>(i)]) * normals.col(i);
+  }
+  outer_.points = contour::resample(outer, options_.contour_point_count);
+  if (has_inner()) inner_.points = contour::resample(inner, options_.contour_point_count);
+}
+
+void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& snake, const NeedleZone* needle,
+                            bool is_outer, double reach_px) {
+  const Eigen::Index n = snake.points.cols();
+  const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
+  const double margin = reach_px + 4.0 * snake.scale_px;
+  Eigen::VectorXd edges(n), weights(n), rigidity(n), curvature(n);
+  snake.confidence.resize(n);
+  snake.sigma_px.resize(n);
+  const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
+  strip_.sample(image, snake.points, normals, margin, margin, kStep);
+  strip_.features(filter, 1, feature_);
+  const double noise_feature = noise * filter.noise_gain() * 0.61;  // (1 2 1)/4 smoothing
+  const int middle = static_cast<int>(std::lround(strip_.column_of(0.0)));
+  const int reach = static_cast<int>(std::ceil(reach_px / kStep));
+  Eigen::VectorXf row(strip_.columns());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector2d p = snake.points.col(i);
+    row = feature_.row(i).transpose();
+    const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
+    edges[i] = strip_.offset_of(peak.position);
+    const double relative = snake.strength > 0.0 ? peak.height / snake.strength : 0.0;
+    const double clear = std::clamp((peak.height - 2.0 * noise_feature) / std::max(snake.strength, 1e-6), 0.0, 1.0);
+    weights[i] = peak.curvature < 0.0 ? clear : 0.0;
+    snake.confidence[i] = peak.curvature < 0.0 ? std::clamp(1.4 * clear, 0.0, 1.0) : 0.0;
+    (void)relative;
+    curvature[i] = -peak.curvature / (kStep * kStep);
+    snake.sigma_px[i] = curvature[i] > 1e-9 ? noise * filter.slope_noise_gain() * 0.61 / curvature[i] : reach_px;
+    rigidity[i] = options_.rigidity;
+    if (!needle) continue;
+
+    // Softer near the tip, where the dimple is sharp.
+    const double reach_of_tip = 6.0 * needle->tip_half_width + 12.0;
+    const double distance = (p - needle->tip).norm();
+    if (needle->touching && distance < reach_of_tip) {
+      const double t = distance / reach_of_tip;
+      rigidity[i] = options_.tip_rigidity * std::pow(options_.rigidity / options_.tip_rigidity, t * t);
+    }
+    if (!needle->covers(p + edges[i] * normals.col(i), kNeedleMargin) && !needle->covers(p, kNeedleMargin)) continue;
+    const Eigen::Vector2d d = p - needle->tip;
+    const double across = std::abs(needle->direction.x() * d.y() - needle->direction.y() * d.x());
+    const double along = normals.col(i).dot(needle->direction);
+    if (is_outer && needle->touching && across < needle->tip_half_width && along < -0.5) {
+      // Under the tip the membrane is where the tip's front is.
+      edges[i] = -d.dot(needle->direction) / along;
+      weights[i] = 1.5;
+      snake.confidence[i] = 0.8;
+      snake.sigma_px[i] = 0.5;
+    } else if (is_outer || !needle->touching || d.dot(needle->direction) < 1.0) {
+      // On the shaft: hidden. The rigidity bridges the gap.
+      weights[i] = 0.0;
+      snake.confidence[i] = 0.3;
+      snake.sigma_px[i] = 1.5;
+    }
+  }
+  const Eigen::VectorXd& u = snake_.relax(snake.points, normals, edges, weights, rigidity, options_.elasticity);
+
+  // Sigma: noise on one normal, what neighbours disagree, both averaged over the points the rigidity ties together.
+  double score = 0.0, count = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double squares = 0.0, weight = 0.0;
+    for (Eigen::Index k = -6; k <= 6; ++k) {
+      const Eigen::Index j = contour::wrap(i + k, n);
+      squares += weights[j] * (u[j] - edges[j]) * (u[j] - edges[j]);
+      weight += weights[j];
+    }
+    const double scatter = weight > 0.0 ? squares / weight : 1.0;
+    const double tied = std::max(1.0, 2.2 * std::pow(rigidity[i], 0.25));
+    snake.sigma_px[i] = std::sqrt((snake.sigma_px[i] * snake.sigma_px[i] + scatter) / tied) + 0.03;
+    if (!needle || !needle->covers(snake.points.col(i), kNeedleMargin)) {
+      score += snake.confidence[i];
+      count += 1.0;
+    }
+  }
+  snake.score = count > 0.0 ? score / count : 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) snake.points.col(i) += std::clamp(u[i], -reach_px, reach_px) * normals.col(i);
+}
+
+double MembraneSnakes::track(const GrayImage& image, double noise, const Eigen::Vector2d& shift,
+                             const Eigen::Vector2d& push, const NeedleZone* needle, double search_px) {
+  // Predict: the cell moves with its holder, the dimple with the needle.
+  const auto predict = [&](Eigen::Matrix2Xd& points) {
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      Eigen::Vector2d move = shift;
+      if (needle && needle->touching) {
+        const double reach = 3.0 * needle->tip_half_width + 8.0;
+        const double t = (points.col(i) + push - needle->tip).norm() / reach;
+        move += std::exp(-0.5 * t * t) * (push - shift);
+      }
+      points.col(i) += move;
+    }
+  };
+  predict(outer_.points);
+  outer_.points = contour::resample(outer_.points, options_.contour_point_count);
+  if (has_inner()) predict(inner_.points);
+
+  // A global search of the band, then the snakes to sub-pixel.
+  search_pair(image, needle, search_px);
+  for (int round = 0; round < options_.snake_iterations; ++round) {
+    refine(image, noise, outer_, needle, true, 2.0);
+    if (round + 1 < options_.snake_iterations) {
+      const Eigen::Matrix2Xd even = contour::resample(outer_.points, options_.contour_point_count);
+      outer_.points = even;
+    }
+    if (!has_inner()) continue;
+    refine(image, noise, inner_, needle, false, 2.0);
+    if (round + 1 < options_.snake_iterations)
+      inner_.points = contour::resample(inner_.points, options_.contour_point_count);
+  }
+  if (outer_.score > 0.6) {
+    learn_strength(image, outer_, needle);
+    if (has_inner() && inner_.score > 0.6) learn_strength(image, inner_, needle);
+  }
+  return outer_.score;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,80 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+
+#include "CellDetector.h"
+#include "GrayImage.h"
+#include "NormalStrip.h"
+#include "Snake.h"
+#include "pellucida/tracking/TrackerOptions.h"
+
+namespace pellucida {
+
+/// What the snakes need to know of the needle: where its own dark edges would be taken for a membrane.
+struct NeedleZone {
+  Eigen::Vector2d tip = Eigen::Vector2d::Zero();         ///< px
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
+  double tip_half_width = 0.0;                           ///< px
+  double widening = 0.0;                                 ///< half width gained per px behind the tip
+  bool touching = false;                                 ///< the membrane is known to wrap the tip
+
+  /// Whether `p` lies on the shaft or within `margin` px of its edges.
+  bool covers(const Eigen::Vector2d& p, double margin) const noexcept {
+    const Eigen::Vector2d d = p - tip;
+    const double behind = -d.dot(direction);
+    if (behind < -margin) return false;
+    const double across = std::abs(direction.x() * d.y() - direction.y() * d.x());
+    return across < tip_half_width + widening * std::max(behind, 0.0) + margin;
+  }
+};
+
+/// One snake: contour, what its edge looks like, and how well it was seen.
+struct SnakeContour {
+  Eigen::Matrix2Xd points;      ///< px, closed, positive area; empty when there is none
+  EdgeKind kind;
+  double scale_px = 1.3;
+  double strength = 0.0;        ///< learnt median feature along the edge
+  Eigen::VectorXd sigma_px;     ///< (n)
+  Eigen::VectorXd confidence;   ///< (n) 0..1
+  double score = 0.0;           ///< mean confidence where no needle covers the edge
+};
+
+/// The pair of coupled snakes.
+class MembraneSnakes {
+ public:
+  explicit MembraneSnakes(const TrackerOptions& options) : options_(options) {}
+
+  /// Starts from a detection, and learns the edges' look on `image`.
+  void start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
+
+  /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's own
+  /// motion, near its tip). Returns the outer contour's score.
+  double track(const GrayImage& image, double noise, const Eigen::Vector2d& shift, const Eigen::Vector2d& push,
+               const NeedleZone* needle, double search_px);
+
+  const SnakeContour& outer() const noexcept { return outer_; }
+  const SnakeContour& inner() const noexcept { return inner_; }
+  bool has_inner() const noexcept { return inner_.points.cols() > 0; }
+  double thickness_px() const noexcept { return thickness_; }
+
+  /// Puts back contours kept from before (after a try that failed).
+  void restore(const SnakeContour& outer, const SnakeContour& inner) {
+    outer_ = outer;
+    inner_ = inner;
+  }
+
+ private:
+  void search_pair(const GrayImage& image, const NeedleZone* needle, double search_px);
+  void refine(const GrayImage& image, double noise, SnakeContour& snake, const NeedleZone* needle, bool is_outer,
+              double reach_px);
+  void learn_strength(const GrayImage& image, SnakeContour& snake, const NeedleZone* needle);
+
+  TrackerOptions options_;
+  SnakeContour outer_, inner_;
+  double thickness_ = 0.0;  ///< median distance between the two, px
+  Snake snake_;
+  NormalStrip strip_;
+  Eigen::MatrixXf feature_, reward_outer_, reward_inner_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,79 @@
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+
+#include "pellucida/tracking/ContourMath.h"
+
+namespace pellucida {
+
+/// The cell at rest, in the frame that moves with the holder (px): learnt while nothing touches it.
+struct RestGeometry {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double outer_radius = 0.0;
+  double inner_radius = 0.0;
+  int frame_count = 0;       ///< undisturbed frames that went in
+  bool seen_free = false;    ///< false while only the undeformed side was seen
+
+  /// Takes in one frame's circle; the mean of the last `memory` frames is kept.
+  void learn(const Eigen::Vector2d& center_now, double outer_now, double inner_now, int memory = 60) {
+    frame_count = std::min(frame_count + 1, memory);
+    const double part = 1.0 / frame_count;
+    center += part * (center_now - center);
+    outer_radius += part * (outer_now - outer_radius);
+    inner_radius += part * (inner_now - inner_radius);
+    seen_free = true;
+  }
+
+  /// Where the line through `tip` along `direction` first meets the resting outer membrane; the closest point of the circle
+  /// when the line passes beside it. `center_now` is the rest centre in the image.
+  Eigen::Vector2d entry_point(const Eigen::Vector2d& center_now, const Eigen::Vector2d& tip,
+                              const Eigen::Vector2d& direction) const {
+    const Eigen::Vector2d from_center = tip - center_now;
+    const Eigen::Vector2d across = from_center - from_center.dot(direction) * direction;
+    const double inside = outer_radius * outer_radius - across.squaredNorm();
+    if (inside <= 0.0) return center_now + outer_radius * across.normalized();
+    return center_now + across - std::sqrt(inside) * direction;
+  }
+};
+
+/// Where the line through `origin` along `direction` crosses the closed contour first, as a signed way along `direction`
+/// from `origin`. `fallback` when it never does.
+inline double first_crossing(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& origin,
+                             const Eigen::Vector2d& direction, double fallback) {
+  const Eigen::Index n = points.cols();
+  double best = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector2d a = points.col(i) - origin, b = points.col(i + 1 == n ? 0 : i + 1) - origin;
+    const double sa = direction.x() * a.y() - direction.y() * a.x();
+    const double sb = direction.x() * b.y() - direction.y() * b.x();
+    if ((sa <= 0.0) == (sb <= 0.0)) continue;
+    best = std::min(best, direction.dot(a + sa / (sa - sb) * (b - a)));
+  }
+  return std::isfinite(best) ? best : fallback;
+}
+
+/// Half the distance, across the axis, between the crests on both sides of the dimple: from the contour's point nearest the
+/// axis under the needle each side climbs to its point farthest along `outward` (unit, cell to needle). 0 without a dimple.
+inline double dimple_radius(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& center, const Eigen::Vector2d& apex,
+                            const Eigen::Vector2d& outward) {
+  const Eigen::Index n = points.cols();
+  Eigen::Index nearest = 0;
+  for (Eigen::Index i = 1; i < n; ++i)
+    if ((points.col(i) - apex).squaredNorm() < (points.col(nearest) - apex).squaredNorm()) nearest = i;
+  const Eigen::Vector2d across(-outward.y(), outward.x());
+  const auto crest = [&](int step) {
+    Eigen::Index best = nearest;
+    for (Eigen::Index k = 1; k < n / 3; ++k) {
+      const Eigen::Index i = contour::wrap(nearest + step * k, n);
+      if ((points.col(i) - points.col(best)).dot(outward) > 0.0) best = i;
+    }
+    const auto height = [&](Eigen::Index i) { return (points.col(contour::wrap(i, n)) - center).dot(outward); };
+    const auto place = [&](Eigen::Index i) { return (points.col(contour::wrap(i, n)) - center).dot(across); };
+    const double a = height(best - 1), b = height(best), c = height(best + 1), bend = a - 2.0 * b + c;
+    const double part = bend < 0.0 ? std::clamp(0.5 * (a - c) / bend, -0.5, 0.5) : 0.0;
+    return place(best) + part * 0.5 * (place(best + 1) - place(best - 1));
+  };
+  return 0.5 * std::abs(crest(+1) - crest(-1));
+}
+
+}  // namespace pellucida

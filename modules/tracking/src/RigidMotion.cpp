@@ -1,0 +1,86 @@
+#include "RigidMotion.h"
+
+#include <Eigen/Dense>
+
+namespace pellucida {
+
+bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points) {
+  reset();
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  double sum = 0.0, squares = 0.0;
+  for (const Eigen::Vector2d& p : points) {
+    if (!image.inside(p, 4.0)) continue;
+    const Eigen::Vector2d g(0.5 * (image.sample(p.x() + 1, p.y()) - image.sample(p.x() - 1, p.y())),
+                            0.5 * (image.sample(p.x(), p.y() + 1) - image.sample(p.x(), p.y() - 1)));
+    information += g * g.transpose();
+    const double value = image.sample(p);
+    points_.push_back(p);
+    values_.push_back(value);
+    sum += value;
+    squares += value * value;
+  }
+  const double n = static_cast<double>(points_.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(information);
+  // Both directions need structure: one edge alone slides along itself.
+  if (n < 60 || eigen.eigenvalues()[0] < 0.01 * eigen.eigenvalues()[1] || eigen.eigenvalues()[1] <= 0.0) {
+    reset();
+    return false;
+  }
+  spread_ = std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
+  return spread_ > 0.0;
+}
+
+bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double& residual) const {
+  for (int round = 0; round < 12; ++round) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    double weight = 0.0, squares = 0.0;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const Eigen::Vector2d p = points_[k] + motion;
+      if (!image.inside(p, 2.0)) continue;
+      const double gx = 0.5 * (image.sample(p.x() + 1, p.y()) - image.sample(p.x() - 1, p.y()));
+      const double gy = 0.5 * (image.sample(p.x(), p.y() + 1) - image.sample(p.x(), p.y() - 1));
+      const double off = image.sample(p) - values_[k];
+      // Pixels that changed by more than the picture's own contrast are covered by something.
+      const double r = off / (0.5 * spread_);
+      const double w = 1.0 / (1.0 + r * r);
+      const Eigen::Vector4d row(gx, gy, values_[k], 1.0);
+      normal += w * row * row.transpose();
+      right -= w * off * row;
+      weight += w;
+      squares += w * off * off;
+    }
+    if (weight < 40.0) return false;
+    residual = std::sqrt(squares / weight);
+    const Eigen::Vector4d step = normal.ldlt().solve(right);
+    if (!step.allFinite()) return false;
+    const Eigen::Vector2d move = step.head<2>().cwiseMin(2.0).cwiseMax(-2.0);
+    motion += move;
+    if (move.norm() < 0.005) break;
+  }
+  return residual < 0.6 * spread_;
+}
+
+bool RigidMotion::track(const GrayImage& image, double reach_px) {
+  if (!valid()) return false;
+  Eigen::Vector2d best = motion_;
+  double residual = 1e9;
+  bool found = refine(image, best, residual) && (best - motion_).norm() <= reach_px;
+  // A jump: try starts round about.
+  if (!found) {
+    for (double radius = 6.0; radius <= reach_px && !found; radius += 6.0) {
+      for (int k = 0; k < 12 && !found; ++k) {
+        Eigen::Vector2d trial = motion_ + radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6));
+        double error = 1e9;
+        if (refine(image, trial, error) && (trial - motion_).norm() <= reach_px + 4.0 && error < 0.35 * spread_) {
+          best = trial;
+          found = true;
+        }
+      }
+    }
+  }
+  if (found) motion_ = best;
+  return found;
+}
+
+}  // namespace pellucida

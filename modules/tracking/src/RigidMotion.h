@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "GrayImage.h"
+
+namespace pellucida {
+
+/// Follows a set of pixels that move together (the holding pipette) by least squares on their grey values, with gain and
+/// offset free: tells a drift of the stage from a deformation of the cell.
+class RigidMotion {
+ public:
+  /// Keeps the look of the pixels `points` (px) of `image` as the reference. Takes only those with a gradient to follow.
+  /// False when there are too few of them to tell a motion in both directions.
+  bool learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points);
+
+  /// Motion since `learn`, px; starts from the last one. `reach_px` bounds the step. False when the fit fails.
+  bool track(const GrayImage& image, double reach_px);
+
+  const Eigen::Vector2d& motion() const noexcept { return motion_; }
+  bool valid() const noexcept { return !points_.empty(); }
+  void reset() noexcept { *this = RigidMotion(); }
+
+ private:
+  bool refine(const GrayImage& image, Eigen::Vector2d& motion, double& residual) const;
+
+  std::vector<Eigen::Vector2d> points_;
+  std::vector<double> values_;
+  double spread_ = 0.0;  // standard deviation of the reference's grey values
+  Eigen::Vector2d motion_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace pellucida

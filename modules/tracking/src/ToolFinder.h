@@ -1,0 +1,24 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "GrayImage.h"
+#include "pellucida/tracking/ContourMath.h"
+
+namespace pellucida {
+
+/// A straight tool that reaches the cell from the image's border, as the line voting sees it (full image px).
+struct FoundTool {
+  Eigen::Vector2d direction;    ///< unit, from the cell's centre outwards along the tool
+  double offset_from = 0.0;     ///< signed distances of its outermost edges from the cell's centre, across `direction`
+  double offset_to = 0.0;       ///< (positive towards (-direction.y, direction.x)); from <= to
+  double strength = 0.0;        ///< px of edge that support it
+
+  double offset() const noexcept { return 0.5 * (offset_from + offset_to); }
+  double half_width() const noexcept { return 0.5 * (offset_to - offset_from); }
+};
+
+/// Straight edges outside the cell, by voting of gradient pixels, grouped into tools; strongest first.
+std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle& cell);
+
+}  // namespace pellucida
