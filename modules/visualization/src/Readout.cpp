@@ -1,0 +1,118 @@
+#include "pellucida/visualization/Readout.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "pellucida/visualization/Palette.h"
+
+namespace pellucida {
+namespace {
+
+constexpr const char* kDash = "\u2013";
+
+std::string with_unit(double value, int decimals, const char* unit) {
+  return std::isfinite(value) ? readout::number(value, decimals) + " " + unit : kDash;
+}
+
+// Part of WCAG's relative luminance.
+double linear(double part) noexcept {
+  return part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const Color& c) noexcept {
+  return 0.2126 * linear(c.red) + 0.7152 * linear(c.green) + 0.0722 * linear(c.blue);
+}
+
+}  // namespace
+
+namespace readout {
+
+std::string number(double value, int decimals) {
+  if (!std::isfinite(value)) return kDash;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  // "-0.0" would flicker beside "0.0".
+  std::string result = text;
+  if (result.find_first_of("123456789") == std::string::npos && result.front() == '-') result.erase(0, 1);
+  return result;
+}
+
+std::string plain(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string state(CellState state) {
+  switch (state) {
+    case CellState::kNoCell:
+      return "No cell";
+    case CellState::kFree:
+      return "Free";
+    case CellState::kContact:
+      return "Contact";
+    case CellState::kPunctured:
+      return "Punctured";
+    case CellState::kLost:
+      return "Lost";
+  }
+  return kDash;
+}
+
+std::string indentation(const Measurement& m) {
+  return with_unit(m.indentation_um, 1, "µm");
+}
+std::string force(const Measurement& m) {
+  return with_unit(m.contact_force_uN, 2, "µN");
+}
+
+std::string force_interval(const Measurement& m) {
+  if (!std::isfinite(m.contact_force_lower_uN) || !std::isfinite(m.contact_force_upper_uN)) return {};
+  return number(m.contact_force_lower_uN, 2) + " \u2013 " + number(m.contact_force_upper_uN, 2) + " µN";
+}
+
+std::string pressure(const Measurement& m) {
+  return with_unit(m.pressure_Pa, 0, "Pa");
+}
+std::string confidence(const Measurement& m) {
+  return with_unit(100.0 * m.confidence, 0, "%");
+}
+std::string time(double time_s) {
+  return with_unit(time_s, 2, "s");
+}
+std::string milliseconds(double value_ms) {
+  return with_unit(value_ms, 0, "ms");
+}
+
+}  // namespace readout
+
+std::string Color::css() const {
+  char text[16];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(std::lround(255.0 * red)),
+                static_cast<unsigned>(std::lround(255.0 * green)), static_cast<unsigned>(std::lround(255.0 * blue)));
+  return text;
+}
+
+double contrast_ratio(const Color& a, const Color& b) noexcept {
+  const double bright = std::max(luminance(a), luminance(b));
+  const double dark = std::min(luminance(a), luminance(b));
+  return (bright + 0.05) / (dark + 0.05);
+}
+
+Color state_color(CellState state) noexcept {
+  switch (state) {
+    case CellState::kFree:
+      return Color::from_hex(0x6CB6F5);
+    case CellState::kContact:
+      return Color::from_hex(0x4ADE9C);
+    case CellState::kPunctured:
+      return Color::from_hex(0xFF7A7A);
+    case CellState::kLost:
+      return palette::kWarning;
+    case CellState::kNoCell:
+      break;
+  }
+  return Color::from_hex(0x93A1B1);
+}
+
+}  // namespace pellucida

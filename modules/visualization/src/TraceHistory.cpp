@@ -1,0 +1,47 @@
+#include "pellucida/visualization/TraceHistory.h"
+
+#include <cmath>
+
+namespace pellucida {
+
+void TraceHistory::Trace::append(const TracePoint& point) {
+  // The newest point always shows; it is replaced by the next one unless its turn keeps it.
+  if (!points.empty() && offered % every != 0) points.pop_back();
+  points.push_back(point);
+  offered = offered % every + 1;
+  if (points.size() <= kMostPoints) return;
+  std::vector<TracePoint> thinner;
+  thinner.reserve(points.size() / 2 + 1);
+  for (std::size_t i = 0; i < points.size(); i += 2) thinner.push_back(points[i]);
+  points.swap(thinner);
+  every *= 2;
+  offered = every;
+}
+
+void TraceHistory::append(const Measurement& m) {
+  if (!all_.points.empty() && m.time_s < all_.points.back().time_s) clear();
+
+  // A new touch begins a new curve; the one before stays for comparison.
+  if (m.state == CellState::kContact && (state_ == CellState::kFree || state_ == CellState::kNoCell) &&
+      current_.points.size() > 1) {
+    previous_ = std::move(current_.points);
+    current_ = Trace{};
+  }
+  state_ = m.state;
+  if (!std::isfinite(m.contact_force_uN)) return;
+
+  const auto or_force = [&](double value) { return std::isfinite(value) ? value : m.contact_force_uN; };
+  const TracePoint point{.time_s = m.time_s,
+                         .indentation_um = m.indentation_um,
+                         .force_uN = m.contact_force_uN,
+                         .lower_uN = or_force(m.contact_force_lower_uN),
+                         .upper_uN = or_force(m.contact_force_upper_uN)};
+  all_.append(point);
+  if (std::isfinite(m.indentation_um)) current_.append(point);
+}
+
+void TraceHistory::clear() {
+  *this = TraceHistory{};
+}
+
+}  // namespace pellucida

@@ -1,0 +1,29 @@
+#pragma once
+#include <vtkLookupTable.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+#include "pellucida/visualization/Palette.h"
+#include "pellucida/visualization_vtk/HudCanvas.h"
+
+namespace pellucida {
+
+/// Colour scales from small to large, monotonic in lightness and light enough for a dark ground.
+enum class ColorMapKind {
+  kForce,    ///< violet, magenta, orange, pale yellow: arrows
+  kSurface,  ///< blue, teal, green, pale lime: tension and displacement on the membrane
+};
+
+/// Colour at `t` in 0..1 (clamped).
+Color color_at(ColorMapKind kind, double t) noexcept;
+
+/// A table of 256 colours over 0..1; its range is set by `SetTableRange`.
+vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind);
+
+/// An upright colour scale with title and five labels from 0 to `upper`, lower left corner at (x, y), bar `height`
+/// high. Stands at the view edge `side`; takes about 110 logical pixels in width.
+void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height, double upper,
+                    const std::string& title, HudAlign side);
+
+}  // namespace pellucida

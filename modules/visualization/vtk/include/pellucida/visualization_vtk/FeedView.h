@@ -1,0 +1,70 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pellucida/core_vtk/StageSource.h"
+#include "pellucida/visualization_vtk/View.h"
+
+class vtkImageData;
+
+namespace pellucida {
+
+/// The microscope's picture as it appears in the eyepiece (x right, y down), with what was found in it: membranes,
+/// tools, the needle's tip and axis, and the model's own section in the image plane, dashed. A scale bar of a round
+/// length and a legend of the lines come with it. Drag pans, wheel zooms (PanZoomStyle). The overlay belongs to the
+/// very frame it is drawn on.
+class FeedView : public View {
+ public:
+  /// Follows `source`, which must outlive the view.
+  explicit FeedView(StageSource* source);
+  ~FeedView() override;
+
+  /// Takes over what the source hands out now. Call after `Poll` or `SetScene`, before rendering.
+  void refresh();
+  /// Fits the picture into the view again, and keeps it fitted until the person moves it.
+  void reset_camera();
+
+  void show_contours(bool shown);
+  void show_model_section(bool shown);
+  void show_tools(bool shown);
+
+  /// A line in the upper right corner, empty for none.
+  void set_caption(std::string utf8);
+
+ protected:
+  void prepare(double width_px, double height_px) override;
+  void draw_hud(HudCanvas& hud, double width, double height) override;
+
+ private:
+  struct Pipeline;
+  struct LegendRow {
+    std::string text;
+    Color color;
+    bool dashed = false;
+  };
+
+  void refresh_window_level(vtkImageData* frame);
+  void refresh_legend();
+  void draw_legend(HudCanvas& hud, double height) const;
+  void draw_scale_bar(HudCanvas& hud, double height) const;
+  void draw_tip(HudCanvas& hud) const;
+
+  StageSource* source_;
+  std::unique_ptr<Pipeline> pipeline_;
+  std::vector<LegendRow> legend_;
+  std::string caption_;
+  bool contours_shown_ = true;
+  bool model_shown_ = true;
+  bool tools_shown_ = true;
+  bool fitted_ = true;  // the camera follows the frame's size
+  bool has_frame_ = false;
+  double frame_width_um_ = 0.0;
+  double frame_height_um_ = 0.0;
+  double window_low_ = 0.0;
+  double window_high_ = 0.0;
+  double fitted_scale_um_ = 0.0;
+  double fitted_focus_um_[2] = {0.0, 0.0};
+};
+
+}  // namespace pellucida

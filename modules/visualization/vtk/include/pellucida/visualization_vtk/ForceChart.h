@@ -1,0 +1,44 @@
+#pragma once
+#include <memory>
+
+#include "pellucida/core/Measurement.h"
+#include "pellucida/visualization/TraceHistory.h"
+#include "pellucida/visualization_vtk/View.h"
+
+namespace pellucida {
+
+enum class ForceChartKind {
+  kForceIndentation,  ///< the present touch, the one before it behind in grey
+  kForceTime,         ///< the last `time_window_s`, or all
+};
+
+/// A curve of the contact force in uN with its 95 % band and the present value marked.
+class ForceChart : public View {
+ public:
+  explicit ForceChart(ForceChartKind kind);
+  ~ForceChart() override;
+
+  void append(const Measurement& m);
+  void clear();
+  /// Width of the time axis in s; 0 (the default) shows all. Of no effect on kForceIndentation.
+  void set_time_window_s(double window_s);
+
+ protected:
+  void prepare(double width_px, double height_px) override;
+  void draw_hud(HudCanvas& hud, double width, double height) override;
+
+ private:
+  struct Plots;
+  void style_axes(double ratio);
+  void fill();
+  void set_ranges();
+
+  ForceChartKind kind_;
+  TraceHistory history_;
+  std::unique_ptr<Plots> plots_;
+  double time_window_s_ = 0.0;
+  bool changed_ = true;
+  double styled_ratio_ = 0.0;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,71 @@
+#pragma once
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "pellucida/visualization/Palette.h"
+
+class vtkActor2D;
+class vtkCellArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+class vtkUnsignedCharArray;
+
+namespace pellucida {
+
+enum class HudAlign { kLeft, kCentre, kRight };
+
+/// How a text is set.
+struct HudText {
+  int size_pt = font_size::kSmall;
+  Color color = palette::kText;
+  bool bold = false;
+  HudAlign align = HudAlign::kLeft;
+};
+
+/// Flat shapes and texts over a renderer, drawn anew each frame in an immediate style: `begin`, shapes, `end`.
+/// Coordinates are logical pixels of the renderer's viewport, origin at the bottom left; `ratio` (device pixels a
+/// logical one) scales everything, so that a picture of twice the dots looks the same. Shapes keep their order; texts
+/// lie on top.
+class HudCanvas {
+ public:
+  explicit HudCanvas(vtkRenderer* renderer);
+  ~HudCanvas();
+  HudCanvas(const HudCanvas&) = delete;
+  HudCanvas& operator=(const HudCanvas&) = delete;
+
+  void begin(double ratio);
+  void rectangle(double x, double y, double width, double height, const Color& color, double opacity = 1.0);
+  /// A rectangle with corners of radius `radius`, at most half the smaller side.
+  void rounded(double x, double y, double width, double height, double radius, const Color& color,
+               double opacity = 1.0);
+  void line(double x0, double y0, double x1, double y1, double width, const Color& color, double opacity = 1.0);
+  void disc(double x, double y, double radius, const Color& color, double opacity = 1.0);
+  /// A text whose middle line is at `y`.
+  void text(double x, double y, const std::string& utf8, const HudText& style = {});
+  void end();
+
+  /// Width of a text in logical pixels.
+  double text_width(const std::string& utf8, const HudText& style = {});
+
+ private:
+  void polygon(const std::vector<double>& xy, const Color& color, double opacity);
+  vtkTextActor* next_text();
+
+  vtkRenderer* renderer_;
+  double ratio_ = 1.0;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkCellArray> polygons_;
+  vtkNew<vtkUnsignedCharArray> colors_;
+  vtkNew<vtkPolyData> shapes_;
+  vtkNew<vtkActor2D> actor_;
+  std::vector<vtkSmartPointer<vtkTextActor>> texts_;
+  std::size_t text_count_ = 0;
+};
+
+}  // namespace pellucida

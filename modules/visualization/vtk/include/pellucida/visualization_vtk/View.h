@@ -1,0 +1,58 @@
+#pragma once
+#include <vtkNew.h>
+
+#include <memory>
+#include <utility>
+
+#include "pellucida/visualization_vtk/HudCanvas.h"
+
+class vtkCallbackCommand;
+class vtkObject;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace pellucida {
+
+/// A part of a window, in fractions of its size, origin at the bottom left.
+struct Viewport {
+  double x0 = 0.0;
+  double y0 = 0.0;
+  double x1 = 1.0;
+  double y1 = 1.0;
+};
+
+/// What every view is made of: a renderer for the scene (FXAA, no multisampling) and one above it for legends, scales
+/// and texts, laid out anew at each rendering so that any size of window works. Use on the thread that renders.
+class View {
+ public:
+  View();
+  virtual ~View();
+  View(const View&) = delete;
+  View& operator=(const View&) = delete;
+
+  /// Puts both renderers into `window`. `hud_ratio` scales letters and lines (2 for a picture of twice the dots).
+  void add_to(vtkRenderWindow* window, const Viewport& viewport = {}, double hud_ratio = 1.0);
+
+  vtkRenderer* renderer() const noexcept { return main_; }
+
+ protected:
+  /// Called before the scene is rendered: camera and sizes in device pixels.
+  virtual void prepare(double /*width_px*/, double /*height_px*/) {}
+  /// Draws legends and texts; sizes in logical pixels.
+  virtual void draw_hud(HudCanvas& /*hud*/, double /*width*/, double /*height*/) {}
+  /// Where a point of the scene lies in the viewport, in logical pixels; {x, y}.
+  std::pair<double, double> to_hud(const double world_um[3]) const;
+  double hud_ratio() const noexcept { return hud_ratio_; }
+
+  vtkNew<vtkRenderer> main_;
+
+ private:
+  static void on_start(vtkObject* caller, unsigned long event, void* self, void* data);
+
+  vtkNew<vtkRenderer> over_;
+  vtkNew<vtkCallbackCommand> starts_;
+  std::unique_ptr<HudCanvas> hud_;
+  double hud_ratio_ = 1.0;
+};
+
+}  // namespace pellucida

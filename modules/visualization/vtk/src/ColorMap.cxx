@@ -1,0 +1,65 @@
+#include "pellucida/visualization_vtk/ColorMap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "pellucida/visualization/Readout.h"
+
+namespace pellucida {
+namespace {
+
+constexpr std::array<Color, 6> kForceStops = {Color::from_hex(0x5B4FD0), Color::from_hex(0x9A4FD6),
+                                              Color::from_hex(0xDB4D9F), Color::from_hex(0xFB7260),
+                                              Color::from_hex(0xFFAE4A), Color::from_hex(0xFFEE9C)};
+constexpr std::array<Color, 6> kSurfaceStops = {Color::from_hex(0x2F4B9B), Color::from_hex(0x2C74B3),
+                                                Color::from_hex(0x279CA8), Color::from_hex(0x3FC08A),
+                                                Color::from_hex(0x95DB6B), Color::from_hex(0xF0F3A0)};
+
+constexpr double kBarWidth = 12.0;
+constexpr int kBands = 64;
+
+}  // namespace
+
+Color color_at(ColorMapKind kind, double t) noexcept {
+  const auto& stops = kind == ColorMapKind::kForce ? kForceStops : kSurfaceStops;
+  const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
+  const auto lower = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  const double part = place - static_cast<double>(lower);
+  const Color& a = stops[lower];
+  const Color& b = stops[lower + 1];
+  return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green), a.blue + part * (b.blue - a.blue)};
+}
+
+vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
+  constexpr int kCount = 256;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(kCount);
+  for (int i = 0; i < kCount; ++i) {
+    const Color c = color_at(kind, static_cast<double>(i) / (kCount - 1));
+    table->SetTableValue(i, c.red, c.green, c.blue, 1.0);
+  }
+  table->SetTableRange(0.0, 1.0);
+  return table;
+}
+
+void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height, double upper,
+                    const std::string& title, HudAlign side) {
+  // The bar stands at the view's edge, its labels towards the middle.
+  const bool right = side == HudAlign::kRight;
+  const double bar_x = right ? x - kBarWidth : x;
+  for (int i = 0; i < kBands; ++i) {
+    hud.rectangle(bar_x, y + i * height / kBands, kBarWidth, height / kBands + 0.5, color_at(kind, (i + 0.5) / kBands));
+  }
+  constexpr int kLabels = 5;
+  const HudText style{.color = palette::kText, .align = right ? HudAlign::kRight : HudAlign::kLeft};
+  for (int i = 0; i < kLabels; ++i) {
+    const double part = static_cast<double>(i) / (kLabels - 1);
+    const double tick_x = right ? bar_x - 5.0 : bar_x + kBarWidth + 1.0;
+    hud.rectangle(tick_x, y + part * height - 0.5, 4.0, 1.0, palette::kTextDim);
+    hud.text(right ? tick_x - 4.0 : tick_x + 8.0, y + part * height, readout::plain(part * upper), style);
+  }
+  hud.text(x, y + height + 20.0, title, {.color = palette::kText, .align = style.align});
+}
+
+}  // namespace pellucida

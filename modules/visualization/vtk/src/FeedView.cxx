@@ -1,0 +1,361 @@
+#include "pellucida/visualization_vtk/FeedView.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellData.h>
+#include <vtkCutter.h>
+#include <vtkImageData.h>
+#include <vtkImageProperty.h>
+#include <vtkImageSlice.h>
+#include <vtkImageSliceMapper.h>
+#include <vtkLookupTable.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkStripper.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pellucida/core_vtk/SceneBlockFilter.h"
+#include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/visualization/Readout.h"
+#include "pellucida/visualization/Scaling.h"
+#include "pellucida/visualization_vtk/DashFilter.h"
+#include "pellucida/visualization_vtk/ToolShapes.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kLineWidth = 2.0;
+constexpr double kUnderlayWidth = 4.0;
+
+// Lines with a dark underlay, so that they read on bright and dark parts of the image alike.
+struct Lines {
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkPolyDataMapper> under_mapper;
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkActor> under;
+
+  // `level` orders lines one above the other.
+  void build(vtkAlgorithmOutput* input, vtkRenderer* renderer, int level) {
+    mapper->SetInputConnection(input);
+    under_mapper->SetInputConnection(input);
+    under_mapper->ScalarVisibilityOff();
+    actor->SetMapper(mapper);
+    under->SetMapper(under_mapper);
+    for (vtkActor* one : {actor.Get(), under.Get()}) {
+      one->GetProperty()->LightingOff();
+      one->PickableOff();
+      one->VisibilityOff();
+    }
+    under->GetProperty()->SetColor(0.02, 0.03, 0.05);
+    under->GetProperty()->SetOpacity(0.55);
+    // The camera looks along +z: smaller z is nearer.
+    actor->SetPosition(0.0, 0.0, -2.0 * level);
+    under->SetPosition(0.0, 0.0, -2.0 * level + 1.0);
+    renderer->AddActor(under);
+    renderer->AddActor(actor);
+  }
+
+  // Colours lines by an integer cell array whose values count through `colors`.
+  void color_by(const char* array, std::initializer_list<Color> colors) {
+    vtkNew<vtkLookupTable> table;
+    table->SetNumberOfTableValues(static_cast<vtkIdType>(colors.size()));
+    vtkIdType index = 0;
+    for (const Color& c : colors) table->SetTableValue(index++, c.red, c.green, c.blue, 1.0);
+    table->SetTableRange(-0.5, static_cast<double>(colors.size()) - 0.5);
+    mapper->SetScalarModeToUseCellFieldData();
+    mapper->SelectColorArray(array);
+    mapper->SetLookupTable(table);
+    mapper->UseLookupTableScalarRangeOn();
+  }
+
+  void set_width(double ratio, double width) {
+    actor->GetProperty()->SetLineWidth(static_cast<float>(width * ratio));
+    under->GetProperty()->SetLineWidth(static_cast<float>((width + kUnderlayWidth - kLineWidth) * ratio));
+  }
+
+  void show(bool shown) {
+    actor->SetVisibility(shown);
+    under->SetVisibility(shown);
+  }
+};
+
+bool has_points(const Frozen<vtkPolyData>& part) {
+  return part && const_cast<vtkPolyData*>(part.get())->GetNumberOfPoints() > 0;
+}
+
+bool has_cell_value(const Frozen<vtkPolyData>& part, const char* array, int value) {
+  if (!part) return false;
+  vtkDataArray* kinds = const_cast<vtkPolyData*>(part.get())->GetCellData()->GetArray(array);
+  for (vtkIdType i = 0; kinds && i < kinds->GetNumberOfTuples(); ++i) {
+    if (kinds->GetComponent(i, 0) == value) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+struct FeedView::Pipeline {
+  vtkNew<SceneBlockFilter> frame;
+  vtkNew<SceneBlockFilter> membranes;
+  vtkNew<SceneBlockFilter> tools;
+  vtkNew<SceneBlockFilter> model;
+  vtkNew<vtkImageSliceMapper> image_mapper;
+  vtkNew<vtkImageSlice> image;
+  vtkNew<vtkPlane> image_plane;
+  vtkNew<vtkCutter> section;
+  vtkNew<vtkStripper> section_lines;
+  vtkNew<DashFilter> dashes;
+  Lines membrane_lines;
+  Lines tool_lines;
+  Lines model_lines;
+};
+
+FeedView::FeedView(StageSource* source) : source_(source), pipeline_(std::make_unique<Pipeline>()) {
+  Pipeline& p = *pipeline_;
+  for (auto [filter, block] : {std::pair{p.frame.Get(), SceneBlock::kFrame},
+                               {p.membranes.Get(), SceneBlock::kMembranes},
+                               {p.tools.Get(), SceneBlock::kTools},
+                               {p.model.Get(), SceneBlock::kModel}}) {
+    filter->SetBlock(block);
+    filter->SetInputConnection(source_->GetOutputPort());
+  }
+
+  // The frame.
+  p.image_mapper->SetInputConnection(p.frame->GetOutputPort());
+  p.image->SetMapper(p.image_mapper);
+  p.image->GetProperty()->SetInterpolationTypeToLinear();
+  p.image->VisibilityOff();
+  p.image->PickableOff();
+  main_->AddViewProp(p.image);
+
+  // The model's section with the image plane. A hair beside z = 0, where the mesh has nodes and the cut would be
+  // double.
+  p.image_plane->SetOrigin(0.0, 0.0, 1e-3);
+  p.image_plane->SetNormal(0.0, 0.0, 1.0);
+  p.section->SetCutFunction(p.image_plane);
+  p.section->SetInputConnection(p.model->GetOutputPort());
+  p.section_lines->SetInputConnection(p.section->GetOutputPort());
+  p.section_lines->JoinContiguousSegmentsOn();
+  p.section_lines->SetMaximumLength(100000);
+  p.dashes->SetInputConnection(p.section_lines->GetOutputPort());
+
+  p.tool_lines.build(p.tools->GetOutputPort(), main_, 1);
+  p.tool_lines.color_by(array_name::kTool, {palette::kNeedle, palette::kHolder});
+  p.membrane_lines.build(p.membranes->GetOutputPort(), main_, 2);
+  p.membrane_lines.color_by(array_name::kMembrane, {palette::kOuter, palette::kInner, palette::kOolemma});
+  p.model_lines.build(p.dashes->GetOutputPort(), main_, 3);
+  p.model_lines.mapper->ScalarVisibilityOff();
+  p.model_lines.actor->GetProperty()->SetColor(palette::kModel.red, palette::kModel.green, palette::kModel.blue);
+
+  // As in the eyepiece: x right, y down, looking along +z.
+  main_->SetBackground(palette::kWindow.data());
+  vtkCamera* camera = main_->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetViewUp(0.0, -1.0, 0.0);
+  camera->SetPosition(0.0, 0.0, -100.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetClippingRange(1.0, 1000.0);
+  refresh();
+}
+
+FeedView::~FeedView() = default;
+
+void FeedView::refresh() {
+  Pipeline& p = *pipeline_;
+  const Scene& scene = source_->GetScene();
+
+  has_frame_ = static_cast<bool>(scene.frame);
+  p.image->SetVisibility(has_frame_);
+  if (has_frame_) {
+    auto* frame = const_cast<vtkImageData*>(scene.frame.get());
+    const double width_um = frame->GetDimensions()[0] * frame->GetSpacing()[0];
+    const double height_um = frame->GetDimensions()[1] * frame->GetSpacing()[1];
+    // A picture of another size starts afresh.
+    if (width_um != frame_width_um_ || height_um != frame_height_um_) {
+      frame_width_um_ = width_um;
+      frame_height_um_ = height_um;
+      window_high_ = window_low_ = 0.0;
+      reset_camera();
+    }
+    refresh_window_level(frame);
+  }
+  p.membrane_lines.show(contours_shown_ && has_points(scene.membranes));
+  p.tool_lines.show(tools_shown_ && has_points(scene.tools));
+  p.model_lines.show(model_shown_ && has_points(scene.model));
+  refresh_legend();
+}
+
+// The darkest and brightest half percent of the pixels span the window; it follows slowly, so that nothing flickers.
+void FeedView::refresh_window_level(vtkImageData* frame) {
+  const ImageView view = view_of(frame);
+  std::vector<double> sample;
+  const int stride =
+      std::max(1, static_cast<int>(std::sqrt(view.width_px * static_cast<double>(view.height_px) / 8000.0)));
+  for (int row = stride / 2; row < view.height_px; row += stride) {
+    for (int column = stride / 2; column < view.width_px; column += stride) {
+      sample.push_back(
+          frame->GetPointData()->GetScalars()->GetComponent(static_cast<vtkIdType>(row) * view.width_px + column, 0));
+    }
+  }
+  if (sample.empty()) return;
+  const auto percentile = [&](double share) {
+    auto at = sample.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
+    std::nth_element(sample.begin(), at, sample.end());
+    return *at;
+  };
+  const double low = percentile(0.005);
+  const double high = std::max(percentile(0.995), low + 1.0);
+  const double follow = window_high_ > window_low_ ? 0.05 : 1.0;
+  window_low_ += follow * (low - window_low_);
+  window_high_ += follow * (high - window_high_);
+  // Head room, so that coloured lines stand out against the brightest parts.
+  const double low_end = window_low_ - 0.10 * (window_high_ - window_low_);
+  const double high_end = window_high_ + 0.20 * (window_high_ - window_low_);
+  pipeline_->image->GetProperty()->SetColorWindow(high_end - low_end);
+  pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end));
+}
+
+void FeedView::refresh_legend() {
+  legend_.clear();
+  const Scene& scene = source_->GetScene();
+  if (contours_shown_) {
+    const auto add_membrane = [&](Membrane kind, const char* text, const Color& color) {
+      if (has_cell_value(scene.membranes, array_name::kMembrane, static_cast<int>(kind)))
+        legend_.push_back({text, color});
+    };
+    add_membrane(Membrane::kOuter, "Outer membrane", palette::kOuter);
+    add_membrane(Membrane::kInner, "Inner membrane", palette::kInner);
+    add_membrane(Membrane::kOolemma, "Oolemma", palette::kOolemma);
+  }
+  if (model_shown_ && has_points(scene.model)) legend_.push_back({"Model section", palette::kModel, true});
+  if (tools_shown_) {
+    if (has_cell_value(scene.tools, array_name::kTool, 0)) legend_.push_back({"Needle", palette::kNeedle});
+    if (has_cell_value(scene.tools, array_name::kTool, 1)) legend_.push_back({"Holding pipette", palette::kHolder});
+  }
+}
+
+void FeedView::reset_camera() {
+  fitted_ = true;
+  fitted_scale_um_ = 0.0;
+}
+
+void FeedView::show_contours(bool shown) {
+  contours_shown_ = shown;
+  refresh();
+}
+
+void FeedView::show_model_section(bool shown) {
+  model_shown_ = shown;
+  refresh();
+}
+
+void FeedView::show_tools(bool shown) {
+  tools_shown_ = shown;
+  refresh();
+}
+
+void FeedView::set_caption(std::string utf8) {
+  caption_ = std::move(utf8);
+}
+
+void FeedView::prepare(double width_px, double height_px) {
+  if (!has_frame_ || width_px < 1.0 || height_px < 1.0) return;
+  vtkCamera* camera = main_->GetActiveCamera();
+  // Whoever pans or zooms keeps that until the camera is reset.
+  const double* focus = camera->GetFocalPoint();
+  if (fitted_ && fitted_scale_um_ > 0.0 &&
+      (camera->GetParallelScale() != fitted_scale_um_ || focus[0] != fitted_focus_um_[0] ||
+       focus[1] != fitted_focus_um_[1])) {
+    fitted_ = false;
+  }
+  if (fitted_) {
+    fitted_scale_um_ = 0.5 * std::max(frame_height_um_, frame_width_um_ * height_px / width_px);
+    fitted_focus_um_[0] = 0.5 * frame_width_um_;
+    fitted_focus_um_[1] = 0.5 * frame_height_um_;
+    camera->SetFocalPoint(fitted_focus_um_[0], fitted_focus_um_[1], 0.0);
+    camera->SetPosition(fitted_focus_um_[0], fitted_focus_um_[1], -100.0);
+    camera->SetViewUp(0.0, -1.0, 0.0);
+    camera->SetParallelScale(fitted_scale_um_);
+  }
+  camera->SetClippingRange(1.0, 1000.0);
+
+  // Line widths in logical pixels.
+  pipeline_->membrane_lines.set_width(hud_ratio(), kLineWidth);
+  pipeline_->tool_lines.set_width(hud_ratio(), kLineWidth);
+  pipeline_->model_lines.set_width(hud_ratio(), 1.5);
+  const double um_per_px = 2.0 * camera->GetParallelScale() / (height_px / hud_ratio());
+  pipeline_->dashes->SetDashUm(6.0 * um_per_px);
+  pipeline_->dashes->SetGapUm(5.0 * um_per_px);
+}
+
+void FeedView::draw_hud(HudCanvas& hud, double width, double height) {
+  if (!has_frame_) {
+    hud.text(0.5 * width, 0.5 * height, "Waiting for the first frame",
+             {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
+    return;
+  }
+  draw_tip(hud);
+  draw_legend(hud, height);
+  draw_scale_bar(hud, height);
+  if (!caption_.empty()) {
+    const HudText style{.color = palette::kText, .align = HudAlign::kRight};
+    const double caption_width = hud.text_width(caption_, style);
+    hud.rounded(width - caption_width - 28.0, height - 38.0, caption_width + 18.0, 26.0, 5.0, palette::kWindow, 0.72);
+    hud.text(width - 19.0, height - 25.0, caption_, style);
+  }
+}
+
+void FeedView::draw_legend(HudCanvas& hud, double height) const {
+  if (legend_.empty()) return;
+  constexpr double kRow = 20.0;
+  double text_width = 0.0;
+  for (const LegendRow& row : legend_) text_width = std::max(text_width, hud.text_width(row.text));
+  const double plate_height = kRow * static_cast<double>(legend_.size()) + 12.0;
+  hud.rounded(10.0, height - 10.0 - plate_height, text_width + 52.0, plate_height, 6.0, palette::kWindow, 0.72);
+  double y = height - 16.0 - 0.5 * kRow;
+  for (const LegendRow& row : legend_) {
+    if (row.dashed) {
+      for (const double x : {20.0, 28.0, 36.0}) hud.rectangle(x, y - 1.25, 5.0, 2.5, row.color);
+    } else {
+      hud.rectangle(20.0, y - 1.5, 22.0, 3.0, row.color);
+    }
+    hud.text(51.0, y, row.text);
+    y -= kRow;
+  }
+}
+
+void FeedView::draw_scale_bar(HudCanvas& hud, double height) const {
+  const double um_per_px = 2.0 * main_->GetActiveCamera()->GetParallelScale() / height;
+  const double length_um = nice_floor(130.0 * um_per_px);
+  const double length = length_um / um_per_px;
+  const std::string label = readout::plain(length_um) + " µm";
+  hud.rounded(10.0, 10.0, length + 28.0, 40.0, 6.0, palette::kWindow, 0.72);
+  hud.rectangle(24.0, 20.0, length, 3.0, palette::kText);
+  hud.rectangle(24.0, 17.0, 1.5, 9.0, palette::kText);
+  hud.rectangle(24.0 + length - 1.5, 17.0, 1.5, 9.0, palette::kText);
+  hud.text(24.0 + 0.5 * length, 37.0, label, {.align = HudAlign::kCentre});
+}
+
+// The needle's tip as a ring, and its axis ahead of the tip as a thin line.
+void FeedView::draw_tip(HudCanvas& hud) const {
+  if (!tools_shown_) return;
+  const auto needle = needle_of(source_->GetScene());
+  if (!needle) return;
+  constexpr double kAhead_um = 22.0;
+  const double tip_um[3] = {needle->tip_um.x(), needle->tip_um.y(), 0.0};
+  const double ahead_um[3] = {tip_um[0] + kAhead_um * needle->direction.x(),
+                              tip_um[1] + kAhead_um * needle->direction.y(), 0.0};
+  const auto [x, y] = to_hud(tip_um);
+  const auto [ahead_x, ahead_y] = to_hud(ahead_um);
+  hud.line(x, y, ahead_x, ahead_y, 1.25, palette::kNeedle, 0.8);
+  hud.disc(x, y, 5.5, palette::kWindow, 0.75);
+  hud.disc(x, y, 4.0, palette::kNeedle);
+  hud.disc(x, y, 1.75, palette::kWindow);
+}
+
+}  // namespace pellucida

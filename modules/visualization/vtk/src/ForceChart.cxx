@@ -1,0 +1,223 @@
+#include "pellucida/visualization_vtk/ForceChart.h"
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkPen.h>
+#include <vtkPlotArea.h>
+#include <vtkPlotLine.h>
+#include <vtkPlotPoints.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pellucida/visualization/Readout.h"
+
+namespace pellucida {
+namespace {
+
+enum Column { kX, kForce, kLower, kUpper, kColumnCount };
+
+void set_color(vtkPen* pen, const Color& c, double opacity = 1.0) {
+  pen->SetColorF(c.red, c.green, c.blue, opacity);
+}
+
+// The end of an axis from 0: close above the data, on a round number.
+double axis_end(double greatest, double least_end) {
+  if (!(greatest > least_end)) return least_end;
+  const double decade = std::pow(10.0, std::floor(std::log10(greatest)));
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    if (greatest <= step * decade) return step * decade;
+  }
+  return 10.0 * decade;
+}
+
+vtkNew<vtkTable> make_table() {
+  vtkNew<vtkTable> table;
+  for (const char* name : {"x", "force_uN", "lower_uN", "upper_uN"}) {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    table->AddColumn(column);
+  }
+  return table;
+}
+
+void fill_table(vtkTable* table, const std::vector<TracePoint>& points, std::size_t first, bool over_time) {
+  const auto count = static_cast<vtkIdType>(points.size() - first);
+  table->SetNumberOfRows(count);
+  for (vtkIdType i = 0; i < count; ++i) {
+    const TracePoint& p = points[first + static_cast<std::size_t>(i)];
+    const double values[kColumnCount] = {over_time ? p.time_s : p.indentation_um, p.force_uN, p.lower_uN, p.upper_uN};
+    for (int c = 0; c < kColumnCount; ++c) vtkDoubleArray::SafeDownCast(table->GetColumn(c))->SetValue(i, values[c]);
+  }
+  for (int c = 0; c < kColumnCount; ++c) table->GetColumn(c)->Modified();
+  table->Modified();
+}
+
+}  // namespace
+
+struct ForceChart::Plots {
+  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkChartXY> chart;
+  vtkNew<vtkTable> before_table = make_table();
+  vtkNew<vtkTable> table = make_table();
+  vtkNew<vtkTable> last_table = make_table();
+  vtkPlotLine* before = nullptr;
+  vtkPlotArea* band = nullptr;
+  vtkPlotLine* curve = nullptr;
+  vtkPlotPoints* last = nullptr;
+};
+
+ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_unique<Plots>()) {
+  Plots& p = *plots_;
+  main_->SetUseFXAA(false);
+  main_->SetBackground(palette::kPanel.data());
+  p.actor->GetScene()->AddItem(p.chart);
+  p.actor->GetScene()->SetRenderer(main_);
+  main_->AddActor(p.actor);
+
+  // From the back to the front: the touch before, the interval, the curve, its newest point.
+  p.before = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
+  p.band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
+  p.curve = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
+  p.last = vtkPlotPoints::SafeDownCast(p.chart->AddPlot(vtkChart::POINTS));
+  p.before->SetInputData(p.before_table, kX, kForce);
+  p.band->SetInputData(p.table);
+  p.band->SetInputArray(0, "x");
+  p.band->SetInputArray(1, "lower_uN");
+  p.band->SetInputArray(2, "upper_uN");
+  p.curve->SetInputData(p.table, kX, kForce);
+  p.last->SetInputData(p.last_table, kX, kForce);
+  p.last->SetMarkerStyle(vtkPlotPoints::CIRCLE);
+  for (vtkPlot* plot : {static_cast<vtkPlot*>(p.before), static_cast<vtkPlot*>(p.band), static_cast<vtkPlot*>(p.curve),
+                        static_cast<vtkPlot*>(p.last)}) {
+    plot->SelectableOff();
+    plot->SetVisible(false);
+  }
+  p.chart->SetShowLegend(false);
+  p.chart->SetInteractive(false);
+  set_ranges();
+}
+
+ForceChart::~ForceChart() = default;
+
+void ForceChart::append(const Measurement& m) {
+  history_.append(m);
+  changed_ = true;
+}
+
+void ForceChart::clear() {
+  history_.clear();
+  changed_ = true;
+}
+
+void ForceChart::set_time_window_s(double window_s) {
+  time_window_s_ = window_s;
+  changed_ = true;
+}
+
+void ForceChart::style_axes(double ratio) {
+  if (ratio == styled_ratio_) return;
+  styled_ratio_ = ratio;
+  Plots& p = *plots_;
+  const char* x_title = kind_ == ForceChartKind::kForceTime ? "Time (s)" : "Indentation (µm)";
+  for (const auto& [side, title] : {std::pair{vtkAxis::BOTTOM, x_title}, std::pair{vtkAxis::LEFT, "Force (µN)"}}) {
+    vtkAxis* axis = p.chart->GetAxis(side);
+    axis->SetTitle(title);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetNotation(vtkAxis::STANDARD_NOTATION);
+    for (vtkTextProperty* letters : {axis->GetTitleProperties(), axis->GetLabelProperties()}) {
+      const Color& c = letters == axis->GetTitleProperties() ? palette::kText : palette::kTextDim;
+      letters->SetFontSize(static_cast<int>(std::lround(font_size::kSmall * ratio)));
+      letters->SetBold(false);
+      letters->SetItalic(false);
+      letters->SetColor(c.red, c.green, c.blue);
+    }
+    axis->GetPen()->SetWidth(static_cast<float>(ratio));
+    axis->GetGridPen()->SetWidth(static_cast<float>(ratio));
+    set_color(axis->GetPen(), palette::kBorder);
+    set_color(axis->GetGridPen(), palette::kGrid);
+  }
+  p.before->SetWidth(static_cast<float>(1.5 * ratio));
+  set_color(p.before->GetPen(), palette::kCurveBefore);
+  p.curve->SetWidth(static_cast<float>(2.0 * ratio));
+  set_color(p.curve->GetPen(), palette::kCurve);
+  p.band->GetBrush()->SetColorF(palette::kCurve.red, palette::kCurve.green, palette::kCurve.blue, 0.22);
+  set_color(p.band->GetPen(), palette::kCurve, 0.0);
+  p.last->SetMarkerSize(static_cast<float>(9.0 * ratio));
+  set_color(p.last->GetPen(), palette::kText);
+}
+
+void ForceChart::fill() {
+  Plots& p = *plots_;
+  const bool over_time = kind_ == ForceChartKind::kForceTime;
+  const auto& points = over_time ? history_.over_time() : history_.current_touch();
+
+  // Rows before the window's beginning are left out, but for one that lets the curve run in from the left.
+  std::size_t first = 0;
+  if (over_time && time_window_s_ > 0.0 && !points.empty()) {
+    const double begin_s = points.back().time_s - time_window_s_;
+    const auto inside = std::find_if(points.begin(), points.end(), [&](const auto& q) { return q.time_s >= begin_s; });
+    first = inside == points.begin() ? 0 : static_cast<std::size_t>(inside - points.begin()) - 1;
+  }
+  fill_table(p.table, points, first, over_time);
+  fill_table(p.last_table, points, points.empty() ? 0 : points.size() - 1, over_time);
+  fill_table(p.before_table, history_.previous_touch(), 0, over_time);
+  const bool drawable = points.size() - first > 1;
+  p.curve->SetVisible(drawable);
+  p.band->SetVisible(drawable);
+  p.last->SetVisible(!points.empty());
+  p.before->SetVisible(!over_time && history_.previous_touch().size() > 1);
+  set_ranges();
+  p.chart->RecalculateBounds();
+}
+
+void ForceChart::set_ranges() {
+  Plots& p = *plots_;
+  const bool over_time = kind_ == ForceChartKind::kForceTime;
+  double greatest_uN = 0.0;
+  double greatest_um = 0.0;
+  const auto measure = [&](const std::vector<TracePoint>& points) {
+    for (const TracePoint& point : points) {
+      greatest_uN = std::max(greatest_uN, point.upper_uN);
+      if (std::isfinite(point.indentation_um)) greatest_um = std::max(greatest_um, point.indentation_um);
+    }
+  };
+  measure(over_time ? history_.over_time() : history_.current_touch());
+  if (!over_time) measure(history_.previous_touch());
+  p.chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, axis_end(1.04 * greatest_uN, 1.0));
+
+  vtkAxis* bottom = p.chart->GetAxis(vtkAxis::BOTTOM);
+  if (!over_time) {
+    bottom->SetRange(0.0, axis_end(1.02 * greatest_um, 10.0));
+    return;
+  }
+  const auto& points = history_.over_time();
+  const double end_s = points.empty() ? 0.0 : points.back().time_s;
+  const double begin_s = time_window_s_ > 0.0 ? std::max(0.0, end_s - time_window_s_)
+                         : points.empty()     ? 0.0
+                                              : points.front().time_s;
+  bottom->SetRange(begin_s, std::max(end_s, begin_s + (time_window_s_ > 0.0 ? time_window_s_ : 1.0)));
+}
+
+void ForceChart::prepare(double width_px, double height_px) {
+  if (width_px < 1.0 || height_px < 1.0) return;
+  style_axes(hud_ratio());
+  if (changed_) fill();
+  changed_ = false;
+}
+
+void ForceChart::draw_hud(HudCanvas& hud, double width, double height) {
+  const bool empty = (kind_ == ForceChartKind::kForceTime ? history_.over_time() : history_.current_touch()).empty();
+  if (!empty) return;
+  hud.text(0.5 * width, 0.55 * height, "No force measured yet",
+           {.size_pt = font_size::kNormal, .color = palette::kTextDim, .align = HudAlign::kCentre});
+}
+
+}  // namespace pellucida

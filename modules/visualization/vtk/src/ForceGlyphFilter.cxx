@@ -1,0 +1,148 @@
+#include "pellucida/visualization_vtk/ForceGlyphFilter.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pellucida/core_vtk/SceneData.h"
+
+namespace pellucida {
+namespace {
+
+std::vector<vtkIdType> outer_nodes(vtkPolyData* surface) {
+  std::vector<vtkIdType> nodes;
+  vtkDataArray* membrane = surface->GetPointData()->GetArray(array_name::kMembrane);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    if (!membrane || membrane->GetComponent(i, 0) == static_cast<int>(Membrane::kOuter)) nodes.push_back(i);
+  }
+  return nodes;
+}
+
+vtkDataArray* forces_of(vtkPolyData* surface) {
+  vtkDataArray* forces = surface->GetPointData()->GetArray(array_name::kForce);
+  return forces && forces->GetNumberOfComponents() == 3 ? forces : nullptr;
+}
+
+// A force that isn't finite counts as none.
+double magnitude_of(vtkDataArray* forces, vtkIdType node, double force_uN[3]) {
+  forces->GetTuple(node, force_uN);
+  const double magnitude_uN = vtkMath::Norm(force_uN);
+  return std::isfinite(magnitude_uN) ? magnitude_uN : 0.0;
+}
+
+template <class Array>
+vtkSmartPointer<Array> new_array(const char* name, int components) {
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  return array;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(ForceGlyphFilter);
+
+double maximum_node_force_uN(vtkPolyData* surface) {
+  vtkDataArray* forces = surface ? forces_of(surface) : nullptr;
+  if (!forces) return 0.0;
+  double greatest_uN = 0.0;
+  double force_uN[3];
+  for (const vtkIdType node : outer_nodes(surface)) {
+    greatest_uN = std::max(greatest_uN, magnitude_of(forces, node, force_uN));
+  }
+  return greatest_uN;
+}
+
+void ForceGlyphFilter::order_nodes(vtkPolyData* surface, const std::vector<vtkIdType>& outer) {
+  // Farthest-point order: each next node is the one farthest from all chosen before.
+  std::vector<double> distance2_um2(outer.size(), std::numeric_limits<double>::max());
+  const auto wanted = std::min<std::size_t>(outer.size(), 5000);
+  order_.clear();
+  std::size_t next = 0;
+  while (order_.size() < wanted) {
+    order_.push_back(outer[next]);
+    double p[3];
+    double q[3];
+    surface->GetPoint(outer[next], p);
+    std::size_t farthest = 0;
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      surface->GetPoint(outer[i], q);
+      distance2_um2[i] = std::min(distance2_um2[i], vtkMath::Distance2BetweenPoints(p, q));
+      if (distance2_um2[i] > distance2_um2[farthest]) farthest = i;
+    }
+    if (distance2_um2[farthest] <= 0.0) break;
+    next = farthest;
+  }
+  ordered_point_count_ = surface->GetNumberOfPoints();
+}
+
+double ForceGlyphFilter::arrow_length_um(double magnitude_uN) const {
+  const double share = std::min(magnitude_uN / this->FullScaleUN, 1.0);
+  return this->LongestArrowUm * (this->LogScale ? 0.5 * std::log10(1.0 + 99.0 * share) : share);
+}
+
+int ForceGlyphFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+  auto* surface = vtkPolyData::GetData(inputs[0]);
+  auto* output = vtkPolyData::GetData(outputs);
+  vtkDataArray* forces = forces_of(surface);
+  if (!forces) return 1;
+  const std::vector<vtkIdType> outer = outer_nodes(surface);
+  if (outer.empty()) return 1;
+  if (surface->GetNumberOfPoints() != ordered_point_count_) order_nodes(surface, outer);
+
+  // The node pushed hardest comes first, whatever the density.
+  double force_uN[3];
+  vtkIdType strongest = outer.front();
+  double strongest_uN = -1.0;
+  double middle[3] = {0.0, 0.0, 0.0};
+  double p[3];
+  for (const vtkIdType node : outer) {
+    const double magnitude_uN = magnitude_of(forces, node, force_uN);
+    if (magnitude_uN > strongest_uN) {
+      strongest_uN = magnitude_uN;
+      strongest = node;
+    }
+    surface->GetPoint(node, p);
+    for (int k = 0; k < 3; ++k) middle[k] += p[k] / static_cast<double>(outer.size());
+  }
+  std::vector<vtkIdType> chosen{strongest};
+  for (const vtkIdType node : order_) {
+    if (static_cast<int>(chosen.size()) >= this->MaximumCount) break;
+    if (node != strongest) chosen.push_back(node);
+  }
+
+  vtkNew<vtkPoints> points;
+  auto kept_uN = new_array<vtkDoubleArray>(array_name::kForce, 3);
+  auto magnitudes_uN = new_array<vtkDoubleArray>("magnitude_uN", 1);
+  auto lengths_um = new_array<vtkDoubleArray>("arrow_length_um", 1);
+  auto kinds = new_array<vtkIntArray>("arrow_kind", 1);
+  for (const vtkIdType node : chosen) {
+    const double magnitude_uN = magnitude_of(forces, node, force_uN);
+    if (magnitude_uN <= 0.0 || magnitude_uN < this->ThresholdRatio * this->FullScaleUN) continue;
+    surface->GetPoint(node, p);
+    // An arrow that pushes inward would hide inside the cell: it ends at its node instead of starting there.
+    const double outward[3] = {p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]};
+    points->InsertNextPoint(p);
+    kept_uN->InsertNextTuple(force_uN);
+    magnitudes_uN->InsertNextValue(magnitude_uN);
+    lengths_um->InsertNextValue(arrow_length_um(magnitude_uN));
+    kinds->InsertNextValue(vtkMath::Dot(force_uN, outward) < 0.0 ? 1 : 0);
+  }
+  output->SetPoints(points);
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(kept_uN), static_cast<vtkDataArray*>(magnitudes_uN),
+                              static_cast<vtkDataArray*>(lengths_um), static_cast<vtkDataArray*>(kinds)}) {
+    output->GetPointData()->AddArray(array);
+  }
+  return 1;
+}
+
+}  // namespace pellucida

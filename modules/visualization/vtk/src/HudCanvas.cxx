@@ -1,0 +1,146 @@
+#include "pellucida/visualization_vtk/HudCanvas.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkMath.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucida {
+namespace {
+
+unsigned char to_byte(double part) {
+  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
+}
+
+void apply(const HudText& style, double ratio, vtkTextProperty* property) {
+  property->SetFontFamilyToArial();
+  property->SetFontSize(static_cast<int>(std::lround(style.size_pt * ratio)));
+  property->SetBold(style.bold);
+  property->SetColor(style.color.red, style.color.green, style.color.blue);
+  property->SetVerticalJustificationToCentered();
+  property->SetJustification(style.align == HudAlign::kLeft     ? VTK_TEXT_LEFT
+                             : style.align == HudAlign::kCentre ? VTK_TEXT_CENTERED
+                                                                : VTK_TEXT_RIGHT);
+}
+
+}  // namespace
+
+HudCanvas::HudCanvas(vtkRenderer* renderer) : renderer_(renderer) {
+  colors_->SetNumberOfComponents(4);
+  colors_->SetName("color");
+  points_->SetDataTypeToFloat();
+  shapes_->SetPoints(points_);
+  shapes_->SetPolys(polygons_);
+  shapes_->GetPointData()->SetScalars(colors_);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(shapes_);
+  actor_->SetMapper(mapper);
+  actor_->PickableOff();
+  renderer_->AddActor2D(actor_);
+}
+
+HudCanvas::~HudCanvas() = default;
+
+void HudCanvas::begin(double ratio) {
+  ratio_ = ratio;
+  text_count_ = 0;
+  points_->Reset();
+  polygons_->Reset();
+  colors_->Reset();
+}
+
+void HudCanvas::polygon(const std::vector<double>& xy, const Color& color, double opacity) {
+  const unsigned char rgba[4] = {to_byte(color.red), to_byte(color.green), to_byte(color.blue), to_byte(opacity)};
+  const auto count = static_cast<int>(xy.size() / 2);
+  polygons_->InsertNextCell(count);
+  for (int i = 0; i < count; ++i) {
+    polygons_->InsertCellPoint(points_->InsertNextPoint(xy[2 * i] * ratio_, xy[2 * i + 1] * ratio_, 0.0));
+    colors_->InsertNextTypedTuple(rgba);
+  }
+}
+
+void HudCanvas::rectangle(double x, double y, double width, double height, const Color& color, double opacity) {
+  polygon({x, y, x + width, y, x + width, y + height, x, y + height}, color, opacity);
+}
+
+void HudCanvas::rounded(double x, double y, double width, double height, double radius, const Color& color,
+                        double opacity) {
+  constexpr int kSteps = 6;
+  const double r = std::min({radius, 0.5 * width, 0.5 * height});
+  const double corner_x[] = {x + width - r, x + r, x + r, x + width - r};
+  const double corner_y[] = {y + height - r, y + height - r, y + r, y + r};
+  std::vector<double> xy;
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle_rad = (corner + static_cast<double>(i) / kSteps) * 0.5 * vtkMath::Pi();
+      xy.push_back(corner_x[corner] + r * std::cos(angle_rad));
+      xy.push_back(corner_y[corner] + r * std::sin(angle_rad));
+    }
+  }
+  polygon(xy, color, opacity);
+}
+
+void HudCanvas::line(double x0, double y0, double x1, double y1, double width, const Color& color, double opacity) {
+  const double length = std::hypot(x1 - x0, y1 - y0);
+  if (length <= 0.0) return;
+  const double nx = -(y1 - y0) / length * 0.5 * width;
+  const double ny = (x1 - x0) / length * 0.5 * width;
+  polygon({x0 + nx, y0 + ny, x0 - nx, y0 - ny, x1 - nx, y1 - ny, x1 + nx, y1 + ny}, color, opacity);
+}
+
+void HudCanvas::disc(double x, double y, double radius, const Color& color, double opacity) {
+  rounded(x - radius, y - radius, 2.0 * radius, 2.0 * radius, radius, color, opacity);
+}
+
+vtkTextActor* HudCanvas::next_text() {
+  if (text_count_ == texts_.size()) {
+    auto actor = vtkSmartPointer<vtkTextActor>::New();
+    actor->SetTextScaleModeToNone();
+    actor->PickableOff();
+    actor->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+    renderer_->AddActor2D(actor);
+    texts_.push_back(actor);
+  }
+  return texts_[text_count_++];
+}
+
+void HudCanvas::text(double x, double y, const std::string& utf8, const HudText& style) {
+  if (utf8.empty()) return;
+  vtkTextActor* actor = next_text();
+  apply(style, ratio_, actor->GetTextProperty());
+  actor->SetInput(utf8.c_str());
+  actor->SetPosition(std::round(x * ratio_), std::round(y * ratio_));
+  actor->VisibilityOn();
+}
+
+void HudCanvas::end() {
+  points_->Modified();
+  polygons_->Modified();
+  colors_->Modified();
+  shapes_->Modified();
+  actor_->SetVisibility(points_->GetNumberOfPoints() > 0);
+  for (std::size_t i = text_count_; i < texts_.size(); ++i) texts_[i]->VisibilityOff();
+}
+
+double HudCanvas::text_width(const std::string& utf8, const HudText& style) {
+  vtkNew<vtkTextProperty> property;
+  apply(style, ratio_, property);
+  int box[4] = {0, 0, 0, 0};
+  vtkTextRenderer* letters = vtkTextRenderer::GetInstance();
+  if (!letters || !letters->GetBoundingBox(property, utf8, box, 72)) return 0.0;
+  return (box[1] - box[0] + 1) / ratio_;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,59 @@
+#include "pellucida/visualization/TraceHistory.h"
+
+#include <gtest/gtest.h>
+
+namespace pellucida {
+namespace {
+
+Measurement row(double time_s, CellState state, double indentation_um, double force_uN) {
+  Measurement m;
+  m.time_s = time_s;
+  m.state = state;
+  m.indentation_um = indentation_um;
+  m.contact_force_uN = force_uN;
+  return m;
+}
+
+TEST(TraceHistory, LeavesOutRowsWithoutAForce) {
+  TraceHistory history;
+  history.append(Measurement{});
+  EXPECT_TRUE(history.over_time().empty());
+  history.append(row(0.1, CellState::kFree, 0.0, 0.0));
+  EXPECT_EQ(history.over_time().size(), 1U);
+  EXPECT_DOUBLE_EQ(history.over_time()[0].upper_uN, 0.0);
+}
+
+TEST(TraceHistory, ANewTouchKeepsTheOneBefore) {
+  TraceHistory history;
+  for (int i = 0; i < 10; ++i) history.append(row(i, CellState::kContact, i, 0.1 * i));
+  history.append(row(10, CellState::kFree, 0.0, 0.0));
+  history.append(row(11, CellState::kContact, 1.0, 0.1));
+  EXPECT_EQ(history.previous_touch().size(), 11U);
+  ASSERT_EQ(history.current_touch().size(), 1U);
+  EXPECT_DOUBLE_EQ(history.current_touch()[0].indentation_um, 1.0);
+  EXPECT_EQ(history.over_time().size(), 12U);
+}
+
+TEST(TraceHistory, StaysBoundedAndKeepsFirstAndNewest) {
+  TraceHistory history;
+  constexpr int kRows = 50000;
+  for (int i = 0; i < kRows; ++i) history.append(row(0.01 * i, CellState::kContact, 1.0, 1e-4 * i));
+  EXPECT_LE(history.over_time().size(), TraceHistory::kMostPoints);
+  EXPECT_GE(history.over_time().size(), TraceHistory::kMostPoints / 2);
+  EXPECT_DOUBLE_EQ(history.over_time().front().time_s, 0.0);
+  EXPECT_DOUBLE_EQ(history.over_time().back().time_s, 0.01 * (kRows - 1));
+  for (std::size_t i = 1; i < history.over_time().size(); ++i) {
+    ASSERT_GT(history.over_time()[i].time_s, history.over_time()[i - 1].time_s);
+  }
+}
+
+TEST(TraceHistory, TimeGoingBackStartsAfresh) {
+  TraceHistory history;
+  history.append(row(5.0, CellState::kContact, 1.0, 1.0));
+  history.append(row(0.0, CellState::kContact, 2.0, 2.0));
+  ASSERT_EQ(history.over_time().size(), 1U);
+  EXPECT_DOUBLE_EQ(history.over_time()[0].force_uN, 2.0);
+}
+
+}  // namespace
+}  // namespace pellucida

@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cmath>
+#include <memory>
+
+#include "pellucida/core_vtk/StageSource.h"
+#include "pellucida/visualization/VirtualDisplay.h"
+#include "pellucida/visualization_vtk/FeedView.h"
+#include "pellucida/visualization_vtk/ForceChart.h"
+#include "pellucida/visualization_vtk/MembraneView.h"
+#include "pellucida/visualization_vtk/MessageLog.h"
+#include "visualization/SyntheticScene.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kWidth_px = 640;
+constexpr int kHeight_px = 480;
+
+// An off-screen window on a display of its own where there is none. Fails on any VTK error or warning.
+class Views : public testing::Test {
+ protected:
+  Views() : log_(MessageLog::install()), problems_(log_->problem_count()) {
+    source->SetScene(test::synthetic_scene(25.0));
+    window->SetOffScreenRendering(1);
+    window->SetMultiSamples(0);
+    window->SetSize(kWidth_px, kHeight_px);
+  }
+  ~Views() override { EXPECT_EQ(log_->problem_count(), problems_) << log_->last_problem(); }
+
+  vtkSmartPointer<vtkImageData> shot() {
+    window->Render();
+    vtkNew<vtkWindowToImageFilter> picture;
+    picture->SetInput(window);
+    picture->ReadFrontBufferOff();
+    picture->ShouldRerenderOff();
+    picture->Update();
+    return picture->GetOutput();
+  }
+
+  // Pixels within `tolerance` of a colour (each part, 0..1), in a box given in fractions.
+  static int count_near(vtkImageData* image, const Color& c, double tolerance = 0.12) {
+    int count = 0;
+    for (int y = 0; y < kHeight_px; ++y) {
+      for (int x = 0; x < kWidth_px; ++x) {
+        const auto part = [&](int k) { return image->GetScalarComponentAsDouble(x, y, 0, k) / 255.0; };
+        if (std::abs(part(0) - c.red) < tolerance && std::abs(part(1) - c.green) < tolerance &&
+            std::abs(part(2) - c.blue) < tolerance) {
+          ++count;
+        }
+      }
+    }
+    return count;
+  }
+
+  VirtualDisplay display;
+  vtkNew<StageSource> source;
+  vtkNew<vtkRenderWindow> window;
+
+ private:
+  MessageLog* log_;
+  std::uint64_t problems_;
+};
+
+TEST_F(Views, FeedShowsContoursToolsAndModelEachInItsColour) {
+  FeedView feed(source);
+  feed.add_to(window);
+  const auto with = shot();
+  feed.show_contours(false);
+  feed.show_tools(false);
+  feed.show_model_section(false);
+  const auto without = shot();
+  for (const Color& c : {palette::kOuter, palette::kInner, palette::kNeedle, palette::kHolder, palette::kModel}) {
+    EXPECT_GT(count_near(with, c), 150) << c.css();
+    EXPECT_LT(count_near(without, c), 5) << c.css();
+  }
+  window->Finalize();
+}
+
+TEST_F(Views, FeedHasXToTheRightAndYDown) {
+  FeedView feed(source);
+  feed.show_contours(false);
+  feed.show_model_section(false);
+  feed.add_to(window);
+  const auto image = shot();
+  // The needle comes from the right, the holder from the left.
+  double needle_x = 0.0;
+  double holder_x = 0.0;
+  int needle_count = 0;
+  int holder_count = 0;
+  for (int y = 60; y < kHeight_px - 110; ++y) {
+    for (int x = 0; x < kWidth_px; ++x) {
+      const double red = image->GetScalarComponentAsDouble(x, y, 0, 0);
+      const double green = image->GetScalarComponentAsDouble(x, y, 0, 1);
+      const double blue = image->GetScalarComponentAsDouble(x, y, 0, 2);
+      if (red > 200 && green < 130) {
+        needle_x += x;
+        ++needle_count;
+      }
+      if (green > 190 && red < 170 && blue < 170) {
+        holder_x += x;
+        ++holder_count;
+      }
+    }
+  }
+  ASSERT_GT(needle_count, 0);
+  ASSERT_GT(holder_count, 0);
+  EXPECT_GT(needle_x / needle_count, holder_x / holder_count + 0.3 * kWidth_px);
+  window->Finalize();
+}
+
+TEST_F(Views, FeedWaitsVisiblyForTheFirstFrame) {
+  source->SetScene(Scene{});
+  FeedView feed(source);
+  feed.add_to(window);
+  EXPECT_GT(count_near(shot(), palette::kTextDim), 50);
+  window->Finalize();
+}
+
+TEST_F(Views, MembranesShowTheInnerBodyAndColouredArrows) {
+  MembraneView view(source);
+  view.add_to(window);
+  const auto with = shot();
+  view.show_arrows(false);
+  const auto without = shot();
+  // Arrows bring the force scale's magenta, which nothing else has.
+  const Color magenta = Color::from_hex(0xDB4D9F);
+  EXPECT_GT(count_near(with, magenta), count_near(without, magenta) + 100);
+  // The picture is far from empty: most of its middle differs from the ground.
+  int lit = 0;
+  for (int y = kHeight_px / 4; y < 3 * kHeight_px / 4; ++y) {
+    for (int x = kWidth_px / 4; x < 3 * kWidth_px / 4; ++x)
+      lit += without->GetScalarComponentAsDouble(x, y, 0, 0) > 70.0;
+  }
+  EXPECT_GT(lit, kWidth_px * kHeight_px / 16);
+  window->Finalize();
+}
+
+TEST_F(Views, MembranesChangeColourWithTheQuantityChosen) {
+  MembraneView view(source);
+  view.show_arrows(false);
+  view.add_to(window);
+  const auto plain = shot();
+  view.set_coloring(SurfaceColoring::kDisplacement);
+  const auto coloured = shot();
+  const Color lime = Color::from_hex(0x95DB6B);
+  EXPECT_GT(count_near(coloured, lime, 0.15), count_near(plain, lime, 0.15) + 50);
+  window->Finalize();
+}
+
+TEST_F(Views, MembranesDrawAScenePartByPart) {
+  // A surface without forces, a scene without tools, nothing at all: no view may stumble.
+  Scene scene = test::synthetic_scene(25.0);
+  MembraneView view(source);
+  FeedView feed(source);
+  view.add_to(window, {0.5, 0.0, 1.0, 1.0});
+  feed.add_to(window, {0.0, 0.0, 0.5, 1.0});
+  for (int part = 0; part < 5; ++part) {
+    if (part == 0) scene.model = {};
+    if (part == 1) scene.tools = {};
+    if (part == 2) scene.observation.reset();
+    if (part == 3) scene.surface = {};
+    if (part == 4) scene = Scene{};
+    source->SetScene(scene);
+    view.refresh();
+    feed.refresh();
+    window->Render();
+  }
+  source->SetScene(test::synthetic_scene(10.0));
+  view.refresh();
+  feed.refresh();
+  window->Render();
+  window->Finalize();
+}
+
+TEST_F(Views, ChartDrawsItsCurveAndSaysWhenThereIsNone) {
+  ForceChart chart(ForceChartKind::kForceIndentation);
+  chart.add_to(window);
+  EXPECT_GT(count_near(shot(), palette::kTextDim), 50);
+  EXPECT_LT(count_near(shot(), palette::kCurve, 0.05), 5);
+  for (const Measurement& m : test::synthetic_rows(100, 30.0)) chart.append(m);
+  EXPECT_GT(count_near(shot(), palette::kCurve, 0.05), 300);
+  chart.clear();
+  EXPECT_LT(count_near(shot(), palette::kCurve, 0.05), 5);
+  window->Finalize();
+}
+
+}  // namespace
+}  // namespace pellucida
