@@ -1,0 +1,76 @@
+#pragma once
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "pellucida/mechanics/AttachmentTerm.h"
+#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/mechanics/HingeTerm.h"
+#include "pellucida/mechanics/SpringTerm.h"
+#include "pellucida/mechanics/TriangleMesh.h"
+#include "pellucida/mechanics/VolumeTerm.h"
+
+namespace pellucida {
+
+/// The cell and how it is held, in the cell frame C: origin at the cell's centre, +z towards the contact point at rest.
+struct MembraneSetup {
+  double mid_radius_um = 0.0;
+  double thickness_um = 0.0;
+  Eigen::Vector3d push = -Eigen::Vector3d::UnitZ();    ///< unit, the way the needle pushes
+  Eigen::Vector3d holder = -Eigen::Vector3d::UnitZ();  ///< unit, from the centre to the holder
+};
+
+/// The paper's four tested configurations, seen in the cell frame. Throws UsageError for a number outside 1..4.
+/// 1 needle opposite the holder; 2 at 45 degrees; 3 at 90 degrees; 4 parallel to the holder's axis, `offset_um` beside
+/// it.
+MembraneSetup setup_for_configuration(const CellProfile& profile, int configuration, double offset_um = 10.0);
+
+/// The mass-spring-damper membrane: one triangulated sphere with X-shaped connectors, hinges, constant volume, needle
+/// and holder attached elastically. Energy U = U_springs + U_hinges + U_volume + U_tip + U_holder.
+class MembraneModel {
+ public:
+  MembraneModel(const CellProfile& profile, const MembraneSetup& setup);
+
+  const TriangleMesh& rest() const noexcept { return rest_; }
+  const MembraneSetup& setup() const noexcept { return setup_; }
+  /// Node pairs that a Hessian couples.
+  std::vector<std::pair<int, int>> coupled_nodes() const;
+
+  /// Moves the holder; regions and holder weights follow.
+  void set_holder(const Eigen::Vector3d& direction);
+  /// Moves the needle `depth_um` along its push.
+  void set_depth(double depth_um) { tip_.set_displacement(depth_um * setup_.push); }
+
+  /// Finds all terms' blocks in `matrix`; needed before a Hessian is asked for.
+  void bind(const BlockMatrix& matrix);
+
+  /// Energy (uN um); adds gradient (3 x n, uN) and the sparse part of the Hessian where asked for.
+  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const;
+
+  /// The membrane's own elastic force on each node, uN (3 x n): that of springs and hinges.
+  Eigen::Matrix3Xd elastic_force_uN(const Eigen::Matrix3Xd& x_um) const;
+
+  const SpringTerm& springs() const noexcept { return springs_; }
+  const HingeTerm& hinges() const noexcept { return hinges_; }
+  const VolumeTerm& volume() const noexcept { return volume_; }
+  const AttachmentTerm& tip() const noexcept { return tip_; }
+  const AttachmentTerm& holder() const noexcept { return holder_; }
+
+  /// E h, uN/um: the scale of all forces.
+  double force_scale_uN_per_um() const noexcept { return force_scale_uN_per_um_; }
+
+ private:
+  CellProfile profile_;
+  MembraneSetup setup_;
+  TriangleMesh rest_;
+  std::vector<TrianglePair> pairs_;
+  double force_scale_uN_per_um_ = 0.0;
+  SpringTerm springs_;
+  HingeTerm hinges_;
+  VolumeTerm volume_;
+  AttachmentTerm tip_;
+  AttachmentTerm holder_;
+  const BlockMatrix* bound_ = nullptr;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,99 @@
+#include "pellucida/mechanics/Indenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+/// No single step of the needle is longer; farther depths are reached in several.
+constexpr double kLongestStep_um = 2.0;
+/// A step that fails is halved down to this.
+constexpr double kShortestStep_um = 0.05;
+
+}  // namespace
+
+Indenter::Indenter(const CellProfile& profile, const MembraneSetup& setup) : model_(profile, setup), solver_(model_) {
+  reset();
+}
+
+void Indenter::reset() {
+  x_um_ = model_.rest().points_um;
+  depth_um_ = 0.0;
+  tangent_ = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
+}
+
+SolveReport Indenter::step_to(double depth_um) {
+  // Start along the tangent, and keep the old shape for the case that it leads nowhere.
+  const Eigen::Matrix3Xd before = x_um_;
+  x_um_ += (depth_um - depth_um_) * tangent_;
+  model_.set_depth(depth_um);
+  SolveReport report = solver_.solve(model_, x_um_, options_);
+  if (report.status != SolveStatus::kConverged) {
+    x_um_ = before;
+    model_.set_depth(depth_um_);
+    return report;
+  }
+  depth_um_ = depth_um;
+
+  // The gradient depends on the depth through the tip's bond alone: H dx/dd = w_i push.
+  Eigen::Matrix3Xd pull = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
+  for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
+    pull.col(model_.tip().nodes()[k]) = model_.tip().weights_uN_per_um()[k] * model_.setup().push;
+  }
+  tangent_ = solver_.apply_inverse_hessian(model_, x_um_, pull);
+  return report;
+}
+
+IndentationState Indenter::advance_to(double depth_um) {
+  // Long ways in steps; a step that fails is tried shorter.
+  SolveReport total;
+  double step = kLongestStep_um;
+  do {
+    const double way = depth_um - depth_um_;
+    const double target = std::abs(way) <= step ? depth_um : depth_um_ + std::copysign(step, way);
+    const SolveReport report = step_to(target);
+    total.status = report.status;
+    total.iterations += report.iterations;
+    total.shifts += report.shifts;
+    total.residual_uN = report.residual_uN;
+    if (report.status != SolveStatus::kConverged) {
+      step = 0.5 * std::min(step, std::abs(way));
+      if (step < kShortestStep_um) break;
+    }
+  } while (depth_um_ != depth_um);
+
+  // The read-out.
+  IndentationState state;
+  state.depth_um = depth_um_;
+  state.tip_force_uN = model_.tip().force_uN(x_um_);
+  state.holder_force_uN = model_.holder().force_uN(x_um_);
+  state.push_force_uN = state.tip_force_uN.dot(model_.setup().push);
+  for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
+    const double lag = 1.0 - tangent_.col(model_.tip().nodes()[k]).dot(model_.setup().push);
+    state.stiffness_uN_per_um += model_.tip().weights_uN_per_um()[k] * lag;
+  }
+  state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_);
+  state.volume_um3 = model_.volume().volume_um3(x_um_);
+  state.report = total;
+  return state;
+}
+
+std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
+                                          double step_um) {
+  if (!(step_um > 0.0)) throw UsageError("step: it must be above 0 um");
+  if (!(max_indentation_um > 0.0) || max_indentation_um > 1.4 * profile.mid_radius_um) {
+    throw UsageError("maximum indentation: it must be above 0 and at most 1.4 radii of the cell, " +
+                     std::to_string(1.4 * profile.mid_radius_um) + " um");
+  }
+  Indenter indenter(profile, setup_for_configuration(profile, configuration));
+  std::vector<IndentationState> curve;
+  const int steps = static_cast<int>(std::floor(max_indentation_um / step_um + 1e-9));
+  for (int k = 0; k <= steps; ++k) curve.push_back(indenter.advance_to(k * step_um));
+  if (max_indentation_um - steps * step_um > 1e-9) curve.push_back(indenter.advance_to(max_indentation_um));
+  return curve;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,143 @@
+#include "pellucida/mechanics/MembraneModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/mechanics/SphereMesh.h"
+
+namespace pellucida {
+namespace {
+
+/// 1 well inside `angle`, 0 well outside, smooth between (+-20 %), so that a holder that turns a little changes the
+/// constants a little.
+double belongs(double angle_rad, double border_rad) {
+  const double u = std::clamp((1.2 * border_rad - angle_rad) / (0.4 * border_rad), 0.0, 1.0);
+  return u * u * (3.0 - 2.0 * u);
+}
+
+double angle_between_rad(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) {
+  return std::acos(std::clamp(p.normalized().dot(direction), -1.0, 1.0));
+}
+
+/// A constant of the profile at each node: the tip's region over the holder's over the body.
+Eigen::VectorXd blend(const TriangleMesh& rest, const CellProfile& profile, const Eigen::Vector3d& holder,
+                      double (*value)(const RegionConstants&)) {
+  Eigen::VectorXd values(rest.points_um.cols());
+  for (Eigen::Index n = 0; n < values.size(); ++n) {
+    const Eigen::Vector3d p = rest.points_um.col(n);
+    const double tip = belongs(angle_between_rad(p, Eigen::Vector3d::UnitZ()), profile.tip_angle_rad);
+    const double held = belongs(angle_between_rad(p, holder), profile.holder_angle_rad);
+    const double rest_value = held * value(profile.holder) + (1.0 - held) * value(profile.body);
+    values[n] = tip * value(profile.tip) + (1.0 - tip) * rest_value;
+  }
+  return values;
+}
+
+SpringConstants spring_constants(const TriangleMesh& rest, const CellProfile& profile, const MembraneSetup& setup) {
+  const double scale = 1e-3 * profile.effective_young_modulus_kPa * setup.thickness_um;
+  return {
+      scale * blend(rest, profile, setup.holder, [](const RegionConstants& r) { return r.k2_ratio; }),
+      scale * blend(rest, profile, setup.holder, [](const RegionConstants& r) { return r.k2_ratio * r.k1_over_k2; })};
+}
+
+Eigen::VectorXd hinge_rigidity(const TriangleMesh& rest, const CellProfile& profile, const MembraneSetup& setup) {
+  const double e = 1e-3 * profile.effective_young_modulus_kPa;
+  const double plate =
+      e * std::pow(setup.thickness_um, 3) / (12.0 * (1.0 - profile.poisson_ratio * profile.poisson_ratio));
+  return plate * blend(rest, profile, setup.holder, [](const RegionConstants& r) { return r.hinge_ratio; });
+}
+
+AttachmentTerm holder_attachment(const TriangleMesh& rest, const CellProfile& profile,
+                                 const Eigen::Vector3d& direction) {
+  return {rest.points_um,
+          holder_weights_uN_per_um(rest, direction, profile.holder_ring_um, profile.holder_half_width_um,
+                                   1e-3 * profile.effective_young_modulus_kPa * profile.holder_bond_per_um)};
+}
+
+AttachmentTerm tip_attachment(const TriangleMesh& rest, const CellProfile& profile) {
+  return {rest.points_um, tip_weights_uN_per_um(rest, Eigen::Vector3d::UnitZ(), profile.tip_radius_um,
+                                                1e-3 * profile.effective_young_modulus_kPa * profile.tip_bond_per_um)};
+}
+
+}  // namespace
+
+MembraneSetup setup_for_configuration(const CellProfile& profile, int configuration, double offset_um) {
+  MembraneSetup setup{profile.mid_radius_um, profile.thickness_um, -Eigen::Vector3d::UnitZ(),
+                      -Eigen::Vector3d::UnitZ()};
+  const auto turned = [](double angle_rad) { return Eigen::Vector3d(std::sin(angle_rad), 0.0, -std::cos(angle_rad)); };
+  switch (configuration) {
+    case 1:
+      break;
+    case 2:
+      setup.holder = turned(0.25 * std::numbers::pi);
+      break;
+    case 3:
+      setup.holder = turned(0.5 * std::numbers::pi);
+      break;
+    case 4:
+      // The contact point is the +z of the frame: seen from there, push and holder both turn by the offset's angle.
+      if (!(std::abs(offset_um) < profile.mid_radius_um))
+        throw UsageError("offset: it must be below the cell's radius");
+      setup.push = turned(std::asin(offset_um / profile.mid_radius_um));
+      setup.holder = setup.push;
+      break;
+    default:
+      throw UsageError("configuration " + std::to_string(configuration) + ": give 1, 2, 3 or 4");
+  }
+  return setup;
+}
+
+MembraneModel::MembraneModel(const CellProfile& profile, const MembraneSetup& setup)
+    : profile_(profile),
+      setup_(setup),
+      rest_(make_sphere_mesh(setup.mid_radius_um, {profile.mesh_frequency, profile.mesh_grading})),
+      pairs_(triangle_pairs(rest_.triangles)),
+      force_scale_uN_per_um_(1e-3 * profile.effective_young_modulus_kPa * setup.thickness_um),
+      springs_(rest_, pairs_, spring_constants(rest_, profile, setup)),
+      hinges_(rest_, pairs_, hinge_rigidity(rest_, profile, setup)),
+      volume_(rest_, 1e-3 * profile.effective_young_modulus_kPa * profile.volume_stiffness_ratio),
+      tip_(tip_attachment(rest_, profile)),
+      holder_(holder_attachment(rest_, profile, setup.holder)) {}
+
+std::vector<std::pair<int, int>> MembraneModel::coupled_nodes() const {
+  // A hinge couples all four nodes of a triangle pair; no other term couples more.
+  std::vector<std::pair<int, int>> coupled;
+  for (const auto& p : pairs_) {
+    coupled.insert(coupled.end(), {{p.a, p.b}, {p.a, p.c}, {p.a, p.d}, {p.b, p.c}, {p.b, p.d}, {p.c, p.d}});
+  }
+  return coupled;
+}
+
+void MembraneModel::set_holder(const Eigen::Vector3d& direction) {
+  setup_.holder = direction;
+  springs_.set_constants(spring_constants(rest_, profile_, setup_));
+  hinges_.set_rigidity(hinge_rigidity(rest_, profile_, setup_));
+  holder_ = holder_attachment(rest_, profile_, direction);
+  if (bound_) holder_.bind(*bound_);
+}
+
+void MembraneModel::bind(const BlockMatrix& matrix) {
+  bound_ = &matrix;
+  springs_.bind(matrix);
+  hinges_.bind(matrix);
+  volume_.bind(matrix);
+  tip_.bind(matrix);
+  holder_.bind(matrix);
+}
+
+double MembraneModel::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const {
+  return springs_.add(x_um, gradient_uN, hessian) + hinges_.add(x_um, gradient_uN, hessian) +
+         volume_.add(x_um, gradient_uN, hessian) + tip_.add(x_um, gradient_uN, hessian) +
+         holder_.add(x_um, gradient_uN, hessian);
+}
+
+Eigen::Matrix3Xd MembraneModel::elastic_force_uN(const Eigen::Matrix3Xd& x_um) const {
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x_um.cols());
+  springs_.add(x_um, &gradient, nullptr);
+  hinges_.add(x_um, &gradient, nullptr);
+  return -gradient;
+}
+
+}  // namespace pellucida

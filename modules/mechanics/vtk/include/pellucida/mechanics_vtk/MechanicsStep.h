@@ -1,0 +1,41 @@
+#pragma once
+#include <memory>
+
+#include "pellucida/core/Step.h"
+#include "pellucida/core_vtk/Scene.h"
+#include "pellucida/mechanics/CellProfile.h"
+
+namespace pellucida {
+
+/// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
+///
+/// Fills of the measurement: contact_force_uN with its interval, pressure_Pa, and volume_um3 where nothing has yet.
+/// Makes `model`: triangles in the solved shape, frame W, with point arrays
+///   | array              | components | unit   | what                                                     |
+///   | force_uN           | 3          | uN     | the membrane's own elastic force on the node             |
+///   | displacement_um    | 3          | um     | from rest                                                |
+///   | tension_uN_per_um  | 1          | uN/um  | mean membrane tension                                    |
+/// Adds to a copy of `surface`, which must bring point arrays `membrane` and `rest_direction`:
+///   force_uN (3), force_sigma_uN (1), tension_uN_per_um (1). The model's one surface stands for the whole zona: its
+///   forces are shown on the outer membrane, with their sum kept; nodes of the inner one carry no force of their own
+///   (0). The tension is the zona's, so both membranes show it.
+/// A scene without cell or surface passes on without those parts. Where the model has no equilibrium, the force cells
+/// of the measurement stay empty.
+class MechanicsStep {
+ public:
+  using Input = Scene;
+  using Output = Scene;
+
+  explicit MechanicsStep(CellProfile profile);
+  ~MechanicsStep();
+  MechanicsStep(MechanicsStep&&) noexcept;
+  MechanicsStep& operator=(MechanicsStep&&) noexcept;
+
+  expected<Scene, StepFailure> process(const Scene& scene);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pellucida
