@@ -1,0 +1,81 @@
+#include "commands/SimulateCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <optional>
+
+#include "commands/Progress.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/simulation/FrameWriter.h"
+#include "pellucida/simulation/VirtualMicroscope.h"
+
+namespace pellucida {
+namespace {
+
+struct SimulateArguments {
+  std::string scenario = "default";
+  std::string output;
+  std::string truth;
+  std::optional<double> duration_s;
+  std::optional<double> frame_rate_hz;
+  std::optional<std::uint64_t> seed;
+};
+
+void simulate(const SimulateArguments& arguments) {
+  Scenario scenario = load_scenario(arguments.scenario);
+  if (arguments.duration_s) {
+    // 0 stands for "the motion's length" in a scenario; here it can only be a mistake.
+    if (!(*arguments.duration_s > 0)) throw UsageError("--duration-s must be above 0");
+    scenario.image.duration_s = *arguments.duration_s;
+  }
+  if (arguments.frame_rate_hz) scenario.image.frame_rate_hz = *arguments.frame_rate_hz;
+  if (arguments.seed) scenario.seed = *arguments.seed;
+
+  VirtualMicroscope microscope(scenario);
+  const auto writer = FrameWriter::open(arguments.output, microscope.info());
+  std::optional<TruthWriter> truth;
+  if (!arguments.truth.empty()) truth.emplace(arguments.truth);
+
+  long count = 0;
+  {
+    Progress progress("frame");
+    while (const auto frame = microscope.next()) {
+      writer->write(*frame);
+      if (truth) truth->write(microscope.truth());
+      progress.update(++count, microscope.info().frame_count);
+    }
+  }
+  writer->close();
+  std::cout << arguments.output << ": " << count << " frames, " << microscope.info().width_px << " x "
+            << microscope.info().height_px << " px, " << microscope.info().pixel_size_um << " um/px, "
+            << microscope.info().frame_rate_hz << " frames/s; " << writer->format() << '\n';
+  if (truth)
+    std::cout << arguments.truth << ": truth; contours in " << TruthWriter::contour_file(arguments.truth).string()
+              << '\n';
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& app) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* command = app.add_subcommand("simulate", "render a virtual injection with known truth");
+  std::string known;
+  try {
+    for (const auto& name : scenario_names()) known += (known.empty() ? "" : ", ") + name;
+  } catch (const Error&) {
+    known = "none found";  // help must work without the resources
+  }
+  command->add_option("--scenario", arguments->scenario, "a JSON file or one of: " + known)->capture_default_str();
+  command
+      ->add_option("--output", arguments->output,
+                   ".avi or .mkv (lossless), .mp4 (lossy), .tif (pages), or no extension: a folder of PNG")
+      ->required();
+  command->add_option("--truth", arguments->truth,
+                      "CSV of the truth, a row a frame; contours go beside it (um, uN, Pa)");
+  command->add_option("--duration-s", arguments->duration_s, "seconds, 0..3600 (default: until the needle has moved)");
+  command->add_option("--fps", arguments->frame_rate_hz, "frames a second, 1..1000 (default: the scenario's)");
+  command->add_option("--seed", arguments->seed, "of noise, grain and debris (default: the scenario's)");
+  command->callback([arguments] { simulate(*arguments); });
+}
+
+}  // namespace pellucida
