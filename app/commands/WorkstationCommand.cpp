@@ -11,7 +11,7 @@
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/LiveRun.h"
 #include "pellucida/ui/Workstation.h"
-#include "pellucida/visualization/Picture.h"
+#include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 namespace {

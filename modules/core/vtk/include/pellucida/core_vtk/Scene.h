@@ -18,6 +18,7 @@ namespace pellucida {
 /// empty.
 struct Scene {
   double arrival_s = 0.0;         ///< session clock when the frame arrived: force age is counted from here
+  long run_index = 0;             ///< grows when the source begins anew: steps with memory then forget what they knew
   Frozen<vtkImageData> frame;     ///< 1 component, 8 or 16 bit, spacing in um, origin (0, 0, 0)
   Frozen<vtkPolyData> membranes;  ///< one closed polyline a membrane; see SceneData.h
   Frozen<vtkPolyData> tools;      ///< needle and holder outlines; see SceneData.h
