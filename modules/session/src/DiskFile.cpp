@@ -9,19 +9,8 @@
 #include <iterator>
 #include <system_error>
 
-#include "pellucida/core/Error.h"
-
 namespace pellucida {
 namespace {
-
-// One line for the user: the system's reason, and what helps against it.
-OutputError disk_error(const std::filesystem::path& path, int reason) {
-  std::string help = "choose another folder with --output";
-  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk with --output";
-  if (reason == EFBIG) help = "raise the file size limit, or choose another disk with --output";
-  if (reason == EACCES || reason == EPERM || reason == EROFS) help = "change its permission, or choose another folder";
-  return OutputError(path.string() + ": can't be written (" + std::generic_category().message(reason) + "); " + help);
-}
 
 // All of `content`, or the system's reason (0 = done).
 int write_all(int descriptor, std::string_view content) {
@@ -35,6 +24,14 @@ int write_all(int descriptor, std::string_view content) {
 }
 
 }  // namespace
+
+OutputError disk_error(const std::filesystem::path& path, int reason) {
+  std::string help = "choose another folder with --output";
+  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk with --output";
+  if (reason == EFBIG) help = "raise the file size limit, or choose another disk with --output";
+  if (reason == EACCES || reason == EPERM || reason == EROFS) help = "change its permission, or choose another folder";
+  return OutputError(path.string() + ": can't be written (" + std::generic_category().message(reason) + "); " + help);
+}
 
 void replace_file(const std::filesystem::path& file, std::string_view content) {
   const std::string temporary = file.string() + kTemporarySuffix;

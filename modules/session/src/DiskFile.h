@@ -4,7 +4,12 @@
 #include <string>
 #include <string_view>
 
+#include "pellucida/core/Error.h"
+
 namespace pellucida {
+
+/// The error for `path` that couldn't be written: the system's reason (an errno), and what helps against it.
+OutputError disk_error(const std::filesystem::path& path, int reason);
 
 /// What a file under construction is called until it is whole: its name with this behind it.
 inline constexpr const char* kTemporarySuffix = ".tmp";

@@ -29,10 +29,7 @@ class SessionReader::Impl {
   }
 
   Scene load(std::size_t index) const {
-    if (index >= steps_.size()) {
-      throw std::out_of_range("step " + std::to_string(index) + " of a session of " + std::to_string(steps_.size()));
-    }
-    const SessionStep& step = steps_[index];
+    const SessionStep& step = step_at(index);
     Scene scene;
     scene.arrival_s = step.time_s;
     scene.measurement = measurements_[index];
@@ -48,6 +45,11 @@ class SessionReader::Impl {
       return event.time_s >= step.time_s && (last || event.time_s < steps_[index + 1].time_s);
     });
     return scene;
+  }
+
+  const SessionStep& step_at(std::size_t index) const {
+    if (index < steps_.size()) return steps_[index];
+    throw std::out_of_range("step " + std::to_string(index) + " of a session of " + std::to_string(steps_.size()));
   }
 
   Frozen<vtkPolyData> read_part(const SessionStep& step, SessionPart part) const {
@@ -94,6 +96,11 @@ bool SessionReader::has_haptics() const noexcept {
 }
 Scene SessionReader::load(std::size_t step) const {
   return impl_->load(step);
+}
+
+Frozen<vtkPolyData> SessionReader::load(std::size_t step, SessionPart part) const {
+  if (part == SessionPart::kFrame) throw std::invalid_argument("an image is no surface, membrane or tool");
+  return impl_->read_part(impl_->step_at(step), part);
 }
 
 }  // namespace pellucida

@@ -50,10 +50,11 @@ std::filesystem::path new_session_folder(const std::filesystem::path& folder) {
   return folder;
 }
 
-bool is_stamped(vtkDataObject* data) {
+bool is_stamped_as(vtkDataObject* data, const SessionStep& step) {
   vtkFieldData* field = data->GetFieldData();
   return field->GetArray(array_name::kTime) && field->GetArray(array_name::kFrameIndex) &&
-         field->GetArray(array_name::kSchemaVersion);
+         field->GetArray(array_name::kSchemaVersion) && stamped_time_s(data) == step.time_s &&
+         stamped_frame_index(data) == step.frame_index;
 }
 
 }  // namespace
@@ -81,15 +82,24 @@ class SessionWriter::Impl {
       throw Error(ExitCode::kOurFault, folder_.string() + ": frame " + std::to_string(row.frame) + " after frame " +
                                            std::to_string(steps_.back().frame_index) + "; frame numbers must rise");
     }
-    // Files first, then the row that speaks of them.
+    // Files first, then the row that speaks of them. A step that doesn't get that far leaves nothing behind.
     SessionStep step{.frame_index = row.frame, .time_s = row.time_s};
-    write_part(step, SessionPart::kSurface, scene.surface);
-    write_part(step, SessionPart::kMembranes, scene.membranes);
-    write_part(step, SessionPart::kTools, scene.tools);
-    if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame);
-    measurements_->append(to_csv(row));
+    SessionCounts counts = head_.counts;
+    step_byte_count_ = 0;
+    try {
+      write_part(step, SessionPart::kSurface, scene.surface, counts);
+      write_part(step, SessionPart::kMembranes, scene.membranes, counts);
+      write_part(step, SessionPart::kTools, scene.tools, counts);
+      if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame, counts);
+      measurements_->append(to_csv(row));
+    } catch (...) {
+      remove_files(step);
+      throw;
+    }
     steps_.push_back(step);
+    head_.counts = counts;
     ++head_.counts.step_count;
+    file_byte_count_ += step_byte_count_;
     for (const Event& event : scene.events) append_event(event);
     refresh();
   }
@@ -125,15 +135,23 @@ class SessionWriter::Impl {
   }
 
   template <class T>
-  void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data) {
+  void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data, SessionCounts& counts) {
     if (!data) return;
     auto copy = data.shallow_copy();
-    if (!is_stamped(copy)) stamp(copy, step.time_s, step.frame_index);
+    // The row is what counts: a part that says otherwise (or nothing) is stamped like it.
+    if (!is_stamped_as(copy, step)) stamp(copy, step.time_s, step.frame_index);
     const std::string content = serialise(copy.Get());
     replace_file(folder_ / part_file(part, step.frame_index), content);
     step.present[static_cast<std::size_t>(part)] = true;
-    ++head_.counts.file_count[static_cast<std::size_t>(part)];
-    file_byte_count_ += content.size();
+    ++counts.file_count[static_cast<std::size_t>(part)];
+    step_byte_count_ += content.size();
+  }
+
+  void remove_files(const SessionStep& step) const {
+    for (const PartNames& names : kParts) {
+      std::error_code ignored;
+      if (step.has(names.part)) std::filesystem::remove(folder_ / part_file(names.part, step.frame_index), ignored);
+    }
   }
 
   void append_event(const Event& event) {
@@ -171,6 +189,7 @@ class SessionWriter::Impl {
   SessionHead head_;
   std::vector<SessionStep> steps_;
   std::uint64_t file_byte_count_ = 0;
+  std::uint64_t step_byte_count_ = 0;
   std::unique_ptr<AppendFile> measurements_;
   std::unique_ptr<AppendFile> events_;
   std::unique_ptr<DiskSync> sync_;

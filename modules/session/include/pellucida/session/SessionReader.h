@@ -41,6 +41,9 @@ class SessionReader {
   /// when a file can't be read, std::out_of_range for a step that isn't there.
   Scene load(std::size_t step) const;
 
+  /// One part alone: the surface, the membranes or the tools; an empty handle when the step lacks it. Errors as above.
+  Frozen<vtkPolyData> load(std::size_t step, SessionPart part) const;
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

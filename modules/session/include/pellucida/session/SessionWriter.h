@@ -30,7 +30,7 @@ class SessionWriter {
   SessionWriter& operator=(const SessionWriter&) = delete;
 
   /// Adds one step: the parts the scene has, its events, and always its row. `scene.measurement.frame` numbers the
-  /// files and must rise from step to step. Parts without a stamp get `measurement.time_s` and `frame` as theirs.
+  /// files and must rise from step to step. Parts are stamped with `measurement.time_s` and `frame` where they aren't already.
   /// Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the writer may be
   /// used again (to close it, for example).
   void write(const Scene& scene);

@@ -1,0 +1,181 @@
+#include "pellucida/session/SessionExport.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "CsvFile.h"
+#include "DiskFile.h"
+#include "SessionFolder.h"
+#include "SessionIndex.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
+#include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/session/SessionReader.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::size_t> steps_with(const SessionReader& session, SessionPart part) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < session.steps().size(); ++i) {
+    if (session.steps()[i].has(part)) found.push_back(i);
+  }
+  return found;
+}
+
+// The step with the largest contact force; the first one with a surface where no force was measured.
+std::size_t peak_of(const SessionReader& session, const std::vector<std::size_t>& candidates) {
+  const auto force_uN = [&](std::size_t step) {
+    const double value = session.measurements()[step].contact_force_uN;
+    return std::isnan(value) ? -1.0 : value;
+  };
+  return *std::max_element(candidates.begin(), candidates.end(),
+                           [&](std::size_t left, std::size_t right) { return force_uN(left) < force_uN(right); });
+}
+
+// Turns the user's list into steps, in its order, each once.
+std::vector<std::size_t> chosen_steps(const SessionReader& session, const std::string& list) {
+  const auto surfaces = steps_with(session, SessionPart::kSurface);
+  std::vector<std::size_t> chosen;
+  for (const std::string& word : split_csv(list)) {
+    std::optional<std::size_t> step;
+    if (word == "first" || word == "last" || word == "peak") {
+      if (surfaces.empty()) continue;
+      step = word == "first" ? surfaces.front() : word == "last" ? surfaces.back() : peak_of(session, surfaces);
+    } else {
+      long frame = -1;
+      const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), frame);
+      const auto& steps = session.steps();
+      const auto found =
+          std::find_if(steps.begin(), steps.end(), [&](const auto& one) { return one.frame_index == frame; });
+      if (code != std::errc() || end != word.data() + word.size() || found == steps.end()) {
+        const std::string range = steps.empty() ? "it has none"
+                                                : "they go from " + std::to_string(steps.front().frame_index) + " to " +
+                                                      std::to_string(steps.back().frame_index);
+        throw UsageError("--frames \"" + word + "\": no frame of " + session.folder().string() +
+                         "; give first, last, peak or frame numbers (" + range + ")");
+      }
+      step = static_cast<std::size_t>(found - steps.begin());
+    }
+    if (std::find(chosen.begin(), chosen.end(), *step) == chosen.end()) chosen.push_back(*step);
+  }
+  return chosen;
+}
+
+// The rows that could be read, as they stand.
+template <class Row>
+void copy_table(const fs::path& target, std::string_view header, const SessionTable<Row>& table) {
+  CsvFile file(target, header);
+  for (const std::string& line : table.lines) file.add(line);
+  file.finish();
+}
+
+// Points in order round each closed contour; the closing repetition of the first point is left out.
+std::size_t add_contours(CsvFile& file, long frame, vtkPolyData* membranes) {
+  vtkDataArray* membrane = membranes->GetCellData()->GetArray(array_name::kMembrane);
+  std::size_t count = 0;
+  for (vtkIdType cell = 0; cell < membranes->GetNumberOfCells(); ++cell) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    membranes->GetCellPoints(cell, size, ids);
+    if (size > 1 && ids[0] == ids[size - 1]) --size;
+    const std::string head =
+        std::to_string(frame) + ',' + csv_number(membrane ? membrane->GetComponent(cell, 0) : NAN) + ',';
+    for (vtkIdType i = 0; i < size; ++i) {
+      double point_um[3];
+      membranes->GetPoint(ids[i], point_um);
+      file.add(head + std::to_string(i) + ',' + csv_number(point_um[0]) + ',' + csv_number(point_um[1]));
+    }
+    count += static_cast<std::size_t>(size);
+  }
+  return count;
+}
+
+// A surface's nodes with their forces; a cell stays empty where an array isn't there.
+std::size_t add_nodes(CsvFile& file, long frame, vtkPolyData* surface) {
+  vtkPointData* arrays = surface->GetPointData();
+  const auto value = [&](const char* name, vtkIdType node, int component) {
+    vtkDataArray* array = arrays->GetArray(name);
+    return array ? array->GetComponent(node, component) : std::numeric_limits<double>::quiet_NaN();
+  };
+  for (vtkIdType node = 0; node < surface->GetNumberOfPoints(); ++node) {
+    std::string row =
+        std::to_string(frame) + ',' + std::to_string(node) + ',' + csv_number(value(array_name::kMembrane, node, 0));
+    double point_um[3];
+    surface->GetPoint(node, point_um);
+    for (const double coordinate_um : point_um) row += ',' + csv_number(coordinate_um);
+    for (int i = 0; i < 3; ++i) row += ',' + csv_number(value(array_name::kForce, node, i));
+    file.add(row + ',' + csv_number(value(array_name::kForceSigma, node, 0)));
+  }
+  return static_cast<std::size_t>(surface->GetNumberOfPoints());
+}
+
+void write_contours(const SessionReader& session, const fs::path& output, const ExportOptions& options,
+                    ExportReport& report) {
+  CsvFile file(output / "contours.csv", "frame,membrane,point,x_um,y_um");
+  const auto steps = steps_with(session, SessionPart::kMembranes);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto membranes = session.load(steps[i], SessionPart::kMembranes);
+    report.contour_point_count += add_contours(file, session.steps()[steps[i]].frame_index, membranes.shallow_copy());
+    if (options.progress) options.progress(i + 1, steps.size());
+  }
+  file.finish();
+  if (steps.empty()) report.notes.emplace_back("no membrane was found in any frame: contours.csv has only its header");
+  report.files.push_back(output / "contours.csv");
+}
+
+void write_nodes(const SessionReader& session, const fs::path& output, const std::vector<std::size_t>& steps,
+                 ExportReport& report) {
+  CsvFile file(output / "nodes.csv", "frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN");
+  for (const std::size_t step : steps) {
+    const long frame = session.steps()[step].frame_index;
+    if (!session.steps()[step].has(SessionPart::kSurface)) {
+      report.notes.push_back("frame " + std::to_string(frame) + " has no surface: it is not in nodes.csv");
+      continue;
+    }
+    const auto surface = session.load(step, SessionPart::kSurface);
+    report.node_count += add_nodes(file, frame, surface.shallow_copy());
+    report.node_frames.push_back(frame);
+  }
+  file.finish();
+  if (steps.empty()) report.notes.emplace_back("no surface was made in any frame: nodes.csv has only its header");
+  report.files.push_back(output / "nodes.csv");
+}
+
+}  // namespace
+
+ExportReport export_session(const fs::path& session_folder, const fs::path& output, const ExportOptions& options) {
+  const SessionReader session(session_folder);
+  const auto chosen = chosen_steps(session, options.frames);
+  make_folder(output);
+  if (fs::equivalent(session_folder, output)) {
+    throw UsageError(output.string() +
+                     ": is the session itself, whose tables would be overwritten; choose another --output");
+  }
+
+  ExportReport report;
+  copy_table(output / session_name::kMeasurements, measurement_header(),
+             read_measurements(session_folder / session_name::kMeasurements));
+  report.files.push_back(output / session_name::kMeasurements);
+  copy_table(output / session_name::kEvents, session_name::kEventsHeader,
+             read_events(session_folder / session_name::kEvents));
+  report.files.push_back(output / session_name::kEvents);
+  write_contours(session, output, options, report);
+  write_nodes(session, output, chosen, report);
+  report.notes.emplace_back(
+      session.has_haptics() ? "the session's recording of the hand (haptics/) is of a kind this version can't export"
+                            : "the session has no recording of the hand: no haptics.csv");
+  if (!session.complete()) report.notes.emplace_back("the session was cut off: what it holds up to there was exported");
+  return report;
+}
+
+}  // namespace pellucida
