@@ -8,12 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/Progress.h"
+#include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionReader.h"
 #include "pellucida/session/SessionWriter.h"
-#include "pellucida/visualization/DisplayBench.h"
+#include "pellucida/visualization_vtk/DisplayBench.h"
 
 namespace pellucida {
 namespace {
