@@ -38,56 +38,94 @@ class EquilibriumSolver::Impl {
     factor_.analyzePattern(hessian_.sparse());
   }
 
-  /// Energy, gradient and a positive definite factorisation at `x_um`; returns the number of shifts it took, -1 when
-  /// none helps.
-  int factorize(const MembraneModel& model, const Eigen::Matrix3Xd& x_um, double& energy, Eigen::Matrix3Xd& gradient) {
-    gradient.setZero(3, x_um.cols());
-    hessian_.set_zero();
-    energy = model.add(x_um, &gradient, &hessian_);
-    const Eigen::Matrix3Xd slope = model.volume().gradient_of_volume(x_um);
-    volume_slope_ = flat(slope);
-    rank_one_factor_ = model.volume().rank_one_factor();
+  bool has_factor() const noexcept { return has_factor_; }
 
-    // Shift the diagonal until no direction goes down.
+  /// The sparse part of the Hessian at `x_um`.
+  void assemble(const MembraneModel& model, const Eigen::Matrix3Xd& x_um) {
+    hessian_.set_zero();
+    model.add(x_um, nullptr, &hessian_);
+  }
+
+  /// A positive definite factorisation of the assembled Hessian, the volume's slope being that of `x_um`. Returns the
+  /// number of shifts it took, -1 when none helps.
+  int factorize(const MembraneModel& model, const Eigen::Matrix3Xd& x_um) {
+    has_factor_ = false;
     double shift = 0.0;
     for (int shifts = 0; shifts < 24; ++shifts) {
       factor_.setShift(shift);
       factor_.factorize(hessian_.sparse());
-      if (factor_.info() == Eigen::Success && is_positive_definite()) return shifts;
+      if (factor_.info() == Eigen::Success) {
+        const auto pivots = factor_.vectorD();
+        negative_count_ = static_cast<int>((pivots.array() > 0.0).size() - (pivots.array() > 0.0).count());
+        if (negative_count_ <= 1 && refresh_slope(model, x_um)) {
+          has_factor_ = true;
+          return shifts;
+        }
+      }
       shift = shift > 0.0 ? 4.0 * shift : 1e-3 * model.force_scale_uN_per_um();
     }
     return -1;
   }
 
-  /// H^-1 b with H = S + c g g^T: S^-1 b - c S^-1 g (g.S^-1 b) / (1 + c g.S^-1 g).
+  /// Takes the volume's slope at `x_um` into the kept factorisation. False when the whole is not positive definite: by
+  /// the signs of the pivots S has that many negative eigenvalues; H has one fewer when 1 + c g.S^-1 g < 0
+  /// (Haynsworth's inertia additivity on the matrix bordered by g).
+  bool refresh_slope(const MembraneModel& model, const Eigen::Matrix3Xd& x_um) {
+    const Eigen::Matrix3Xd slope = model.volume().gradient_of_volume(x_um);
+    rank_one_factor_ = model.volume().rank_one_factor();
+    volume_slope_ = flat(slope);
+    factor_of_slope_ = factor_.solve(volume_slope_);
+    slope_product_ = volume_slope_.dot(factor_of_slope_);
+    const double along = 1.0 + rank_one_factor_ * slope_product_;
+    return negative_count_ == 0 ? along > 0.0 : along < 0.0;
+  }
+
+  /// M^-1 b with M = S + c g g^T, S as last factorised: S^-1 b - c S^-1 g (g.S^-1 b) / (1 + c g.S^-1 g).
   Eigen::VectorXd apply_inverse(const Eigen::VectorXd& b) const {
     const Eigen::VectorXd direct = factor_.solve(b);
     return direct - factor_of_slope_ *
                         (rank_one_factor_ * volume_slope_.dot(direct) / (1.0 + rank_one_factor_ * slope_product_));
   }
 
- private:
-  /// The signs of the pivots tell how many negative eigenvalues S has; H has one fewer when 1 + c g.S^-1 g < 0
-  /// (Haynsworth's inertia additivity on the matrix bordered by g).
-  bool is_positive_definite() {
-    const auto pivots = factor_.vectorD();
-    int negative = 0;
-    for (Eigen::Index k = 0; k < pivots.size(); ++k) {
-      if (!(pivots[k] > 0.0)) ++negative;
-    }
-    if (negative > 1) return false;
-    factor_of_slope_ = factor_.solve(volume_slope_);
-    slope_product_ = volume_slope_.dot(factor_of_slope_);
-    const double along = 1.0 + rank_one_factor_ * slope_product_;
-    return negative == 0 ? along > 0.0 : along < 0.0;
+  /// H v with the assembled Hessian.
+  Eigen::VectorXd multiply(const Eigen::VectorXd& v) const {
+    Eigen::VectorXd product = hessian_.sparse().selfadjointView<Eigen::Lower>() * v;
+    product += volume_slope_ * (rank_one_factor_ * volume_slope_.dot(v));
+    return product;
   }
 
+  /// Conjugate gradients for H x = b. False when H has a direction that goes down, or it takes too long.
+  bool conjugate_gradients(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+    constexpr int kMostIterations = 25;
+    constexpr double kRelative = 1e-5;
+    Eigen::VectorXd residual = b - multiply(x);
+    Eigen::VectorXd better = apply_inverse(residual);
+    Eigen::VectorXd direction = better;
+    double size = residual.dot(better);
+    const double goal = kRelative * kRelative * std::abs(b.dot(apply_inverse(b)));
+    for (int k = 0; k < kMostIterations && size > goal; ++k) {
+      const Eigen::VectorXd product = multiply(direction);
+      const double curvature = direction.dot(product);
+      if (!(curvature > 0.0)) return false;
+      x += (size / curvature) * direction;
+      residual -= (size / curvature) * product;
+      better = apply_inverse(residual);
+      const double next = residual.dot(better);
+      direction = better + (next / size) * direction;
+      size = next;
+    }
+    return size <= goal;
+  }
+
+ private:
   BlockMatrix hessian_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  Eigen::VectorXd volume_slope_;     // grad V
-  Eigen::VectorXd factor_of_slope_;  // S^-1 grad V
-  double slope_product_ = 0.0;       // grad V . S^-1 grad V
-  double rank_one_factor_ = 0.0;
+  bool has_factor_ = false;
+  int negative_count_ = 0;           // pivots of the factorisation that aren't positive
+  Eigen::VectorXd volume_slope_;     // g = grad V
+  Eigen::VectorXd factor_of_slope_;  // S^-1 g
+  double slope_product_ = 0.0;       // g . S^-1 g
+  double rank_one_factor_ = 0.0;     // c
 };
 
 EquilibriumSolver::EquilibriumSolver(MembraneModel& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -100,6 +138,7 @@ SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3X
   Eigen::Matrix3Xd candidate, candidate_gradient;
 
   double energy = model.add(x_um, &gradient, nullptr);
+  bool factor_is_good = impl_->has_factor();
   while (true) {
     report.residual_uN = largest_column_norm(gradient);
     if (!std::isfinite(energy) || !std::isfinite(report.residual_uN)) {
@@ -115,15 +154,23 @@ SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3X
       return report;
     }
 
-    // Newton's direction, no node moving too far.
-    const int shifts = impl_->factorize(model, x_um, energy, gradient);
+    // The kept factorisation while it serves, else one made here.
     ++report.iterations;
-    if (shifts < 0) {
-      report.status = SolveStatus::kNoDescent;
-      return report;
+    bool is_fresh = false;
+    if (!factor_is_good || !impl_->refresh_slope(model, x_um)) {
+      impl_->assemble(model, x_um);
+      const int shifts = impl_->factorize(model, x_um);
+      ++report.factorizations;
+      if (shifts < 0) {
+        report.status = SolveStatus::kNoDescent;
+        return report;
+      }
+      report.shifts += shifts;
+      is_fresh = true;
     }
-    report.shifts += shifts;
-    Eigen::VectorXd step = -impl_->apply_inverse(flat(gradient));
+
+    // The direction down.
+    const Eigen::VectorXd step = -impl_->apply_inverse(flat(gradient));
     const double slope = step.dot(flat(gradient));
     const double reach = largest_column_norm(Eigen::Map<const Eigen::Matrix3Xd>(step.data(), 3, x_um.cols()));
     if (!std::isfinite(slope) || !std::isfinite(reach)) {
@@ -131,36 +178,49 @@ SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3X
       return report;
     }
 
-    // Armijo: accept when the energy drops by its share, or when only rounding is left to argue about.
+    // Armijo, no node moving too far: accept when the energy drops by its share, or when only rounding is left to argue
+    // about.
     double length = std::min(1.0, options.max_step_um / std::max(reach, 1e-12));
     const double rounding = 1e-13 * (std::abs(energy) + model.force_scale_uN_per_um());
     bool accepted = false;
-    for (int halving = 0; halving < 30 && !accepted; ++halving) {
+    for (int halving = 0; halving < (is_fresh ? 30 : 2) && !accepted; ++halving) {
       candidate = x_um + length * Eigen::Map<const Eigen::Matrix3Xd>(step.data(), 3, x_um.cols());
       candidate_gradient.setZero(3, x_um.cols());
       const double candidate_energy = model.add(candidate, &candidate_gradient, nullptr);
       if (std::isfinite(candidate_energy) && candidate_energy <= energy + 1e-4 * length * slope + rounding) {
         accepted = true;
-        x_um = candidate;
         energy = candidate_energy;
-        gradient = candidate_gradient;
       } else {
         length *= 0.5;
       }
     }
-    if (!accepted) {
+    if (!accepted && is_fresh) {
       report.status = SolveStatus::kNoDescent;
       return report;
+    }
+
+    // A factorisation that no longer shrinks the residual well has had its day.
+    if (accepted) {
+      factor_is_good = largest_column_norm(candidate_gradient) < 0.25 * report.residual_uN;
+      x_um = candidate;
+      gradient = candidate_gradient;
+    } else {
+      factor_is_good = false;
     }
   }
 }
 
 Eigen::Matrix3Xd EquilibriumSolver::apply_inverse_hessian(const MembraneModel& model, const Eigen::Matrix3Xd& x_um,
-                                                          const Eigen::Matrix3Xd& b) {
-  Eigen::Matrix3Xd gradient;
-  double energy = 0.0;
-  if (impl_->factorize(model, x_um, energy, gradient) < 0) return Eigen::Matrix3Xd::Zero(3, x_um.cols());
-  const Eigen::VectorXd solution = impl_->apply_inverse(flat(b));
+                                                          const Eigen::Matrix3Xd& b, const Eigen::Matrix3Xd& guess) {
+  const Eigen::VectorXd right = flat(b);
+  Eigen::VectorXd solution = flat(guess);
+  impl_->assemble(model, x_um);
+  const bool kept_serves =
+      impl_->has_factor() && impl_->refresh_slope(model, x_um) && impl_->conjugate_gradients(right, solution);
+  if (!kept_serves) {
+    if (impl_->factorize(model, x_um) < 0) return Eigen::Matrix3Xd::Zero(3, x_um.cols());
+    solution = impl_->apply_inverse(right);
+  }
   return Eigen::Map<const Eigen::Matrix3Xd>(solution.data(), 3, x_um.cols());
 }
 

@@ -43,7 +43,7 @@ SolveReport Indenter::step_to(double depth_um) {
   for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
     pull.col(model_.tip().nodes()[k]) = model_.tip().weights_uN_per_um()[k] * model_.setup().push;
   }
-  tangent_ = solver_.apply_inverse_hessian(model_, x_um_, pull);
+  tangent_ = solver_.apply_inverse_hessian(model_, x_um_, pull, tangent_);
   return report;
 }
 
@@ -57,6 +57,7 @@ IndentationState Indenter::advance_to(double depth_um) {
     const SolveReport report = step_to(target);
     total.status = report.status;
     total.iterations += report.iterations;
+    total.factorizations += report.factorizations;
     total.shifts += report.shifts;
     total.residual_uN = report.residual_uN;
     if (report.status != SolveStatus::kConverged) {
