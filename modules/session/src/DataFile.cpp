@@ -1,6 +1,7 @@
 #include "DataFile.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataReader.h>
@@ -22,7 +23,11 @@ class Complaints {
       auto& complaints = *static_cast<Complaints*>(self);
       if (complaints.text_.empty()) complaints.text_ = first_line(static_cast<const char*>(text));
     });
-    for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) reader->AddObserver(event, callback_);
+    for (const auto event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent}) {
+      reader->AddObserver(event, callback_);
+      // The pipeline round it repeats the failure on its own.
+      reader->GetExecutive()->AddObserver(event, callback_);
+    }
     reader->SetReaderErrorObserver(callback_);
     reader->SetParserErrorObserver(callback_);
   }

@@ -24,6 +24,13 @@ void take(const Json& object, const char* key, T& value) {
   if (const auto found = object.find(key); found != object.end() && !found->is_null()) value = found->template get<T>();
 }
 
+// The object under `key`, empty when it isn't there; throws the library's type error for anything else than an object.
+Json object_at(const Json& parent, const char* key) {
+  Json object = Json::object();
+  if (const auto found = parent.find(key); found != parent.end()) object = found->get_ref<const Json::object_t&>();
+  return object;
+}
+
 Json source_json(const SourceInfo& source) {
   return {{"name", source.name},
           {"width_px", source.width_px},
@@ -37,7 +44,7 @@ Json source_json(const SourceInfo& source) {
 
 SourceInfo source_from(const Json& head) {
   SourceInfo source;
-  const Json object = head.value("source", Json::object());
+  const Json object = object_at(head, "source");
   take(object, "name", source.name);
   take(object, "width_px", source.width_px);
   take(object, "height_px", source.height_px);
@@ -49,7 +56,7 @@ SourceInfo source_from(const Json& head) {
   take(object, "frame_count", frame_count);
   if (frame_count >= 0) source.frame_count = frame_count;
 
-  const Json calibration = head.value("calibration", Json::object());
+  const Json calibration = object_at(head, "calibration");
   take(calibration, "pixel_size_um", source.pixel_size_um);
   take(calibration, "pixel_size_origin", source.pixel_size_origin);
   return source;
@@ -66,7 +73,7 @@ Json counts_json(const SessionCounts& counts) {
 
 SessionCounts counts_from(const Json& head) {
   SessionCounts counts;
-  const Json object = head.value("counts", Json::object());
+  const Json object = object_at(head, "counts");
   take(object, "steps", counts.step_count);
   for (const PartNames& names : kParts)
     take(object, names.folder, counts.file_count[static_cast<std::size_t>(names.part)]);
@@ -109,9 +116,9 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     take(json, "complete", head.complete);
     take(json, "recovered", head.recovered);
     take(json, "frames_kept", head.options.frames);
-    take(json.value("software", Json::object()), "version", info.software_version);
+    take(object_at(json, "software"), "version", info.software_version);
     info.source = source_from(json);
-    const Json profile = json.value("profile", Json::object());
+    const Json profile = object_at(json, "profile");
     take(profile, "name", info.profile_name);
     if (profile.contains("content") && !profile["content"].is_null()) info.profile_json = profile["content"].dump();
     take(json, "command_line", info.command_line);

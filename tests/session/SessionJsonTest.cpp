@@ -1,0 +1,54 @@
+#include "SessionJson.h"
+
+#include "TestSession.h"
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+using namespace test;
+
+TEST(SessionJson, KeepsEverything) {
+  const TemporaryFolder folder;
+  SessionHead head{.info = make_info(), .options = {.frames = false}, .created = "2026-01-02T03:04:05Z"};
+  head.info.source.live = true;
+  head.info.source.bit_depth = 16;
+  head.counts.step_count = 7;
+  head.counts.file_count = {1, 2, 3, 4};
+  head.counts.dropped_count = 9;
+  head.counts.byte_count = 5'000'000'000ULL;
+  put(folder / "session.json", to_json(head));
+  const SessionHead read = read_session_json(folder / "session.json");
+  EXPECT_EQ(to_json(read), to_json(head));
+  EXPECT_EQ(read.counts.files(SessionPart::kFrame), 4U);
+  EXPECT_EQ(read.counts.byte_count, 5'000'000'000ULL);
+  EXPECT_TRUE(read.info.source.live);
+  EXPECT_FALSE(read.options.frames);
+}
+
+TEST(SessionJson, UnknownAndMissingKeysAreNoError) {
+  const TemporaryFolder folder;
+  put(folder / "session.json", R"({"schema_version": 9, "news": [1, 2], "source": {"name": "x"}})");
+  const SessionHead read = read_session_json(folder / "session.json");
+  EXPECT_EQ(read.info.source.name, "x");
+  EXPECT_FALSE(read.complete);
+  EXPECT_TRUE(read.info.profile_json.empty());
+}
+
+TEST(SessionJson, WrongTypesAreAnInputError) {
+  const TemporaryFolder folder;
+  for (const char* text :
+       {R"({"complete": "yes"})", R"({"counts": {"steps": "many"}})", R"({"source": 5})", "[1]", ""}) {
+    put(folder / "session.json", text);
+    EXPECT_THROW(read_session_json(folder / "session.json"), InputError) << text;
+  }
+}
+
+TEST(SessionJson, NameThatIsNoUtf8IsWrittenAllTheSame) {
+  SessionHead head{.info = make_info()};
+  head.info.source.name = "caf\xE9.avi";
+  EXPECT_NE(to_json(head).find("caf"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pellucida

@@ -1,0 +1,178 @@
+#include "pellucida/session/SessionReader.h"
+
+#include <vtkCellData.h>
+
+#include <stdexcept>
+
+#include "TestSession.h"
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+using namespace test;
+
+void expect_same_arrays(vtkFieldData* left, vtkFieldData* right) {
+  ASSERT_EQ(left->GetNumberOfArrays(), right->GetNumberOfArrays());
+  for (int i = 0; i < left->GetNumberOfArrays(); ++i) {
+    vtkDataArray* one = left->GetArray(i);
+    vtkDataArray* other = right->GetArray(one->GetName());
+    ASSERT_TRUE(other) << one->GetName();
+    EXPECT_EQ(one->GetDataType(), other->GetDataType()) << one->GetName();
+    ASSERT_EQ(one->GetNumberOfValues(), other->GetNumberOfValues()) << one->GetName();
+    for (vtkIdType k = 0; k < one->GetNumberOfValues(); ++k) {
+      EXPECT_EQ(one->GetVariantValue(k), other->GetVariantValue(k)) << one->GetName() << " value " << k;
+    }
+  }
+}
+
+void expect_same(vtkSmartPointer<vtkPolyData> left, vtkSmartPointer<vtkPolyData> right) {
+  ASSERT_TRUE(left && right);
+  ASSERT_EQ(left->GetNumberOfPoints(), right->GetNumberOfPoints());
+  ASSERT_EQ(left->GetNumberOfCells(), right->GetNumberOfCells());
+  for (vtkIdType i = 0; i < left->GetNumberOfPoints(); ++i) {
+    for (int j = 0; j < 3; ++j) EXPECT_EQ(left->GetPoint(i)[j], right->GetPoint(i)[j]);
+  }
+  for (vtkIdType i = 0; i < left->GetNumberOfCells(); ++i) {
+    EXPECT_EQ(left->GetCellType(i), right->GetCellType(i));
+    vtkIdType sizes[2];
+    const vtkIdType* ids[2];
+    left->GetCellPoints(i, sizes[0], ids[0]);
+    right->GetCellPoints(i, sizes[1], ids[1]);
+    EXPECT_TRUE(std::equal(ids[0], ids[0] + sizes[0], ids[1], ids[1] + sizes[1]));
+  }
+  expect_same_arrays(left->GetPointData(), right->GetPointData());
+  expect_same_arrays(left->GetCellData(), right->GetCellData());
+  expect_same_arrays(left->GetFieldData(), right->GetFieldData());
+}
+
+TEST(SessionReader, GivesBackWhatWasWritten) {
+  const TemporaryFolder folder;
+  write_session(folder / "s", 4);
+  const SessionReader session(folder / "s");
+  EXPECT_TRUE(session.complete());
+  EXPECT_FALSE(session.has_haptics());
+  ASSERT_EQ(session.steps().size(), 4U);
+  for (long frame = 0; frame < 4; ++frame) {
+    const Scene written = make_scene(frame);
+    const Scene read = session.load(static_cast<std::size_t>(frame));
+    expect_same(written.surface.shallow_copy(), read.surface.shallow_copy());
+    expect_same(written.membranes.shallow_copy(), read.membranes.shallow_copy());
+    expect_same(written.tools.shallow_copy(), read.tools.shallow_copy());
+    const auto image = read.frame.shallow_copy();
+    ASSERT_TRUE(image);
+    EXPECT_EQ(image->GetDimensions()[0], 6);
+    EXPECT_EQ(image->GetSpacing()[1], 0.825);
+    expect_same_arrays(written.frame.shallow_copy()->GetPointData(), image->GetPointData());
+    EXPECT_EQ(to_csv(read.measurement), to_csv(written.measurement));
+  }
+}
+
+TEST(SessionReader, GivesBackA16BitImage) {
+  const TemporaryFolder folder;
+  std::vector<std::uint16_t> pixels{1, 300, 65535, 40000};
+  Scene scene;
+  scene.frame = Frozen(make_frame({pixels.data(), PixelFormat::kGray16, 2, 2, 4, 0.5}, 0.0, 0));
+  {
+    SessionWriter writer(folder / "s", make_info());
+    writer.write(scene);
+  }
+  const Scene read = SessionReader(folder / "s").load(0);
+  const ImageView view = view_of(read.frame.get());
+  ASSERT_EQ(view.format, PixelFormat::kGray16);
+  EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), static_cast<const std::uint16_t*>(view.data)));
+}
+
+TEST(SessionReader, GivesBackTheHead) {
+  const TemporaryFolder folder;
+  write_session(folder / "s", 1);
+  const SessionReader session(folder / "s");
+  const SessionInfo expected = make_info();
+  EXPECT_EQ(session.info().source.name, expected.source.name);
+  EXPECT_EQ(session.info().source.pixel_size_um, expected.source.pixel_size_um);
+  EXPECT_EQ(session.info().source.frame_count, expected.source.frame_count);
+  EXPECT_EQ(session.info().profile_json, expected.profile_json);
+  EXPECT_EQ(session.info().seeds, expected.seeds);
+  EXPECT_EQ(session.info().clock_offsets_s, expected.clock_offsets_s);
+  EXPECT_EQ(session.info().command_line, expected.command_line);
+  EXPECT_EQ(session.stated_counts().step_count, 1U);
+}
+
+TEST(SessionReader, KnowsWhichPartsAStepHas) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    writer.write(make_empty_scene(0));
+    writer.write(make_scene(5));
+  }
+  const SessionReader session(folder / "s");
+  EXPECT_FALSE(session.complete());
+  ASSERT_EQ(session.steps().size(), 2U);
+  EXPECT_TRUE(session.steps()[0].has(SessionPart::kFrame));
+  EXPECT_FALSE(session.steps()[0].has(SessionPart::kSurface));
+  EXPECT_EQ(session.steps()[1].frame_index, 5);
+  EXPECT_TRUE(session.steps()[1].has(SessionPart::kTools));
+  const Scene scene = session.load(0);
+  EXPECT_FALSE(scene.surface);
+  EXPECT_TRUE(scene.frame);
+  EXPECT_FALSE(session.load(0, SessionPart::kMembranes));
+  EXPECT_TRUE(session.load(1, SessionPart::kMembranes));
+  EXPECT_THROW(session.load(2), std::out_of_range);
+}
+
+TEST(SessionReader, EventsComeWithTheirStep) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    for (long frame = 0; frame < 3; ++frame) writer.write(make_scene(frame));
+    writer.event({time_of(1) + 0.001, "contact", "a, b"});
+    writer.event({9.0, "note", "after the end"});
+    writer.close();
+  }
+  const SessionReader session(folder / "s");
+  ASSERT_EQ(session.events().size(), 2U);
+  EXPECT_EQ(session.events()[0].detail, "a, b");
+  EXPECT_TRUE(session.load(0).events.empty());
+  ASSERT_EQ(session.load(1).events.size(), 1U);
+  EXPECT_EQ(session.load(1).events[0].kind, "contact");
+  ASSERT_EQ(session.load(2).events.size(), 1U);
+}
+
+TEST(SessionReader, PassesOverATornRow) {
+  const TemporaryFolder folder;
+  write_session(folder / "s", 3);
+  const fs::path table = folder / "s/measurements.csv";
+  fs::resize_file(table, fs::file_size(table) - 4);
+  EXPECT_EQ(SessionReader(folder / "s").steps().size(), 2U);
+}
+
+TEST(SessionReader, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const auto expect_error = [](const fs::path& path, const std::string& part) {
+    try {
+      const SessionReader session(path);
+      FAIL() << path;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  expect_error(folder / "nowhere", "no such folder");
+  fs::create_directories(folder / "empty");
+  expect_error(folder / "empty", "no session here");
+  write_session(folder / "s", 1);
+  put(folder / "s/session.json", "{ torn");
+  expect_error(folder / "s", "session.json: not JSON");
+}
+
+TEST(SessionReader, DamagedFileIsAnInputError) {
+  const TemporaryFolder folder;
+  write_session(folder / "s", 2);
+  const fs::path file = folder / "s/surface/surface_00000001.vtp";
+  fs::resize_file(file, fs::file_size(file) / 2);
+  const SessionReader session(folder / "s");
+  EXPECT_NO_THROW(session.load(0));
+  EXPECT_THROW(session.load(1), InputError);
+}
+
+}  // namespace
+}  // namespace pellucida

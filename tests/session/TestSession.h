@@ -1,0 +1,187 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "pellucida/core_vtk/Scene.h"
+#include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/session/SessionInfo.h"
+#include "pellucida/session/SessionWriter.h"
+
+namespace pellucida::test {
+
+namespace fs = std::filesystem;
+
+/// A folder of the running test's own, gone at its end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "pellucida-session-XXXXXX").string();
+    if (!mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+inline std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+inline std::vector<std::string> lines_of(const fs::path& file) {
+  std::vector<std::string> lines;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+inline void put(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+inline double time_of(long frame) {
+  return static_cast<double>(frame) / 30.0;
+}
+
+/// A small cell, its numbers depending on the frame.
+inline Observation make_observation(long frame) {
+  Observation observation;
+  observation.frame_index = frame;
+  observation.time_s = time_of(frame);
+  observation.state = CellState::kContact;
+  observation.confidence = 0.75;
+  const auto circle = [&](Membrane membrane, double radius_um, int count) {
+    MembraneContour contour;
+    contour.membrane = membrane;
+    contour.points_um.resize(2, count);
+    for (int i = 0; i < count; ++i) {
+      const double angle_rad = 2.0 * M_PI * i / count;
+      contour.points_um.col(i) << 100.0 + static_cast<double>(frame) + radius_um * std::cos(angle_rad),
+          80.0 + radius_um * std::sin(angle_rad);
+    }
+    contour.sigma_um = Eigen::VectorXd::Constant(count, 0.125);
+    return contour;
+  };
+  observation.outer = circle(Membrane::kOuter, 50.0, 12);
+  observation.inner = circle(Membrane::kInner, 40.0, 10);
+  observation.needle = NeedlePose{};
+  observation.needle->outline_um.resize(2, 3);
+  observation.needle->outline_um << 150.0, 160.0, 170.0, 80.0, 81.0, 82.0;
+  observation.needle->tip_um << 150.0, 80.0;
+  observation.center_um << 100.0, 80.0;
+  observation.indentation_um = 3.0 * static_cast<double>(frame);
+  return observation;
+}
+
+/// A tetrahedron with every array of the contract; node 0 carries the frame's number as its force along x.
+inline vtkSmartPointer<vtkPolyData> make_surface(long frame) {
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  auto faces = vtkSmartPointer<vtkCellArray>::New();
+  const double corners_um[4][3] = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
+  for (const auto& corner_um : corners_um) points->InsertNextPoint(corner_um);
+  for (const auto& face : {std::array<vtkIdType, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    faces->InsertNextCell(3, face.data());
+  }
+  surface->SetPoints(points);
+  surface->SetPolys(faces);
+  const auto add = [&](const char* name, int components, float scale) {
+    auto array = vtkSmartPointer<vtkFloatArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(4);
+    for (vtkIdType i = 0; i < 4; ++i) {
+      for (int j = 0; j < components; ++j) {
+        array->SetComponent(i, j, scale * static_cast<float>(frame + 10 * i + j));
+      }
+    }
+    surface->GetPointData()->AddArray(array);
+  };
+  add(array_name::kForce, 3, 1.0F);
+  add(array_name::kForceSigma, 1, 0.5F);
+  add(array_name::kDisplacement, 3, 0.25F);
+  add(array_name::kTension, 1, 2.0F);
+  auto membrane = vtkSmartPointer<vtkIntArray>::New();
+  membrane->SetName(array_name::kMembrane);
+  for (const int value : {0, 0, 1, 1}) membrane->InsertNextValue(value);
+  surface->GetPointData()->AddArray(membrane);
+  stamp(surface, time_of(frame), frame);
+  return surface;
+}
+
+/// A small image whose first pixel is the frame's number.
+inline vtkSmartPointer<vtkImageData> make_image(long frame) {
+  std::vector<std::uint8_t> pixels(6 * 4);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(frame + static_cast<long>(i));
+  return make_frame({pixels.data(), PixelFormat::kGray8, 6, 4, 6, 0.825}, time_of(frame), frame);
+}
+
+/// A scene with all its parts.
+inline Scene make_scene(long frame) {
+  const Observation observation = make_observation(frame);
+  Scene scene;
+  scene.arrival_s = observation.time_s;
+  scene.frame = Frozen(make_image(frame));
+  scene.membranes = Frozen(make_membranes(observation));
+  scene.tools = Frozen(make_tools(observation));
+  scene.surface = Frozen(make_surface(frame));
+  scene.measurement = measurement_from(observation);
+  scene.measurement.contact_force_uN = 0.5 * static_cast<double>(frame);
+  return scene;
+}
+
+/// A scene in which no cell was found: an image and a row.
+inline Scene make_empty_scene(long frame) {
+  Scene scene;
+  scene.frame = Frozen(make_image(frame));
+  scene.measurement.frame = frame;
+  scene.measurement.time_s = time_of(frame);
+  return scene;
+}
+
+inline SessionInfo make_info() {
+  SessionInfo info;
+  info.source.name = "a video.avi";
+  info.source.width_px = 6;
+  info.source.height_px = 4;
+  info.source.pixel_size_um = 0.825;
+  info.source.pixel_size_origin = "option";
+  info.source.frame_rate_hz = 30.0;
+  info.source.frame_rate_origin = "metadata";
+  info.source.frame_count = 99;
+  info.profile_name = "mouse-oocyte";
+  info.profile_json = R"({"name":"mouse-oocyte","material":{"poisson_ratio":0.49}})";
+  info.command_line = "pellucida analyze \"a video.avi\" --output s";
+  info.seeds = {{"noise", 42}};
+  info.clock_offsets_s = {{"camera", -0.25}};
+  info.drop_policy = "newest wins";
+  return info;
+}
+
+/// A closed session of frames 0 .. count-1.
+inline void write_session(const fs::path& folder, long count) {
+  SessionWriter writer(folder, make_info());
+  for (long frame = 0; frame < count; ++frame) writer.write(make_scene(frame));
+  writer.event({0.05, "contact", "needle, outer membrane"});
+  writer.close();
+}
+
+}  // namespace pellucida::test
