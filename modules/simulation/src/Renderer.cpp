@@ -33,7 +33,7 @@ EdgeProfile outer_edge(const Scenario& s) {
 EdgeProfile inner_edge(const Scenario& s) {
   const double c = s.optics.contrast, h = c * s.optics.halo, sigma = line_sigma(s, 0.80);
   const bool gap = s.cell.perivitelline_gap_um > 0;
-  const double depth = gap ? 0.28 : 0.42, inside = gap ? -0.03 : -0.20;
+  const double depth = gap ? 0.28 : 0.42, inside = gap ? -0.03 : -0.25;
   return {[=](double d) {
             return 1 - depth * c * gaussian(d, sigma) + 0.06 * h * gaussian(d - 2.0, 0.7) +
                    0.07 * h * gaussian(d + 2.4, 1.0) + inside * c * soft_step(-d - 1.6, 0.7);
@@ -45,7 +45,7 @@ EdgeProfile ooplasm_edge(const Scenario& s) {
   const double c = s.optics.contrast, h = c * s.optics.halo, sigma = line_sigma(s, 0.85);
   return {[=](double d) {
             return 1 - 0.40 * c * gaussian(d, sigma) + 0.10 * h * gaussian(d - 2.3, 0.9) +
-                   0.06 * h * gaussian(d + 2.4, 1.0) - 0.20 * c * soft_step(-d - 1.6, 0.7);
+                   0.06 * h * gaussian(d + 2.4, 1.0) - 0.25 * c * soft_step(-d - 1.6, 0.7);
           },
           kBand_um, sigma, true};
 }
@@ -156,17 +156,17 @@ const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state) 
 }
 
 void Renderer::fill_polar_map(const SpecimenState& state) {
-  // The centre: the area's centroid, from which every part of the boundary is seen.
+  // The centre: across, the area's centroid; along the axis, midway between the dimple and the far side, so that the
+  // material before the needle is squeezed no more than need be. Every part of the boundary is seen from it.
   const Contour_um& boundary = state.section.inner_um;
   const Eigen::Index n = boundary.cols();
-  double area = 0;
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  double area = 0, moment = 0;
   for (Eigen::Index i = 0, j = n - 1; i < n; j = i++) {
     const double cross = boundary(0, j) * boundary(1, i) - boundary(0, i) * boundary(1, j);
     area += cross / 2;
-    moment += cross / 6 * (boundary.col(j) + boundary.col(i));
+    moment += cross / 6 * (boundary(0, j) + boundary(0, i));
   }
-  polar_center_ = moment / area;
+  polar_center_ = {moment / area, (boundary(1, n / 2) + boundary.row(1).minCoeff()) / 2};
 
   // Each piece of the boundary fills the directions it spans. Directions: atan2(x, z), as the material angle.
   auto direction_of = [&](Eigen::Index i) {
@@ -186,11 +186,24 @@ void Renderer::fill_polar_map(const SpecimenState& state) {
       const double part = (2 * kPi * k / kDirectionCount - kPi - angle0) / turn;
       const double material = material0 + part * (material1 - material0);
       polar_map_[static_cast<std::size_t>((k % kDirectionCount + kDirectionCount) % kDirectionCount)] = {
-          static_cast<float>(std::sin(material)), static_cast<float>(std::cos(material)),
-          static_cast<float>(1 / (radius0 + part * (radius1 - radius0)))};
+          0.0f, static_cast<float>(material), static_cast<float>(1 / (radius0 + part * (radius1 - radius0)))};
     }
     angle0 = angle1;
     radius0 = radius1;
+  }
+
+  // Deep inside, equal areas: the angle at rest grows with the sector's area. It begins at the apex, where both agree.
+  double whole = 0;
+  for (const auto& direction : polar_map_) whole += 1 / (direction.inverse_radius * direction.inverse_radius);
+  constexpr int kApex = kDirectionCount / 2;
+  double sector = 0;
+  for (int step = 0; step < kDirectionCount; ++step) {
+    Direction& direction = polar_map_[static_cast<std::size_t>((kApex + step) % kDirectionCount)];
+    const double share = 1 / (direction.inverse_radius * direction.inverse_radius) / whole;
+    const double turned = std::remainder(direction.boundary_turn - 2 * kPi * (sector + share / 2), 2 * kPi);
+    direction.angle = static_cast<float>(2 * kPi * (sector + share / 2));
+    direction.boundary_turn = static_cast<float>(turned);
+    sector += share;
   }
 }
 
@@ -219,9 +232,9 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
   const Eigen::Vector2d lit(std::cos(-kPi / 4), std::sin(-kPi / 4));
   const auto lit_across = static_cast<float>(lit.dot(across)), lit_axis = static_cast<float>(lit.dot(axis));
 
-  const float grain = static_cast<float>(0.052 * scenario_.optics.granularity * scenario_.optics.contrast);
-  const float zona_grain = 0.22f * grain;
-  const float relief = static_cast<float>(0.13 * scenario_.optics.relief * scenario_.optics.contrast);
+  const auto contrast = static_cast<float>(scenario_.optics.contrast),
+             relief = static_cast<float>(scenario_.optics.relief);
+  const float grain = 0.075f * contrast * static_cast<float>(scenario_.optics.granularity), zona_grain = 0.15f * grain;
   const auto radius_um = static_cast<float>(inner_radius_um_);
   for (int y = 0; y < window.height; ++y) {
     float* light = light_[window.y + y] + window.x;
@@ -229,24 +242,36 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
     const float* ooplasm_d = seen.oolemma ? ooplasm_distance_um_[y] : inner_d;
     for (int x = 0; x < window.width; ++x) {
       if (outer_d[x] >= static_cast<float>(kBand_um)) continue;
-      float through = outer_edge_(outer_d[x]) * inner_edge_(inner_d[x]);
-      if (seen.oolemma) through *= ooplasm_edge_(ooplasm_d[x]);
 
-      // Grain and shading of the material that came to lie here.
+      // Which material lies here: its direction at rest and its part of the way from the centre.
+      const double from_x = (window.x + x) * pixel_um - map_center.x(),
+                   from_y = (window.y + y) * pixel_um - map_center.y();
+      const auto u = static_cast<float>(from_x * across.x() + from_y * across.y());
+      const auto v = static_cast<float>(from_x * axis.x() + from_y * axis.y());
+      const float turns =
+          (std::atan2(u, v) + static_cast<float>(kPi)) * static_cast<float>(kDirectionCount / (2 * kPi));
+      const auto& direction = polar_map_[static_cast<std::size_t>(turns) & (kDirectionCount - 1)];
+      const float ratio = std::sqrt(u * u + v * v) * direction.inverse_radius;
+      const float ratio2 = std::min(1.0f, ratio * ratio),
+                  angle = direction.angle + direction.boundary_turn * ratio2 * ratio2;
+      const float sine = std::sin(angle), cosine = std::cos(angle);
+      const float facing = sine * lit_across + cosine * lit_axis;
+
+      // Edges: uneven along the membrane, fringes brighter on the lit side. Neither moves a dark line.
+      const float uneven = 1.0f + 0.07f * texture_.at(radius_um * sine, radius_um * cosine, 0.0f);
+      const float fringe = uneven * (1.0f + 0.7f * relief * facing);
+      auto shade = [&](float through) { return 1.0f + (through - 1.0f) * (through > 1.0f ? fringe : uneven); };
+      float through = shade(outer_edge_(outer_d[x])) * shade(inner_edge_(inner_d[x]));
+      if (seen.oolemma) through *= shade(ooplasm_edge_(ooplasm_d[x]));
+
+      // Grain and one-sided shading of what lies inside.
       if (outer_d[x] < 0) {
-        const double from_x = (window.x + x) * pixel_um - map_center.x(),
-                     from_y = (window.y + y) * pixel_um - map_center.y();
-        const auto u = static_cast<float>(from_x * across.x() + from_y * across.y());
-        const auto v = static_cast<float>(from_x * axis.x() + from_y * axis.y());
-        const float turns =
-            (std::atan2(u, v) + static_cast<float>(kPi)) * static_cast<float>(kDirectionCount / (2 * kPi));
-        const auto& direction = polar_map_[static_cast<std::size_t>(turns) & (kDirectionCount - 1)];
-        const float ratio = std::sqrt(u * u + v * v) * direction.inverse_radius;
-        const float rest_x = ratio * radius_um * direction.sine, rest_z = ratio * radius_um * direction.cosine;
+        const float sharpness = std::min(1.0f, 2.0f / (radius_um * direction.inverse_radius) - 0.75f);
         const float inside = ooplasm_weight_(ooplasm_d[x]);
-        const float grained = texture_.at(rest_x, rest_z) * (zona_grain + (grain - zona_grain) * inside);
-        const float facing = ratio * (direction.sine * lit_across + direction.cosine * lit_axis);
-        through *= 1.0f + grained + relief * inside * facing * ratio * ratio;
+        const float grained =
+            texture_.at(ratio * radius_um * sine, ratio * radius_um * cosine, std::max(0.0f, sharpness));
+        const float sloped = facing * ratio * (0.07f + 0.15f * ratio * ratio * ratio);
+        through *= 1.0f + grained * (zona_grain + (grain - zona_grain) * inside) + contrast * relief * inside * sloped;
       }
       light[x] *= through;
     }
@@ -280,8 +305,7 @@ void Renderer::draw_needle(const NeedlePose& needle) {
   const auto& tools = scenario_.tools;
   Strip strip{needle.tip_um / pixel_um, along, across, (tools.needle_shaft_radius_um + kBand_um) / pixel_um,
               -kBand_um / pixel_um};
-  const auto tip = static_cast<float>(tools.needle_tip_radius_um),
-             shaft = static_cast<float>(tools.needle_shaft_radius_um);
+  const auto tip = static_cast<float>(tools.needle_tip_radius_um);
   const auto slope = static_cast<float>(std::tan(tools.needle_taper_deg * kPi / 180));
   const float cosine = 1 / std::sqrt(1 + slope * slope);
   for (int y = 0, first, last; y < light_.rows; ++y) {
@@ -291,10 +315,9 @@ void Renderer::draw_needle(const NeedlePose& needle) {
       const Eigen::Vector2d from = pixel_um * (Eigen::Vector2d(x, y) - strip.origin);
       const float back = static_cast<float>(from.dot(along)) - tip,
                   side = std::abs(static_cast<float>(from.dot(across)));
-      // The round tip, then the cone or the shaft.
-      const float width = std::min(shaft, tip + slope * std::max(back, 0.0f));
-      const float distance =
-          back < 0 ? std::sqrt(back * back + side * side) - tip : (side - width) * (width < shaft ? cosine : 1.0f);
+      // The round tip, then the cone and the shaft.
+      const float distance = back < 0 ? std::sqrt(back * back + side * side) - tip
+                                      : cosine * (side - static_cast<float>(needle_half_width_um(tools, back + tip)));
       light[x] *= needle_edge_(distance);
     }
   }

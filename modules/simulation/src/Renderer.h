@@ -43,10 +43,11 @@ class Renderer {
   cv::Mat1f outer_distance_um_, inner_distance_um_, ooplasm_distance_um_;
   cv::Mat frame_;
 
-  // Where the ooplasm's material went: about a centre (section frame), by direction, the material angle's sine and
-  // cosine and one over the boundary's distance.
+  // Where the ooplasm's material went: about a centre (section frame), by direction: the angle at rest of what lies
+  // there deep inside (the map keeps areas, as a fluid does), how much further the membrane's own material has turned,
+  // and one over the boundary's distance.
   struct Direction {
-    float sine, cosine, inverse_radius;
+    float angle, boundary_turn, inverse_radius;
   };
   std::vector<Direction> polar_map_;
   Eigen::Vector2d polar_center_ = Eigen::Vector2d::Zero();

@@ -51,20 +51,23 @@ GranularTexture::GranularTexture(double radius_um, double finest_um, std::uint64
   const double step_um = 2 * radius_um / (side - 2);
   std::mt19937_64 engine(mix(seed ^ 0x677261696eULL));
   const double fine_px = std::max(0.75, finest_um) / step_um;
-  grain_ = 0.70f * grain_of(side, fine_px, engine) + 0.45f * grain_of(side, 2.4 * fine_px, engine) +
-           0.55f * grain_of(side, 8.0 / step_um, engine);
+  fine_ = 0.75f * grain_of(side, fine_px, engine);
+  coarse_ = 0.60f * grain_of(side, 2.5 * fine_px, engine) + 0.45f * grain_of(side, 9.0 / step_um, engine);
   origin_um_ = static_cast<float>(radius_um);
   inverse_step_ = static_cast<float>(1 / step_um);
 }
 
-float GranularTexture::at(float x_um, float y_um) const noexcept {
+float GranularTexture::at(float x_um, float y_um, float sharpness) const noexcept {
   const float x = (x_um + origin_um_) * inverse_step_, y = (y_um + origin_um_) * inverse_step_;
   if (!(x >= 0 && y >= 0)) return 0.0f;
   const int i = static_cast<int>(x), j = static_cast<int>(y);
-  if (i + 1 >= grain_.cols || j + 1 >= grain_.rows) return 0.0f;
+  if (i + 1 >= fine_.cols || j + 1 >= fine_.rows) return 0.0f;
   const float u = x - static_cast<float>(i), v = y - static_cast<float>(j);
-  const float *top = grain_[j] + i, *bottom = grain_[j + 1] + i;
-  return (1 - v) * (top[0] + u * (top[1] - top[0])) + v * (bottom[0] + u * (bottom[1] - bottom[0]));
+  auto bilinear = [&](const cv::Mat1f& grain) {
+    const float *top = grain[j] + i, *bottom = grain[j + 1] + i;
+    return (1 - v) * (top[0] + u * (top[1] - top[0])) + v * (bottom[0] + u * (bottom[1] - bottom[0]));
+  };
+  return sharpness * bilinear(fine_) + bilinear(coarse_);
 }
 
 NoiseBank::NoiseBank(std::uint64_t seed) : numbers_((1 << 20) + 8192), seed_(mix(seed ^ 0x6e6f697365ULL)) {

@@ -10,11 +10,12 @@ namespace pellucida {
 class GranularTexture {
  public:
   GranularTexture(double radius_um, double finest_um, std::uint64_t seed);
-  /// Value at a rest place relative to the centre, um; 0 outside the square.
-  float at(float x_um, float y_um) const noexcept;
+  /// Value at a rest place relative to the centre, um; 0 outside the square. `sharpness` 1: the whole grain; 0: without
+  /// its fine part, for material squeezed so much that its granules would only alias.
+  float at(float x_um, float y_um, float sharpness) const noexcept;
 
  private:
-  cv::Mat1f grain_;
+  cv::Mat1f fine_, coarse_;
   float origin_um_ = 0.0f, inverse_step_ = 0.0f;
 };
 

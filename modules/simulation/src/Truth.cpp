@@ -36,6 +36,12 @@ Contour_um shrink(const Contour_um& section, double inwards_um) {
   return moved;
 }
 
+// Direction in degrees; what rounding leaves of a right angle is taken away.
+double degrees(const Eigen::Vector2d& direction) {
+  const double angle = std::atan2(direction.y(), direction.x()) * 180 / kPi;
+  return std::round(angle * 1e9) / 1e9 + 0.0;
+}
+
 NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, double tip_z_um, double length_um) {
   NeedlePose needle;
   needle.tip_um = pose.to_image({0, tip_z_um});
@@ -90,7 +96,9 @@ HolderPose place_holder(const VirtualSpecimen& specimen, const Eigen::Vector2d& 
 double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept {
   const double r = tools.needle_tip_radius_um;
   if (back_um < r) return std::sqrt(std::max(0.0, r * r - (r - back_um) * (r - back_um)));
-  return std::min(tools.needle_shaft_radius_um, r + (back_um - r) * std::tan(tools.needle_taper_deg * kPi / 180));
+  // A cone at first, then ever closer to the shaft's width.
+  const double widening = tools.needle_shaft_radius_um - r, slope = std::tan(tools.needle_taper_deg * kPi / 180);
+  return widening <= 0 ? r : r + widening * -std::expm1(-(back_um - r) * slope / widening);
 }
 
 HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept {
@@ -152,9 +160,9 @@ TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_
 void TruthWriter::write(const Truth& truth) {
   const Observation& seen = truth.observation;
   rows_ << seen.frame_index << ',' << csv_number(seen.time_s) << ',' << static_cast<int>(seen.state);
-  for (double value : {seen.center_um.x(), seen.center_um.y(), std::atan2(seen.axis.y(), seen.axis.x()) * 180 / kPi,
-                       seen.needle->tip_um.x(), seen.needle->tip_um.y(), seen.indentation_um, seen.dimple_radius_um,
-                       truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3})
+  for (double value :
+       {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(), seen.needle->tip_um.y(),
+        seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3})
     rows_ << ',' << csv_number(value);
   rows_ << '\n' << std::flush;
 

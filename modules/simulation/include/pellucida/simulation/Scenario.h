@@ -36,8 +36,8 @@ struct Scenario {
     double holder_angle_deg = 180.0;    ///< from the cell's centre to the holder; turns the whole scene
     bool mirrored = false;              ///< the needle on the other side of the holder's axis (configurations 2 and 3)
     double needle_tip_radius_um = 1.5;  ///< 0.5..3
-    double needle_taper_deg = 3.0;      ///< 0.5..6: half-angle of its cone
-    double needle_shaft_radius_um = 6.0;  ///< 1..12: where the cone ends
+    double needle_taper_deg = 3.0;      ///< 0.5..6: half-angle of its cone at the tip
+    double needle_shaft_radius_um = 6.0;  ///< 1..12: what the cone widens to
   } tools;
 
   struct Motion {

@@ -26,7 +26,7 @@ struct Truth {
 Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
                  const Eigen::Vector2d& drift_um, double time_s, long frame_index);
 
-/// The needle's half-width `back_um` behind its tip (>= 0): a round tip, then a cone, then a straight shaft.
+/// The needle's half-width `back_um` behind its tip (>= 0): a round tip, then a cone that eases into the shaft.
 double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept;
 
 /// The holding pipette's rim: a torus of glass about the axis through the cell's centre, touching the resting membrane.

@@ -1,0 +1,223 @@
+#include "pellucida/simulation/VirtualMicroscope.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "pellucida/core_vtk/SceneData.h"
+#include "simulation/SectionChecks.h"
+
+namespace pellucida {
+namespace {
+
+Scenario scenario_of(const std::string& json) {
+  return parse_scenario(json, "test");
+}
+
+std::vector<std::uint8_t> bytes_of(const Frame& frame) {
+  const ImageView view = view_of(frame.image.get());
+  const auto* first = static_cast<const std::uint8_t*>(view.data);
+  return {first, first + view.row_bytes * view.height_px};
+}
+
+std::vector<std::vector<std::uint8_t>> all_frames(VirtualMicroscope& microscope) {
+  std::vector<std::vector<std::uint8_t>> frames;
+  while (const auto frame = microscope.next()) frames.push_back(bytes_of(*frame));
+  return frames;
+}
+
+const char* const kShort = R"("image": {"frame_rate_hz": 2})";
+
+TEST(VirtualMicroscope, SameSeedSameBytes) {
+  VirtualMicroscope a(scenario_of(std::string("{\"seed\": 5, ") + kShort + "}"));
+  VirtualMicroscope b(scenario_of(std::string("{\"seed\": 5, ") + kShort + "}"));
+  VirtualMicroscope c(scenario_of(std::string("{\"seed\": 6, ") + kShort + "}"));
+  const auto first = all_frames(a);
+  EXPECT_GE(first.size(), 8u);
+  EXPECT_EQ(first, all_frames(b));
+  EXPECT_NE(first, all_frames(c));
+
+  // Once more from the beginning.
+  EXPECT_FALSE(a.next().has_value());
+  EXPECT_TRUE(a.restart());
+  EXPECT_EQ(first, all_frames(a));
+}
+
+TEST(VirtualMicroscope, FramesAreStampedAndCounted) {
+  VirtualMicroscope microscope(scenario_of(R"({"image": {"duration_s": 0.5, "frame_rate_hz": 20, "bit_depth": 16}})"));
+  EXPECT_EQ(*microscope.info().frame_count, 10);
+  long index = 0;
+  while (const auto frame = microscope.next()) {
+    EXPECT_EQ(frame->frame_index, index);
+    EXPECT_NEAR(frame->time_s, index / 20.0, 1e-12);
+    EXPECT_EQ(frame->gap_count, 0);
+    EXPECT_EQ(stamped_frame_index(frame->image.get()), index);
+    const ImageView view = view_of(frame->image.get());
+    EXPECT_EQ(view.format, PixelFormat::kGray16);
+    EXPECT_EQ(view.width_px, 728);
+    EXPECT_NEAR(view.pixel_size_um, 0.825, 1e-12);
+    EXPECT_EQ(microscope.truth().observation.frame_index, index);
+    ++index;
+  }
+  EXPECT_EQ(index, 10);
+}
+
+TEST(VirtualMicroscope, NoiseIsShotAndReadNoise) {
+  // The same frame with and without noise: deviation as the electrons say, mean kept.
+  const std::string head =
+      R"({"image": {"duration_s": 0.05, "bit_depth": 16}, "optics": {"full_well_electrons": 4000, )";
+  VirtualMicroscope noisy(scenario_of(head + R"("read_noise_electrons": 20}})"));
+  VirtualMicroscope clean(scenario_of(head + R"("noise": false}})"));
+  const auto a = *noisy.next(), b = *clean.next();
+  const ImageView va = view_of(a.image.get()), vb = view_of(b.image.get());
+  const auto *pa = static_cast<const std::uint16_t*>(va.data), *pb = static_cast<const std::uint16_t*>(vb.data);
+  const long count = va.width_px * va.height_px;
+  double sum = 0, normalised = 0;
+  for (long i = 0; i < count; ++i) {
+    const double electrons = pb[i] / 65535.0 * 4000, difference = (pa[i] - pb[i]) / 65535.0 * 4000;
+    sum += difference;
+    normalised += difference * difference / (electrons + 400);
+  }
+  EXPECT_NEAR(sum / static_cast<double>(count), 0.0, 0.5);
+  EXPECT_NEAR(normalised / static_cast<double>(count), 1.0, 0.02);
+}
+
+// Bilinear grey value at a place in um.
+double grey(const ImageView& view, const Eigen::Vector2d& point_um) {
+  const double x = point_um.x() / view.pixel_size_um, y = point_um.y() / view.pixel_size_um;
+  const int i = static_cast<int>(x), j = static_cast<int>(y);
+  const auto* row = static_cast<const std::uint16_t*>(view.data) + static_cast<long>(j) * view.width_px + i;
+  const double u = x - i, v = y - j;
+  return (1 - v) * ((1 - u) * row[0] + u * row[1]) + v * ((1 - u) * row[view.width_px] + u * row[view.width_px + 1]);
+}
+
+// How far the darkest place along the normal lies from the true contour, um; signed, positive outwards.
+std::vector<double> line_offsets(const ImageView& view, const Contour_um& contour, const Observation& seen) {
+  std::vector<double> offsets;
+  const Eigen::Index n = contour.cols();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector2d point = contour.col(i);
+    // The tools' own lines cross here.
+    if (std::abs(test::cross(point - seen.needle->tip_um, seen.needle->direction)) < 14 &&
+        (point - seen.center_um).dot(seen.axis) > 0)
+      continue;
+    if ((point - seen.center_um).dot(seen.holder->direction) > 30) continue;
+    const Eigen::Vector2d tangent = (contour.col((i + 1) % n) - contour.col((i + n - 1) % n)).normalized();
+    const Eigen::Vector2d normal(tangent.y(), -tangent.x());
+
+    // Weighted centre of darkness about the line, from averages along it as a pixel sees them.
+    double best = 0, darkest = 1e9;
+    for (double s = -2.0; s <= 2.0; s += 0.02) {
+      const double value = grey(view, point + s * normal);
+      if (value < darkest) {
+        darkest = value;
+        best = s;
+      }
+    }
+    offsets.push_back(best);
+  }
+  return offsets;
+}
+
+struct Scene {
+  const char* name;
+  const char* json;
+};
+
+class ImageAndTruth : public testing::TestWithParam<Scene> {};
+
+TEST_P(ImageAndTruth, DarkestLineLiesAtTheTrueContour) {
+  VirtualMicroscope microscope(scenario_of(GetParam().json));
+  int checked = 0;
+  while (const auto frame = microscope.next()) {
+    const ImageView view = view_of(frame->image.get());
+    const Observation& seen = microscope.truth().observation;
+    for (const auto* contour : {&seen.outer, &seen.inner}) {
+      const auto offsets = line_offsets(view, (*contour)->points_um, seen);
+      ASSERT_GT(offsets.size(), 50u);
+      double sum = 0, square = 0;
+      for (double offset : offsets) {
+        sum += offset;
+        square += offset * offset;
+      }
+      const double count = static_cast<double>(offsets.size()), pixel = view.pixel_size_um;
+      EXPECT_LE(std::abs(sum / count), 0.1 * pixel) << "frame " << frame->frame_index;
+      // The darkest place of bilinear values wanders with the pixel grid: 0.3 px is the bound, RMS.
+      EXPECT_LE(std::sqrt(square / count), 0.3 * pixel) << "frame " << frame->frame_index;
+      ++checked;
+    }
+  }
+  EXPECT_GE(checked, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, ImageAndTruth,
+    testing::Values(
+        Scene{
+            "plain",
+            R"({"image": {"frame_rate_hz": 2, "bit_depth": 16}, "optics": {"noise": false}, "debris": {"count": 0}})"},
+        Scene{"turned",
+              R"({"image": {"frame_rate_hz": 2, "bit_depth": 16}, "tools": {"holder_angle_deg": 37, "configuration": 2},
+                            "drift": {"x_um_per_s": 3}, "optics": {"noise": false}, "debris": {"count": 0}})"},
+        Scene{"fine", R"({"image": {"frame_rate_hz": 2, "bit_depth": 16, "pixel_size_um": 0.3},
+                          "cell": {"center_x_um": 110, "center_y_um": 73}, "tools": {"configuration": 3},
+                          "optics": {"noise": false}, "debris": {"count": 0}})"}),
+    [](const auto& which) { return which.param.name; });
+
+TEST(VirtualMicroscope, TurnedImageIsTheTurnedImage) {
+  // A quarter turn of the whole scene, without what stays fixed in the image (light, relief): pixel for pixel,
+  // transposed.
+  const std::string optics =
+      R"("optics": {"noise": false, "gradient_ratio": 0, "vignette_ratio": 0, "relief": 0}, "debris": {"count": 0})";
+  const std::string image =
+      R"("image": {"width_px": 401, "height_px": 401, "pixel_size_um": 0.825, "bit_depth": 16, "frame_rate_hz": 1})";
+  const std::string cell = R"("cell": {"center_x_um": 165, "center_y_um": 165})";
+  VirtualMicroscope a(scenario_of("{" + image + "," + cell + "," + optics +
+                                  R"(, "tools": {"holder_angle_deg": 0, "configuration": 3}})"));
+  VirtualMicroscope b(scenario_of("{" + image + "," + cell + "," + optics +
+                                  R"(, "tools": {"holder_angle_deg": 90, "configuration": 3}})"));
+  while (const auto one = a.next()) {
+    const auto two = b.next();
+    ASSERT_TRUE(two.has_value());
+    const ImageView va = view_of(one->image.get()), vb = view_of(two->image.get());
+    const auto *pa = static_cast<const std::uint16_t*>(va.data), *pb = static_cast<const std::uint16_t*>(vb.data);
+    // (x, y) about the centre goes to (-y, x).
+    int largest = 0;
+    for (int y = 0; y < 401; ++y)
+      for (int x = 0; x < 401; ++x) largest = std::max(largest, std::abs(pa[y * 401 + x] - pb[x * 401 + (400 - y)]));
+    EXPECT_LE(largest, 655) << "frame " << one->frame_index;  // 1 % of full scale
+  }
+}
+
+TEST(VirtualMicroscope, ToolsAreDrawnWhereTruthSaysThem) {
+  VirtualMicroscope microscope(scenario_of(
+      R"({"image": {"frame_rate_hz": 4, "bit_depth": 16}, "optics": {"noise": false}, "debris": {"count": 0}})"));
+  while (const auto frame = microscope.next()) {
+    const ImageView view = view_of(frame->image.get());
+    const auto& needle = *microscope.truth().observation.needle;
+    // Along both flanks the outline is darker than the glass's core and the field outside.
+    const Eigen::Vector2d across(-needle.direction.y(), needle.direction.x());
+    for (Eigen::Index i = 1; i < needle.outline_um.cols(); ++i) {
+      const Eigen::Vector2d point = needle.outline_um.col(i);
+      const double back = (needle.tip_um - point).dot(needle.direction), side = (point - needle.tip_um).dot(across);
+      if (back < 60 || back > 150) continue;
+      const Eigen::Vector2d out = side > 0 ? across : Eigen::Vector2d(-across);
+      EXPECT_LT(grey(view, point), 0.85 * grey(view, point + 5 * out));
+      EXPECT_LT(grey(view, point), 0.85 * grey(view, point - 3 * out));
+    }
+  }
+}
+
+TEST(VirtualMicroscope, CellPartlyOutsideTheImageIsStillDrawn) {
+  for (const char* center :
+       {R"("center_x_um": 0)", R"("center_x_um": 600)", R"("center_y_um": -30)", R"("center_y_um": 5000)"}) {
+    VirtualMicroscope microscope(
+        scenario_of(std::string(R"({"image": {"frame_rate_hz": 1}, "cell": {)") + center + "}}"));
+    EXPECT_EQ(all_frames(microscope).size(), static_cast<std::size_t>(*microscope.info().frame_count));
+  }
+}
+
+}  // namespace
+}  // namespace pellucida
