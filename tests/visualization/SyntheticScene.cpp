@@ -118,7 +118,9 @@ vtkSmartPointer<vtkImageData> frame(const Observation& seen) {
     for (int column = 0; column < kWidth_px; ++column) {
       const Eigen::Vector2d p(column * kPixel_um, row * kPixel_um);
       double value = 165.0 + 0.03 * column;
+      const bool near_cell = (p - kCenter_um).norm() < kRadius_um + 8.0;
       for (const auto* one : {&seen.outer, &seen.inner}) {
+        if (!near_cell) break;
         const double distance_um = std::sqrt(((*one)->points_um.colwise() - p).colwise().squaredNorm().minCoeff());
         value -= 70.0 * std::exp(-distance_um * distance_um / 4.0);
       }
@@ -156,11 +158,10 @@ Scene synthetic_scene(double indentation_um, long frame_index) {
   needle.direction = {-1.0, 0.0};
   needle.tip_radius_um = 1.5;
   needle.confidence = 0.9;
-  needle.outline_um = Contour_um(2, 3);
+  needle.outline_um = Contour_um(2, 5);
   const double to_edge_um = kWidth_px * kPixel_um - needle.tip_um.x();
-  needle.outline_um.col(0) = needle.tip_um;
-  needle.outline_um.col(1) = needle.tip_um + Eigen::Vector2d(to_edge_um, 7.0);
-  needle.outline_um.col(2) = needle.tip_um + Eigen::Vector2d(to_edge_um, -7.0);
+  needle.outline_um << 0.0, 1.0, to_edge_um, to_edge_um, 1.0, 0.0, 1.5, 8.0, -8.0, -1.5;
+  needle.outline_um.colwise() += needle.tip_um;
   seen->needle = needle;
 
   HolderPose holder;

@@ -31,6 +31,7 @@ namespace {
 
 constexpr double kLineWidth = 2.0;
 constexpr double kUnderlayWidth = 4.0;
+constexpr double kCellMargin = 1.7;  // half the view's height, in radii of the cell
 
 // Lines with a dark underlay, so that they read on bright and dark parts of the image alike.
 struct Lines {
@@ -180,6 +181,7 @@ void FeedView::refresh() {
       frame_width_um_ = width_um;
       frame_height_um_ = height_um;
       window_high_ = window_low_ = 0.0;
+      cell_radius_um_ = 0.0;
       reset_camera();
     }
     refresh_window_level(frame);
@@ -187,6 +189,7 @@ void FeedView::refresh() {
   p.membrane_lines.show(contours_shown_ && has_points(scene.membranes));
   p.tool_lines.show(tools_shown_ && has_points(scene.tools));
   p.model_lines.show(model_shown_ && has_points(scene.model));
+  refresh_cell_frame();
   refresh_legend();
 }
 
@@ -218,6 +221,31 @@ void FeedView::refresh_window_level(vtkImageData* frame) {
   const double high_end = window_high_ + 0.20 * (window_high_ - window_low_);
   pipeline_->image->GetProperty()->SetColorWindow(high_end - low_end);
   pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end));
+}
+
+// Where the cell was first found; followed only when it has moved far or was mistaken, so that the picture stands
+// still.
+void FeedView::refresh_cell_frame() {
+  const Frozen<vtkPolyData>& membranes = source_->GetScene().membranes;
+  if (!has_points(membranes)) return;
+  double bounds_um[6];
+  const_cast<vtkPolyData*>(membranes.get())->GetBounds(bounds_um);
+  const double middle_um[2] = {0.5 * (bounds_um[0] + bounds_um[1]), 0.5 * (bounds_um[2] + bounds_um[3])};
+  const double radius_um = 0.5 * std::max(bounds_um[1] - bounds_um[0], bounds_um[3] - bounds_um[2]);
+  const double moved_um = std::hypot(middle_um[0] - cell_um_[0], middle_um[1] - cell_um_[1]);
+  if (cell_radius_um_ > 0.0 && moved_um < 0.4 * cell_radius_um_ &&
+      std::abs(radius_um - cell_radius_um_) < 0.3 * cell_radius_um_) {
+    return;
+  }
+  cell_um_[0] = middle_um[0];
+  cell_um_[1] = middle_um[1];
+  cell_radius_um_ = radius_um;
+  if (fitted_) fitted_scale_um_ = 0.0;
+}
+
+void FeedView::set_framing(FeedFraming framing) {
+  framing_ = framing;
+  reset_camera();
 }
 
 void FeedView::refresh_legend() {
@@ -274,9 +302,22 @@ void FeedView::prepare(double width_px, double height_px) {
     fitted_ = false;
   }
   if (fitted_) {
-    fitted_scale_um_ = 0.5 * std::max(frame_height_um_, frame_width_um_ * height_px / width_px);
+    const double aspect = width_px / height_px;
+    double half_height_um = 0.5 * std::max(frame_height_um_, frame_width_um_ / aspect);
     fitted_focus_um_[0] = 0.5 * frame_width_um_;
     fitted_focus_um_[1] = 0.5 * frame_height_um_;
+    if (framing_ == FeedFraming::kCell && cell_radius_um_ > 0.0) {
+      half_height_um = std::min(half_height_um, kCellMargin * cell_radius_um_ * std::max(1.0, 1.0 / aspect));
+      // Looks at the cell, but not beyond the frame's edges where that can be avoided.
+      const double half_um[2] = {half_height_um * aspect, half_height_um};
+      const double frame_um[2] = {frame_width_um_, frame_height_um_};
+      for (int k = 0; k < 2; ++k) {
+        if (2.0 * half_um[k] < frame_um[k]) {
+          fitted_focus_um_[k] = std::clamp(cell_um_[k], half_um[k], frame_um[k] - half_um[k]);
+        }
+      }
+    }
+    fitted_scale_um_ = half_height_um;
     camera->SetFocalPoint(fitted_focus_um_[0], fitted_focus_um_[1], 0.0);
     camera->SetPosition(fitted_focus_um_[0], fitted_focus_um_[1], -100.0);
     camera->SetViewUp(0.0, -1.0, 0.0);

@@ -203,7 +203,8 @@ void ForceChart::set_ranges() {
   const double begin_s = time_window_s_ > 0.0 ? std::max(0.0, end_s - time_window_s_)
                          : points.empty()     ? 0.0
                                               : points.front().time_s;
-  bottom->SetRange(begin_s, std::max(end_s, begin_s + (time_window_s_ > 0.0 ? time_window_s_ : 1.0)));
+  bottom->SetRange(begin_s,
+                   std::max(end_s + 0.02 * (end_s - begin_s), begin_s + (time_window_s_ > 0.0 ? time_window_s_ : 1.0)));
 }
 
 void ForceChart::prepare(double width_px, double height_px) {

@@ -178,9 +178,9 @@ void MembraneView::Pipeline::build_membranes(vtkAlgorithmOutput* scene, vtkRende
 
 void MembraneView::Pipeline::build_arrows(vtkRenderer* renderer) {
   // Two arrows of unit length: one that starts at its node, one that ends there.
-  arrow->SetShaftRadius(0.035);
-  arrow->SetTipRadius(0.11);
-  arrow->SetTipLength(0.32);
+  arrow->SetShaftRadius(0.05);
+  arrow->SetTipRadius(0.14);
+  arrow->SetTipLength(0.36);
   arrow->SetShaftResolution(8);
   arrow->SetTipResolution(12);
   back_one->Translate(-1.0, 0.0, 0.0);
@@ -350,7 +350,10 @@ void MembraneView::refresh_contact_force() {
 
 void MembraneView::reset_camera() {
   vtkCamera* camera = main_->GetActiveCamera();
-  const double from[3] = {0.42, -0.55, -1.0};
+  // From the needle's side, so that one looks into the dimple.
+  const Scene& scene = source_->GetScene();
+  const Eigen::Vector2d axis = scene.observation ? scene.observation->axis : Eigen::Vector2d::UnitX();
+  const double from[3] = {0.80 * axis.x(), 0.80 * axis.y() - 0.50, -1.0};
   const double length = std::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
   constexpr double kViewAngle_deg = 24.0;
   const double distance_um = 1.75 * radius_um_ / std::sin(0.5 * kViewAngle_deg * EIGEN_PI / 180.0);

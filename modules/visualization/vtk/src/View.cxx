@@ -28,6 +28,8 @@ View::~View() {
 
 void View::add_to(vtkRenderWindow* window, const Viewport& viewport, double hud_ratio) {
   hud_ratio_ = hud_ratio;
+  // One way of smoothing edges at a time: FXAA can't read a multisampled frame.
+  if (window->GetMultiSamples() > 0) main_->SetUseFXAA(false);
   if (window->GetNumberOfLayers() < 2) window->SetNumberOfLayers(2);
   for (vtkRenderer* one : {main_.Get(), over_.Get()}) {
     one->SetViewport(viewport.x0, viewport.y0, viewport.x1, viewport.y1);

@@ -10,6 +10,12 @@ class vtkImageData;
 
 namespace pellucida {
 
+/// What the feed shows until somebody pans or zooms.
+enum class FeedFraming {
+  kCell,   ///< the cell with its surroundings, once it was found; until then the whole frame
+  kFrame,  ///< the whole frame
+};
+
 /// The microscope's picture as it appears in the eyepiece (x right, y down), with what was found in it: membranes,
 /// tools, the needle's tip and axis, and the model's own section in the image plane, dashed. A scale bar of a round
 /// length and a legend of the lines come with it. Drag pans, wheel zooms (PanZoomStyle). The overlay belongs to the
@@ -22,8 +28,10 @@ class FeedView : public View {
 
   /// Takes over what the source hands out now. Call after `Poll` or `SetScene`, before rendering.
   void refresh();
-  /// Fits the picture into the view again, and keeps it fitted until the person moves it.
+  /// Undoes panning and zooming.
   void reset_camera();
+  /// Default: kCell.
+  void set_framing(FeedFraming framing);
 
   void show_contours(bool shown);
   void show_model_section(bool shown);
@@ -45,6 +53,7 @@ class FeedView : public View {
   };
 
   void refresh_window_level(vtkImageData* frame);
+  void refresh_cell_frame();
   void refresh_legend();
   void draw_legend(HudCanvas& hud, double height) const;
   void draw_scale_bar(HudCanvas& hud, double height) const;
@@ -61,6 +70,9 @@ class FeedView : public View {
   bool has_frame_ = false;
   double frame_width_um_ = 0.0;
   double frame_height_um_ = 0.0;
+  FeedFraming framing_ = FeedFraming::kCell;
+  double cell_um_[2] = {0.0, 0.0};  // middle of the framed cell
+  double cell_radius_um_ = 0.0;     // 0 before one was found
   double window_low_ = 0.0;
   double window_high_ = 0.0;
   double fitted_scale_um_ = 0.0;

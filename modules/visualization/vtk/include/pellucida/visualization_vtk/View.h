@@ -21,8 +21,9 @@ struct Viewport {
   double y1 = 1.0;
 };
 
-/// What every view is made of: a renderer for the scene (FXAA, no multisampling) and one above it for legends, scales
-/// and texts, laid out anew at each rendering so that any size of window works. Use on the thread that renders.
+/// What every view is made of: a renderer for the scene (FXAA, unless the window is multisampled) and one above it for
+/// legends, scales and texts, laid out anew at each rendering so that any size of window works. Use on the thread that
+/// renders.
 class View {
  public:
   View();
@@ -30,7 +31,8 @@ class View {
   View(const View&) = delete;
   View& operator=(const View&) = delete;
 
-  /// Puts both renderers into `window`. `hud_ratio` scales letters and lines (2 for a picture of twice the dots).
+  /// Puts both renderers into `window`, whose multisampling is set before. `hud_ratio` scales letters and lines (2 for
+  /// a picture of twice the dots).
   void add_to(vtkRenderWindow* window, const Viewport& viewport = {}, double hud_ratio = 1.0);
 
   vtkRenderer* renderer() const noexcept { return main_; }

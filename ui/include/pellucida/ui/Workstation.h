@@ -1,0 +1,23 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "pellucida/pipeline/LiveRun.h"
+
+namespace pellucida {
+
+/// What may be chosen about the window.
+struct WindowOptions {
+  std::string session_folder;       ///< where Record writes; empty: a new folder in ~/Pellucida each time
+  std::string screenshot;           ///< save the window as this PNG file, then leave; empty: stay open
+  double screenshot_after_s = 8.0;  ///< time from the window's opening to the screenshot, > 0
+  int width_px = 1400;              ///< size at the start
+  int height_px = 900;
+};
+
+/// Opens the window on `run`, starts the run, and returns the event loop's exit status when the window is closed.
+/// Needs an X server; main thread only. Throws DeviceError when no window can be opened, OutputError when the
+/// screenshot can't be written.
+int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options);
+
+}  // namespace pellucida

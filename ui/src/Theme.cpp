@@ -1,0 +1,84 @@
+#include "Theme.h"
+
+#include <QApplication>
+#include <QColor>
+#include <QFont>
+#include <QPalette>
+#include <QString>
+#include <QStyleFactory>
+
+#include "pellucida/visualization/Palette.h"
+
+namespace pellucida {
+namespace {
+
+// The sheet names colours as @name; they are filled in from the palette.
+const char* const kSheet = R"(
+QMainWindow, QDialog { background: @window; }
+QWidget { color: @text; }
+QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
+#topBar, #panelHead, #statusLine, #readoutBar { background: @panel; }
+#topBar { border-bottom: 1px solid @border; }
+#statusLine { border-top: 1px solid @border; }
+#brand { font-size: 19px; font-weight: 700; }
+#sourceCaption, #statusText { color: @dim; font-size: 12px; }
+#sourceName { font-size: 13px; font-weight: 600; }
+#panelTitle { font-size: 13px; font-weight: 600; }
+#readoutName { color: @dim; font-size: 11px; font-weight: 600; }
+#readoutNote { color: @dim; font-size: 12px; }
+#statePill { border-radius: 15px; padding: 0px 18px; font-size: 15px; font-weight: 700; color: @window; }
+QToolButton, QPushButton { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 4px 10px; font-size: 12px; }
+QToolButton:hover, QPushButton:hover { border-color: @accent; }
+QToolButton:pressed, QPushButton:pressed { background: @border; }
+QToolButton:disabled, QPushButton:disabled { color: @border; }
+QToolButton:focus, QPushButton:focus, QComboBox:focus { border-color: @accent; }
+QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
+QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
+QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
+QToolButton#record:checked { background: @record; border-color: @record; color: @window; font-weight: 700; }
+QToolButton::menu-indicator { image: none; }
+QComboBox { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 24px 3px 10px; font-size: 12px; }
+QComboBox:hover { border-color: @accent; }
+QComboBox::drop-down { width: 20px; border: none; }
+QComboBox QAbstractItemView { background: @raised; border: 1px solid @border; selection-background-color: @border; }
+QMenu { background: @raised; border: 1px solid @border; padding: 6px; }
+QMenu QLabel { font-size: 12px; }
+QCheckBox { font-size: 12px; spacing: 8px; }
+QSlider::groove:horizontal { height: 4px; background: @border; border-radius: 2px; }
+QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
+QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: @text; }
+QSplitter::handle { background: @window; }
+QSplitter::handle:hover { background: @border; }
+)";
+
+}  // namespace
+
+QColor to_qt(const Color& color) {
+  return QColor::fromRgbF(color.red, color.green, color.blue);
+}
+
+void apply_theme(QApplication& app) {
+  app.setStyle(QStyleFactory::create("Fusion"));
+  QPalette colors;
+  colors.setColor(QPalette::Window, to_qt(palette::kWindow));
+  colors.setColor(QPalette::Base, to_qt(palette::kPanel));
+  colors.setColor(QPalette::AlternateBase, to_qt(palette::kRaised));
+  colors.setColor(QPalette::Button, to_qt(palette::kRaised));
+  colors.setColor(QPalette::ToolTipBase, to_qt(palette::kRaised));
+  colors.setColor(QPalette::Highlight, to_qt(palette::kAccent));
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+    colors.setColor(role, to_qt(palette::kText));
+  }
+  colors.setColor(QPalette::HighlightedText, to_qt(palette::kWindow));
+  app.setPalette(colors);
+
+  QString sheet = QString::fromUtf8(kSheet);
+  const std::pair<const char*, Color> names[] = {{"@window", palette::kWindow}, {"@panel", palette::kPanel},
+                                                 {"@raised", palette::kRaised}, {"@border", palette::kBorder},
+                                                 {"@text", palette::kText},     {"@dim", palette::kTextDim},
+                                                 {"@accent", palette::kAccent}, {"@record", palette::kRecord}};
+  for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
+  app.setStyleSheet(sheet);
+}
+
+}  // namespace pellucida

@@ -1,0 +1,10 @@
+#pragma once
+#include <QIcon>
+
+namespace pellucida {
+
+/// The window's pictograms, drawn in the palette's colours at any size.
+enum class Pictogram { kProgram, kRecord, kStop, kPause, kPlay, kCamera, kNote };
+QIcon make_icon(Pictogram pictogram);
+
+}  // namespace pellucida

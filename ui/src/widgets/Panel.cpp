@@ -1,0 +1,53 @@
+#include "widgets/Panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVariant>
+#include <QVBoxLayout>
+
+namespace pellucida {
+
+Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(parent) {
+  auto* head = new QWidget(this);
+  head->setObjectName("panelHead");
+  head->setAttribute(Qt::WA_StyledBackground);
+  head->setFixedHeight(36);
+  head_ = new QHBoxLayout(head);
+  head_->setContentsMargins(12, 0, 6, 0);
+  head_->setSpacing(4);
+  auto* name = new QLabel(title, head);
+  name->setObjectName("panelTitle");
+  head_->addWidget(name);
+  head_->addStretch(1);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(head);
+  column->addWidget(content, 1);
+}
+
+void Panel::add_control(QWidget* control) {
+  control->setParent(this);
+  head_->addWidget(control);
+}
+
+QToolButton* Panel::add_toggle(const QString& text, const QString& tip, bool on) {
+  QToolButton* button = add_button(text, tip);
+  button->setCheckable(true);
+  button->setChecked(on);
+  return button;
+}
+
+QToolButton* Panel::add_button(const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setProperty("flat", true);
+  button->setFocusPolicy(Qt::TabFocus);
+  head_->addWidget(button);
+  return button;
+}
+
+}  // namespace pellucida

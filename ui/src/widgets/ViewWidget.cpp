@@ -1,0 +1,27 @@
+#include "widgets/ViewWidget.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkInteractorObserver.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include "pellucida/visualization_vtk/View.h"
+
+namespace pellucida {
+
+ViewWidget::ViewWidget(View& view, int samples, QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
+  window_->SetMultiSamples(samples);
+  setRenderWindow(window_.Get());
+  view.add_to(window_, {}, devicePixelRatioF());
+  setMinimumSize(240, 120);
+  set_style(nullptr);
+}
+
+void ViewWidget::set_style(vtkInteractorObserver* style) {
+  window_->GetInteractor()->SetInteractorStyle(style);
+}
+
+void ViewWidget::render() {
+  if (isVisible() && isValid()) window_->Render();
+}
+
+}  // namespace pellucida

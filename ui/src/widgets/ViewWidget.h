@@ -1,0 +1,27 @@
+#pragma once
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkNew.h>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkInteractorObserver;
+
+namespace pellucida {
+
+class View;
+
+/// Shows one view of the visualization module in the window.
+class ViewWidget : public QVTKOpenGLNativeWidget {
+ public:
+  /// `view` must outlive the widget. `samples`: multisampling, 0 for views smoothed by FXAA.
+  ViewWidget(View& view, int samples, QWidget* parent);
+
+  /// What the mouse does; nullptr for nothing.
+  void set_style(vtkInteractorObserver* style);
+  /// Renders now; does nothing while the widget can't be seen.
+  void render();
+
+ private:
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+};
+
+}  // namespace pellucida
