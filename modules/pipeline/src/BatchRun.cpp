@@ -112,6 +112,8 @@ void run_side_by_side(FrameSource& source, TrackHalf& track, ForceHalf& force, C
       track, to_track, [&](Scene scene) { to_force.push_wait(std::move(scene)); }, clock);
   Stage force_stage(
       force, to_force, [&](Scene scene) { done.push_wait(std::move(scene)); }, clock);
+  force_stage.start();
+  track_stage.start();
   std::jthread reader([&] {
     read_all(source, clock, result, [&](Scene scene) { return to_track.push_wait(std::move(scene)); });
     to_track.close();
@@ -120,8 +122,6 @@ void run_side_by_side(FrameSource& source, TrackHalf& track, ForceHalf& force, C
     force_stage.join();
     done.close();
   });
-  track_stage.start();
-  force_stage.start();
   const auto close_all = [&] {
     to_track.close();
     to_force.close();

@@ -149,11 +149,11 @@ class LiveRun::Impl {
   void publish(Scene scene) {
     stamp_age(scene, clock_);
     newest_arrival_s_ = scene.arrival_s;
-    ++measured_count_;
     rows_.append(scene.measurement);
     for (const Event& event : scene.events) events_.append(event);
     with_recorder([&](Recorder& recorder) { recorder.settle(scene); });
     scenes_->publish(std::move(scene));
+    ++measured_count_;  // last: who sees the count finds the scene
   }
 
   template <class Use>
