@@ -65,7 +65,8 @@ class VirtualSpecimen {
 };
 
 /// Radius of the dimple's mouth across the axis: half the distance between the crests on both sides of the apex; 0
-/// without a dimple. `outer` in the frame of the section.
+/// without a dimple, also while the top is flattened but has no crests yet (the first 4 to 5 um).
+/// `outer` in the frame of the section.
 double dimple_radius_um(const Contour_um& outer);
 
 /// Volume inside a section, each half revolved about the axis and the two averaged (Pappus): exact for a surface of
