@@ -9,6 +9,7 @@
 #include "Recorder.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Stage.h"
+#include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/pipeline/Chain.h"
 
 namespace pellucida {
@@ -120,8 +121,7 @@ class LiveRun::Impl {
   }
 
   void hand_out(Frame frame) {
-    frame.frame_index += index_offset_;
-    frame.time_s += time_offset_s_;
+    if (run_index_ > 0) number_on(frame);
     next_index_ = frame.frame_index + 1;
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
     const Scene scene = scene_of(frame, clock_.now_s(), run_index_);
@@ -130,6 +130,15 @@ class LiveRun::Impl {
     with_recorder([&](Recorder& recorder) { recorder.announce(scene); });
     frames_->publish(scene);
     if (auto skipped = to_track_.publish(scene)) skip(*skipped);
+  }
+
+  // After a restart numbers and times go on from where they were, in the image's stamp too.
+  void number_on(Frame& frame) const {
+    frame.frame_index += index_offset_;
+    frame.time_s += time_offset_s_;
+    auto image = frame.image.shallow_copy();
+    stamp(image, frame.time_s, frame.frame_index);
+    frame.image = Frozen<vtkImageData>(image);
   }
 
   // A step had nothing to say of this frame: it is kept with the reason.
