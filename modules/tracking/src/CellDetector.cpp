@@ -34,6 +34,7 @@ struct RingEdge {
   FoundEdge edge;
   contour::Circle circle;
   double score = 0.0;
+  double amplitude = 0.0;  // mean feature along the edge, grey value
 };
 
 // The best closed edge of one kind in a ring round a centre, `radius_from`..`radius_to` px of `image`.
@@ -66,9 +67,11 @@ RingEdge closed_edge(const GrayImage& image, const Eigen::Vector2d& center, doub
     if (!image.inside(p, 1.0)) continue;
     ++inside;
     sum += reward(i, j);
+    found.amplitude += feature(i, j);
     seen += reward(i, j) > 1.5F ? 1 : 0;
     leading += feature(i, j) > 0.6F * feature.row(i).maxCoeff() ? 1 : 0;
   }
+  found.amplitude /= std::max(inside, 1);
   found.edge.coverage = static_cast<double>(seen) / count;
   found.edge.contrast = inside > 0 ? sum / count : 0.0;
   found.circle = contour::fit_circle(found.edge.points, 0.06 * radius_to);
@@ -110,6 +113,8 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
   for (const double sigma : sigmas) {
     for (const EdgeKind& kind : kinds) {
       RingEdge found = closed_edge(image, center, from, to, kind, sigma, noise);
+      // A dark line has bright fringes and steps beside it: those must do clearly better to be taken for the edge itself.
+      if (kind.line <= 0.0) found.score *= 0.75;
       if (found.score > best.score) best = std::move(found);
     }
   }
@@ -183,6 +188,9 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
     RingEdge near = best_in_ring(fine, c, near_from, near_to, {sigma_fine}, fine_noise, {same});
     RingEdge far = best_in_ring(fine, c, far_from, far_to, {0.03 * r + 1.0, 0.05 * r + 1.5}, fine_noise,
                                 {{1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}});
+    // A fringe of the first edge is much fainter than the edge; the zona's own outer edge is faint too, but soft and far.
+    if (near.amplitude < 0.35 * first.amplitude) near.score = 0.0;
+    if (far.amplitude < 0.06 * first.amplitude) far.score = 0.0;
     return near.score >= 0.8 * far.score ? near : far;
   };
   RingEdge outside = second(r + 2.0 * gap, 1.35 * r, 1.13 * r, 1.55 * r);

@@ -29,10 +29,43 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
   const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
   strip_.features(filter, 1, feature_);
   std::vector<double> heights;
-  const int middle = static_cast<int>(strip_.column_of(0.0)), reach = static_cast<int>(std::ceil(2.0 / kStep));
+  const int middle = static_cast<int>(std::lround(strip_.column_of(0.0))), reach = static_cast<int>(std::ceil(2.0 / kStep));
+  Eigen::VectorXf row(strip_.columns());
+  Eigen::VectorXd mean_profile = Eigen::VectorXd::Zero(17);  // -2 .. +2 px about the filter's own peak
+  double aligned = 0.0;
   for (int i = 0; i < strip_.rows(); ++i) {
-    if (needle && needle->covers(snake.points.col(i), 4.0)) continue;
-    heights.push_back(feature_.row(i).segment(std::max(0, middle - reach), 2 * reach + 1).maxCoeff());
+    if (needle && needle->covers(snake.points.col(i), 6.0)) continue;
+    row = feature_.row(i).transpose();
+    const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
+    heights.push_back(peak.height);
+    if (peak.curvature >= 0.0) continue;
+    for (int k = 0; k < 17; ++k) {
+      const double at = peak.position + (k - 8) * 0.25 / kStep;
+      const int whole = std::clamp(static_cast<int>(at), 0, strip_.columns() - 2);
+      const double t = at - whole;
+      mean_profile[k] += (1.0 - t) * strip_.profile(i)[whole] + t * strip_.profile(i)[whole + 1];
+    }
+    aligned += 1.0;
+  }
+  if (aligned > 20.0 && snake.kind.step == 0.0) {
+    // The line's own centre against the filter's peak, which steps and fringes beside the line pull aside: the extremum of
+    // the mean profile, by a parabola through its inner pixels.
+    double s2 = 0.0, s4 = 0.0, sv = 0.0, s1v = 0.0, s2v = 0.0;
+    const int inner = 4;
+    for (int k = -inner; k <= inner; ++k) {
+      const double x = 0.25 * k, v = mean_profile[k + 8] / aligned;
+      s2 += x * x;
+      s4 += x * x * x * x;
+      sv += v;
+      s1v += x * v;
+      s2v += x * x * v;
+    }
+    const double count = 2 * inner + 1, quadratic = (s2v - s2 * sv / count) / (s4 - s2 * s2 / count);
+    const double linear = s1v / s2;
+    if (quadratic * snake.kind.line > 0.0) {
+      const double offset = std::clamp(-0.5 * linear / quadratic, -0.8, 0.8);
+      snake.center_offset_px = snake.strength > 0.0 ? 0.8 * snake.center_offset_px + 0.2 * offset : offset;
+    }
   }
   const double now = median_of(std::move(heights));
   if (now <= 0.0) return;
@@ -52,13 +85,19 @@ void MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, dou
   thickness_ = 0.0;
   take(cell.outer, outer_);
   if (cell.inner) take(*cell.inner, inner_);
-  for (int round = 0; round < 2; ++round) {
-    refine(image, noise, outer_, needle, true, 3.0);
-    if (has_inner()) refine(image, noise, inner_, needle, false, 3.0);
-  }
-  learn_strength(image, outer_, needle);
+  // Learn the look again each time the contour lies better on its edge.
+  const auto settle = [&](SnakeContour& snake, bool is_outer) {
+    for (int round = 0; round < 4; ++round) {
+      refine(image, noise, snake, needle, is_outer, 3.0);
+      snake.points = contour::resample(snake.points, options_.contour_point_count);
+      snake.strength = 0.0;
+      learn_strength(image, snake, needle);
+    }
+    refine(image, noise, snake, needle, is_outer, 2.0);
+  };
+  settle(outer_, true);
   if (!has_inner()) return;
-  learn_strength(image, inner_, needle);
+  settle(inner_, false);
   std::vector<double> gaps;
   for (Eigen::Index i = 0; i < outer_.points.cols(); i += 2)
     gaps.push_back(contour::distance_to(inner_.points, outer_.points.col(i)));
@@ -137,7 +176,7 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
     const Eigen::Vector2d p = snake.points.col(i);
     row = feature_.row(i).transpose();
     const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
-    edges[i] = strip_.offset_of(peak.position);
+    edges[i] = strip_.offset_of(peak.position) + snake.center_offset_px;
     const double relative = snake.strength > 0.0 ? peak.height / snake.strength : 0.0;
     const double clear = std::clamp((peak.height - 2.0 * noise_feature) / std::max(snake.strength, 1e-6), 0.0, 1.0);
     weights[i] = peak.curvature < 0.0 ? clear : 0.0;
@@ -162,7 +201,7 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
     if (is_outer && needle->touching && across < needle->tip_half_width && along < -0.5) {
       // Under the tip the membrane is where the tip's front is.
       edges[i] = -d.dot(needle->direction) / along;
-      weights[i] = 1.5;
+      weights[i] = 1.0;
       snake.confidence[i] = 0.8;
       snake.sigma_px[i] = 0.5;
     } else if (is_outer || !needle->touching || d.dot(needle->direction) < 1.0) {

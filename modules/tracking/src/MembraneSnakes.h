@@ -34,6 +34,7 @@ struct SnakeContour {
   EdgeKind kind;
   double scale_px = 1.3;
   double strength = 0.0;        ///< learnt median feature along the edge
+  double center_offset_px = 0.0;  ///< learnt: from the filter's peak to the line's own centre, outwards
   Eigen::VectorXd sigma_px;     ///< (n)
   Eigen::VectorXd confidence;   ///< (n) 0..1
   double score = 0.0;           ///< mean confidence where no needle covers the edge

@@ -143,20 +143,21 @@ class MembraneTracker::Impl {
     needle_.reset();
   }
 
-  // The pixels of the holder, outside the cell: what tells the cell's rigid motion.
+  // The pixels of the holder, outside the cell: what tells the cell's rigid motion. Its rim is what shows a motion along
+  // the pipette, so the pixels go close to the membrane and not far up the shaft.
   void learn_holder_motion() {
     rigid_.reset();
     if (!holder_.valid) return;
     const Eigen::Vector2d across(-holder_.direction.y(), holder_.direction.x());
     std::vector<Eigen::Vector2d> points;
-    const double half = holder_.half_width + 8.0;
-    for (double s = 0.75 * rest_.outer_radius; s < 3.0 * rest_.outer_radius; s += 1.5) {
-      for (double v = holder_.offset - half; v <= holder_.offset + half; v += 1.5) {
-        if (std::hypot(s, v) < rest_.outer_radius + 6.0) continue;
+    const double half = holder_.half_width + 6.0;
+    for (double s = 0.7 * rest_.outer_radius; s < 1.6 * rest_.outer_radius; s += 1.0) {
+      for (double v = holder_.offset - half; v <= holder_.offset + half; v += 1.0) {
+        if (std::hypot(s, v) < rest_.outer_radius + 3.0) continue;
         points.push_back(rest_.center + s * holder_.direction + v * across);
       }
     }
-    rigid_.learn(image_, points);
+    rigid_.learn(image_, points, noise_);
   }
 
   Eigen::Vector2d center_now() const { return rest_.center + rigid_shift_; }

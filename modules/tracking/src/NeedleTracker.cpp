@@ -77,13 +77,14 @@ struct NeedleTracker::Straightened {
     for (double v = v_from; v <= v_to + 1e-9; v += kAcrossStep, ++count) sum += at(v, k);
     return count > 0 ? sum / static_cast<float>(count) : 0.0F;
   }
-  // How much darker the two edges are than the medium beside them, taken on the darker side (walls of a dimple are dark).
-  double evidence(double middle, double half_width, int k) const {
-    const double edges = 0.5 * (mean(middle - half_width - 0.5, middle - half_width + 0.5, k) +
-                                mean(middle + half_width - 0.5, middle + half_width + 0.5, k));
-    const double left = mean(middle - half_width - 8.0, middle - half_width - 4.0, k);
-    const double right = mean(middle + half_width + 4.0, middle + half_width + 8.0, k);
-    return 0.5 * (left + right) - edges;
+  // Grey value of the two edges at a station, and of the medium beside them.
+  double edges(double middle, double half_width, int k) const {
+    return 0.5 * (mean(middle - half_width - 0.5, middle - half_width + 0.5, k) +
+                  mean(middle + half_width - 0.5, middle + half_width + 0.5, k));
+  }
+  double beside(double middle, double half_width, int k) const {
+    return 0.5 * (mean(middle - half_width - 8.0, middle - half_width - 4.0, k) +
+                  mean(middle + half_width + 4.0, middle + half_width + 8.0, k));
   }
 };
 
@@ -206,12 +207,21 @@ bool NeedleTracker::measure(const GrayImage& image, double noise, double ahead_p
   const double axis_offset = 0.5 * (ra + la), axis_slope = 0.5 * (rb + lb);
   if (std::abs(axis_slope) > 0.3) return false;
 
-  // Evidence of a shaft, station by station along the new axis, against what a station in full view shows.
-  std::vector<double> evidence(static_cast<std::size_t>(strip.stations()), 0.0), full;
+  // Evidence of a shaft, station by station along the new axis: how much darker its edges are than the medium. Near the
+  // tip the medium's grey value is carried on from further back: a membrane that wraps the tip would darken it.
+  std::vector<double> evidence(static_cast<std::size_t>(strip.stations()), 0.0), full, medium;
   for (int k = 0; k < strip.stations(); ++k) {
     const double s = strip.from + k;
     const double w = std::max(0.8, half_width + widening * s);
-    evidence[static_cast<std::size_t>(k)] = strip.evidence(axis_offset + axis_slope * s, w, k);
+    if (s > 10.0 && s < 40.0 && strip.inside[static_cast<std::size_t>(k)])
+      medium.push_back(strip.beside(axis_offset + axis_slope * s, w, k));
+  }
+  const double medium_near_tip = median_of(medium);
+  for (int k = 0; k < strip.stations(); ++k) {
+    const double s = strip.from + k;
+    const double w = std::max(0.8, half_width + widening * s), v = axis_offset + axis_slope * s;
+    const bool near = s < 12.0 && !medium.empty();
+    evidence[static_cast<std::size_t>(k)] = (near ? medium_near_tip : strip.beside(v, w, k)) - strip.edges(v, w, k);
     if (s > 8.0 && strip.inside[static_cast<std::size_t>(k)]) full.push_back(evidence[static_cast<std::size_t>(k)]);
   }
   const double reference = median_of(full);

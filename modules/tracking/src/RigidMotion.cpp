@@ -4,7 +4,7 @@
 
 namespace pellucida {
 
-bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points) {
+bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points, double noise) {
   reset();
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   double sum = 0.0, squares = 0.0;
@@ -22,16 +22,22 @@ bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2
   const double n = static_cast<double>(points_.size());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(information);
   // Both directions need structure: one edge alone slides along itself.
-  if (n < 60 || eigen.eigenvalues()[0] < 0.01 * eigen.eigenvalues()[1] || eigen.eigenvalues()[1] <= 0.0) {
+  const double weakest = eigen.eigenvalues()[0];
+  if (n < 60 || !(weakest > 0.0) || noise / std::sqrt(weakest) > 0.1 || weakest < 1e-4 * eigen.eigenvalues()[1]) {
     reset();
     return false;
   }
+  noise_ = noise;
   spread_ = std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
   return spread_ > 0.0;
 }
 
 bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double& residual) const {
-  for (int round = 0; round < 12; ++round) {
+  double gain = 0.0, offset = 0.0;
+  for (int round = 0; round < 14; ++round) {
+    // Pixels that something else covers now (a membrane that bulges beside the rim) must not pull: tolerant at first, then
+    // strict.
+    const double scale = std::max(3.0 * noise_, (round < 4 ? 0.5 : 0.12) * spread_);
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
     double weight = 0.0, squares = 0.0;
@@ -41,9 +47,8 @@ bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double
       const double gx = 0.5 * (image.sample(p.x() + 1, p.y()) - image.sample(p.x() - 1, p.y()));
       const double gy = 0.5 * (image.sample(p.x(), p.y() + 1) - image.sample(p.x(), p.y() - 1));
       const double off = image.sample(p) - values_[k];
-      // Pixels that changed by more than the picture's own contrast are covered by something.
-      const double r = off / (0.5 * spread_);
-      const double w = 1.0 / (1.0 + r * r);
+      const double r = (off + gain * values_[k] + offset) / scale;
+      const double w = 1.0 / ((1.0 + r * r) * (1.0 + r * r));
       const Eigen::Vector4d row(gx, gy, values_[k], 1.0);
       normal += w * row * row.transpose();
       right -= w * off * row;
@@ -56,7 +61,9 @@ bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double
     if (!step.allFinite()) return false;
     const Eigen::Vector2d move = step.head<2>().cwiseMin(2.0).cwiseMax(-2.0);
     motion += move;
-    if (move.norm() < 0.005) break;
+    gain = step[2];
+    offset = step[3];
+    if (move.norm() < 0.003 && round > 5) break;
   }
   return residual < 0.6 * spread_;
 }

@@ -10,9 +10,9 @@ namespace pellucida {
 /// offset free: tells a drift of the stage from a deformation of the cell.
 class RigidMotion {
  public:
-  /// Keeps the look of the pixels `points` (px) of `image` as the reference. Takes only those with a gradient to follow.
-  /// False when there are too few of them to tell a motion in both directions.
-  bool learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points);
+  /// Keeps the look of the pixels `points` (px) of `image` as the reference. 
+  /// False when, with pixel noise of standard deviation `noise`, they could not tell a motion in every direction to 0.1 px.
+  bool learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points, double noise);
 
   /// Motion since `learn`, px; starts from the last one. `reach_px` bounds the step. False when the fit fails.
   bool track(const GrayImage& image, double reach_px);
@@ -26,6 +26,7 @@ class RigidMotion {
 
   std::vector<Eigen::Vector2d> points_;
   std::vector<double> values_;
+  double noise_ = 0.0;
   double spread_ = 0.0;  // standard deviation of the reference's grey values
   Eigen::Vector2d motion_ = Eigen::Vector2d::Zero();
 };

@@ -14,6 +14,40 @@ struct EdgeLine {
   double angle, offset, votes;
 };
 
+// How wide a tool is, and where its middle runs: the extent of what differs from the medium in the median cross-section.
+// Half resolution.
+void measure_width(const GrayImage& half, const Eigen::Vector2d& center, double radius, FoundTool& tool) {
+  const Eigen::Vector2d across(-tool.direction.y(), tool.direction.x());
+  const int reach = static_cast<int>(std::ceil(0.95 * radius));
+  std::vector<std::vector<float>> columns(static_cast<std::size_t>(2 * reach + 1));
+  for (double s = 1.25 * radius; s < 8.0 * radius; s += 1.5) {
+    if (!half.inside(center + s * tool.direction + tool.offset() * across, 1.0)) break;
+    std::vector<float> row;
+    for (int v = -reach; v <= reach; ++v) row.push_back(half.sample(center + s * tool.direction + double(v) * across));
+    // Against the row's own median, so that an illumination gradient along the tool cancels.
+    std::vector<float> sorted = row;
+    std::nth_element(sorted.begin(), sorted.begin() + reach, sorted.end());
+    const float medium = sorted[static_cast<std::size_t>(reach)];
+    for (std::size_t v = 0; v < row.size(); ++v) columns[v].push_back(row[v] - medium);
+  }
+  if (columns.front().size() < 8) return;
+  std::vector<float> profile;
+  for (std::vector<float>& column : columns) {
+    std::nth_element(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(column.size() / 2), column.end());
+    profile.push_back(std::abs(column[column.size() / 2]));
+  }
+  const float threshold = 0.3F * *std::max_element(profile.begin(), profile.end());
+  int from = -1, to = -1;
+  for (int v = 0; v <= 2 * reach; ++v) {
+    if (profile[static_cast<std::size_t>(v)] < threshold) continue;
+    if (from < 0) from = v;
+    to = v;
+  }
+  if (from < 0) return;
+  tool.offset_from = from - reach;
+  tool.offset_to = to - reach;
+}
+
 }  // namespace
 
 std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle& cell) {
@@ -52,13 +86,11 @@ std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle&
       Eigen::Vector2d along(-gy.at<float>(y, x) / m, gx.at<float>(y, x) / m);
       if (along.dot(d) < 0.0) along = -along;
       if (along.dot(d) < 0.5 * d.norm()) continue;
-      const double offset = along.x() * d.y() - along.y() * d.x();
       // The gradient's direction is good to a few degrees: spread the vote, each angle with its own offset.
       const double angle = std::atan2(along.y(), along.x());
       for (int k = -2; k <= 2; ++k) {
         const double a = angle + k * kBinAngle;
         const double o = std::cos(a) * d.y() - std::sin(a) * d.x();
-        (void)offset;
         const int column = static_cast<int>(std::lround(o)) + offset_half;
         if (column < 0 || column >= offsets) continue;
         const int row = ((static_cast<int>(std::lround(a / kBinAngle)) % kAngleCount) + kAngleCount) % kAngleCount;
@@ -108,8 +140,11 @@ std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle&
     }
     FoundTool tool;
     tool.direction = Eigen::Vector2d(cosine, sine).normalized();
-    tool.offset_from = 2.0 * from;
-    tool.offset_to = 2.0 * to;
+    tool.offset_from = from;
+    tool.offset_to = to;
+    measure_width(half, center, radius, tool);
+    tool.offset_from *= 2.0;
+    tool.offset_to *= 2.0;
     tool.strength = 2.0 * weight;
     tools.push_back(tool);
   }
