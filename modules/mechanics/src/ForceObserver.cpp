@@ -146,7 +146,10 @@ class ForceObserver::Impl {
     // Out of contact the shape is known.
     IndentationState state;
     if (contact) {
+      // After a failure start from rest, not from a shape that leads nowhere.
+      if (start_anew_) indenter_->reset();
       state = indenter_->advance_to(depth_um);
+      start_anew_ = state.report.status != SolveStatus::kConverged;
       estimate.converged = state.report.status == SolveStatus::kConverged;
       estimate.iterations = state.report.iterations;
       if (!estimate.converged) {
@@ -185,7 +188,7 @@ class ForceObserver::Impl {
 
     // A model that isn't where the needle is says nothing of its force.
     if (!estimate.converged) return;
-    estimate.depth_um = state.depth_um;
+    estimate.depth_um = depth_um;
     estimate.stiffness_uN_per_um = contact ? std::max(0.0, state.stiffness_uN_per_um) : 0.0;
     estimate.tip_force_uN = R * state.tip_force_uN;
     estimate.contact_force_uN = std::max(0.0, state.push_force_uN);
@@ -199,6 +202,7 @@ class ForceObserver::Impl {
   CellProfile profile_;
   double relative_sigma_ = 0.0;
   std::unique_ptr<Indenter> indenter_;
+  bool start_anew_ = false;
   DepthFilter filter_;
   double outer_radius_um_ = 0.0;
   std::optional<Eigen::Vector2d> holder_W_;

@@ -12,6 +12,8 @@ namespace {
 constexpr double kLongestStep_um = 2.0;
 /// A step that fails is halved down to this.
 constexpr double kShortestStep_um = 0.05;
+/// No single call spends more iterations: from rest to the deepest point takes about a hundred.
+constexpr int kMostIterations = 400;
 
 }  // namespace
 
@@ -60,6 +62,10 @@ IndentationState Indenter::advance_to(double depth_um) {
     total.factorizations += report.factorizations;
     total.shifts += report.shifts;
     total.residual_uN = report.residual_uN;
+    if (total.iterations >= kMostIterations && depth_um_ != depth_um) {
+      total.status = SolveStatus::kIterationBudget;
+      break;
+    }
     if (report.status != SolveStatus::kConverged) {
       step = 0.5 * std::min(step, std::abs(way));
       if (step < kShortestStep_um) break;

@@ -42,17 +42,18 @@ struct ForceEstimate {
 
   /// (3 x n) uN, frame W: resultant of the membrane's own elastic forces on each node, i.e. of the springs of eq. (1)
   /// and the hinges. In equilibrium it balances what acts on the node from outside: the pressure everywhere, the needle
-  /// under the tip, the holder on its ring. Under the tip it points at the needle. All nodes together sum to zero,
-  /// since the outer forces do.
+  /// under the tip, the holder on its ring. Summed over the nodes under the tip it points at the needle, with the
+  /// contact force less the pressure's part; single nodes there differ, since the bonded tip bears on the rim of its
+  /// patch and pulls at its middle. All nodes together sum to zero, since the outer forces do.
   Eigen::Matrix3Xd force_uN;
   Eigen::VectorXd force_sigma_uN;     ///< (n) standard deviation of its magnitude
   Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
 };
 
 /// Force from the tracked shape. Each frame: the cell's frame from centre and needle axis, the holder where it was
-/// tracked, the filtered indentation at the apex; then the mass-spring-damper membrane in equilibrium with the needle
-/// that deep, started from the last frame's shape; then the exact read-out of the tip's bond. One thread at a time; not
-/// real-time safe (allocates).
+/// tracked, the filtered indentation at the apex, taken as the needle's depth; then the mass-spring-damper membrane in
+/// equilibrium with the needle that deep, started from the last frame's shape; then the exact read-out of the tip's
+/// bond. One thread at a time; not real-time safe (allocates).
 class ForceObserver {
  public:
   explicit ForceObserver(CellProfile profile);

@@ -1,0 +1,176 @@
+#include "pellucida/mechanics/ForceObserver.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "TestProfiles.h"
+#include "pellucida/mechanics/Indenter.h"
+
+namespace pellucida {
+namespace {
+
+/// A cell of 52.5 um at (200, 150) um, held on one side, with the needle in direction `axis_rad` from its centre.
+Observation make_observation(CellState state, double depth_um, double axis_rad, double holder_rad, long frame) {
+  Observation o;
+  o.time_s = static_cast<double>(frame) / 30.0;
+  o.frame_index = frame;
+  o.state = state;
+  o.confidence = 1.0;
+  o.center_um = {200.0, 150.0};
+  o.rest_outer_radius_um = 52.5;
+  o.rest_inner_radius_um = 47.5;
+  o.outer.emplace();
+  o.axis = {std::cos(axis_rad), std::sin(axis_rad)};
+  o.needle = NeedlePose{o.center_um + (52.5 - depth_um) * o.axis, -o.axis, 5.0, 1.0, {}};
+  HolderPose holder;
+  holder.direction = {std::cos(holder_rad), std::sin(holder_rad)};
+  o.holder = holder;
+  o.indentation_um = depth_um;
+  o.indentation_sigma_um = 0.15;
+  return o;
+}
+
+/// Ramps to `depth_um` in steps of a frame and gives the last estimate.
+ForceEstimate ramp(ForceObserver& observer, double depth_um, double axis_rad, double holder_rad) {
+  ForceEstimate estimate;
+  const int frames = static_cast<int>(std::ceil(depth_um / 0.7));
+  for (int frame = 0; frame <= frames; ++frame) {
+    const double depth = depth_um * frame / frames;
+    estimate = observer.process(
+        make_observation(depth > 0.0 ? CellState::kContact : CellState::kFree, depth, axis_rad, holder_rad, frame));
+    EXPECT_TRUE(estimate.converged) << depth << " " << estimate.reason;
+  }
+  return estimate;
+}
+
+void expect_finite(const ForceEstimate& e) {
+  EXPECT_TRUE(e.rest_um.allFinite() && e.solved_um.allFinite() && e.force_uN.allFinite());
+  EXPECT_TRUE(e.force_sigma_uN.allFinite() && e.tension_uN_per_um.allFinite() && e.tip_force_uN.allFinite());
+}
+
+TEST(ForceObserver, MeetsTheForceCurveAtAnyAngleInTheImage) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  for (const int configuration : {1, 2, 3}) {
+    const auto curve = force_curve(profile, configuration, 30.0, 1.0);
+    for (const double axis : {0.0, 1.1, -2.4}) {
+      ForceObserver observer(profile);
+      const double holder = axis + std::numbers::pi - 0.25 * std::numbers::pi * (configuration - 1);
+      const ForceEstimate e = ramp(observer, 30.0, axis, holder);
+      EXPECT_NEAR(e.contact_force_uN, curve.back().push_force_uN, 0.005 * curve.back().push_force_uN);
+      EXPECT_LT(e.contact_force_lower_uN, e.contact_force_uN);
+      EXPECT_GT(e.contact_force_upper_uN, e.contact_force_uN);
+      EXPECT_FALSE(e.holder_assumed);
+      // The needle pushes against the axis, in the image plane.
+      EXPECT_NEAR(e.tip_force_uN.dot(Eigen::Vector3d(-std::cos(axis), -std::sin(axis), 0.0)), e.contact_force_uN, 1e-9);
+      EXPECT_NEAR(e.tip_force_uN.z(), 0.0, 0.02 * e.contact_force_uN);
+      expect_finite(e);
+    }
+  }
+}
+
+TEST(ForceObserver, NodesLieOnTheCellAndTheirForcesBalance) {
+  ForceObserver observer(load_profile("mouse-oocyte"));
+  const ForceEstimate e = ramp(observer, 20.0, 0.5, 0.5 + std::numbers::pi);
+  EXPECT_LT(((e.rest_um.colwise() - Eigen::Vector3d(200, 150, 0)).colwise().norm().array() - 50.0).abs().maxCoeff(),
+            1e-9);
+  EXPECT_LT(e.force_uN.rowwise().sum().norm(), 5e-3 * e.contact_force_uN);
+  EXPECT_NEAR(e.rotation_WC.determinant(), 1.0, 1e-12);
+
+  // The apex went in by the depth observed.
+  Eigen::Index apex = 0;
+  const Eigen::Vector3d axis(std::cos(0.5), std::sin(0.5), 0.0);
+  (axis.transpose() * (e.rest_um.colwise() - Eigen::Vector3d(200, 150, 0))).maxCoeff(&apex);
+  EXPECT_NEAR((e.rest_um.col(apex) - e.solved_um.col(apex)).dot(axis), 20.0, 0.25);
+  // Under the tip (a patch of 5 um, about a triangle's edge) the membrane pushes back at the needle, with the whole
+  // force.
+  Eigen::Vector3d under_tip = Eigen::Vector3d::Zero();
+  for (Eigen::Index n = 0; n < e.rest_um.cols(); ++n) {
+    if ((e.rest_um.col(n) - e.rest_um.col(apex)).norm() < 10.5) under_tip += e.force_uN.col(n);
+  }
+  EXPECT_NEAR(under_tip.dot(axis), e.contact_force_uN, 0.12 * e.contact_force_uN);
+  // The mesh is a closed surface, outward in W as well.
+  EXPECT_GT(enclosed_volume_um3(e.solved_um.colwise() - Eigen::Vector3d(200, 150, 0), e.triangles), 0.0);
+  EXPECT_NEAR(e.volume_um3, 4.0 / 3.0 * std::numbers::pi * std::pow(52.5, 3), 1e-3 * e.volume_um3);
+}
+
+TEST(ForceObserver, StatesWithoutContactGiveZeroOrNothing) {
+  ForceObserver observer(testing::coarse_profile());
+  const ForceEstimate free = observer.process(make_observation(CellState::kFree, 0.0, 0.0, std::numbers::pi, 0));
+  EXPECT_DOUBLE_EQ(free.contact_force_uN, 0.0);
+  EXPECT_DOUBLE_EQ(free.contact_force_upper_uN, 0.0);
+  EXPECT_TRUE(free.converged);
+  EXPECT_LT(free.force_uN.cwiseAbs().maxCoeff(), 1e-9);
+
+  const ForceEstimate contact = ramp(observer, 15.0, 0.0, std::numbers::pi);
+  EXPECT_GT(contact.contact_force_uN, 0.5);
+  const ForceEstimate punctured =
+      observer.process(make_observation(CellState::kPunctured, 40.0, 0.0, std::numbers::pi, 60));
+  EXPECT_DOUBLE_EQ(punctured.contact_force_uN, 0.0);
+  EXPECT_DOUBLE_EQ(punctured.pressure_Pa, 0.0);
+
+  for (const CellState state : {CellState::kNoCell, CellState::kLost}) {
+    const ForceEstimate nothing = observer.process(make_observation(state, 10.0, 0.0, std::numbers::pi, 61));
+    EXPECT_TRUE(std::isnan(nothing.contact_force_uN));
+    EXPECT_FALSE(nothing.converged);
+    EXPECT_FALSE(nothing.reason.empty());
+    EXPECT_EQ(nothing.rest_um.cols(), 0);
+  }
+}
+
+TEST(ForceObserver, MissingPartsAreSaidNotGuessed) {
+  ForceObserver observer(testing::coarse_profile());
+  Observation o = make_observation(CellState::kContact, 5.0, 0.0, std::numbers::pi, 0);
+  o.holder.reset();
+  o.rest_inner_radius_um = 0.0;
+  const ForceEstimate assumed = observer.process(o);
+  EXPECT_TRUE(assumed.converged);
+  EXPECT_TRUE(assumed.holder_assumed);
+  EXPECT_TRUE(assumed.thickness_assumed);
+  EXPECT_GT(assumed.contact_force_uN, 0.0);
+
+  o.needle.reset();
+  const ForceEstimate blind = observer.process(o);
+  EXPECT_TRUE(std::isnan(blind.contact_force_uN));
+  EXPECT_FALSE(blind.reason.empty());
+
+  o = make_observation(CellState::kContact, 5.0, 0.0, std::numbers::pi, 2);
+  o.indentation_um = std::nan("");
+  EXPECT_TRUE(std::isnan(observer.process(o).contact_force_uN));
+  o.indentation_um = 1e6;
+  EXPECT_TRUE(std::isnan(observer.process(o).contact_force_uN));
+  o = make_observation(CellState::kContact, 5.0, 0.0, std::numbers::pi, 3);
+  o.rest_outer_radius_um = 0.0;
+  EXPECT_TRUE(std::isnan(observer.process(o).contact_force_uN));
+
+  // And it recovers.
+  const ForceEstimate again = observer.process(make_observation(CellState::kContact, 5.0, 0.0, std::numbers::pi, 4));
+  EXPECT_TRUE(again.converged);
+  expect_finite(again);
+}
+
+TEST(ForceObserver, ANoisierDepthWidensTheInterval) {
+  ForceObserver sharp(testing::coarse_profile()), blurred(testing::coarse_profile());
+  Observation o = make_observation(CellState::kContact, 6.0, 0.0, std::numbers::pi, 0);
+  const ForceEstimate a = sharp.process(o);
+  o.indentation_sigma_um = 1.0;
+  const ForceEstimate b = blurred.process(o);
+  EXPECT_GT(b.contact_force_upper_uN - b.contact_force_lower_uN,
+            1.5 * (a.contact_force_upper_uN - a.contact_force_lower_uN));
+}
+
+TEST(ForceObserver, ACellFarLargerThanTheProfilesIsItsOwnSize) {
+  // F goes with R^-1.9: a cell of 60 um is softer than one of 50 um.
+  ForceObserver usual(testing::coarse_profile()), large(testing::coarse_profile());
+  Observation o = make_observation(CellState::kContact, 15.0, 0.0, std::numbers::pi, 0);
+  const double force = usual.process(o).contact_force_uN;
+  o.rest_outer_radius_um = 62.5;
+  o.rest_inner_radius_um = 57.5;
+  const double softer = large.process(o).contact_force_uN;
+  EXPECT_LT(softer, 0.95 * force);
+  EXPECT_GT(softer, 0.5 * force);
+}
+
+}  // namespace
+}  // namespace pellucida

@@ -1,0 +1,218 @@
+#include "pellucida/mechanics_vtk/MechanicsStep.h"
+
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "TestProfiles.h"
+#include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/mechanics/SphereMesh.h"
+#include "pellucida/mechanics_vtk/ForceTransfer.h"
+
+namespace pellucida {
+namespace {
+
+/// Two spheres (outer 52.5, inner 47.5 um) about (100, 80, 0) of rings about the needle's axis, as a reconstruction
+/// gives them.
+vtkSmartPointer<vtkPolyData> make_surface(const Eigen::Vector3d& axis, int meridian_count, int ring_count) {
+  const Eigen::Vector3d side = Eigen::Vector3d::UnitZ().cross(axis);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIntArray> membrane;
+  membrane->SetName(array_name::kMembrane);
+  vtkNew<vtkDoubleArray> direction;
+  direction->SetName("rest_direction");
+  direction->SetNumberOfComponents(3);
+  for (int m = 0; m < 2; ++m) {
+    const double radius = m == 0 ? 52.5 : 47.5;
+    const vtkIdType first = points->GetNumberOfPoints();
+    const auto add = [&](double theta, double phi) {
+      const Eigen::Vector3d d =
+          std::cos(theta) * axis + std::sin(theta) * (std::cos(phi) * side + std::sin(phi) * Eigen::Vector3d::UnitZ());
+      const Eigen::Vector3d p = Eigen::Vector3d(100, 80, 0) + radius * d;
+      points->InsertNextPoint(p.data());
+      direction->InsertNextTuple(d.data());
+      membrane->InsertNextValue(m);
+    };
+    add(0.0, 0.0);
+    for (int r = 1; r <= ring_count; ++r) {
+      for (int k = 0; k < meridian_count; ++k) {
+        add(std::numbers::pi * r / (ring_count + 1), 2.0 * std::numbers::pi * k / meridian_count);
+      }
+    }
+    add(std::numbers::pi, 0.0);
+    const vtkIdType last = points->GetNumberOfPoints() - 1;
+    const auto node = [&](int r, int k) { return first + 1 + (r - 1) * meridian_count + k % meridian_count; };
+    for (int k = 0; k < meridian_count; ++k) {
+      const vtkIdType cap[3] = {first, node(1, k), node(1, k + 1)};
+      cells->InsertNextCell(3, cap);
+      for (int r = 1; r < ring_count; ++r) {
+        const vtkIdType quad[4] = {node(r, k), node(r + 1, k), node(r + 1, k + 1), node(r, k + 1)};
+        cells->InsertNextCell(4, quad);
+      }
+      const vtkIdType tail[3] = {node(ring_count, k), last, node(ring_count, k + 1)};
+      cells->InsertNextCell(3, tail);
+    }
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  surface->GetPointData()->AddArray(membrane);
+  surface->GetPointData()->AddArray(direction);
+  stamp(surface, 0.5, 15);
+  return surface;
+}
+
+Scene make_scene(double depth_um, double axis_rad, int meridian_count, int ring_count) {
+  Observation o;
+  o.time_s = 0.5;
+  o.frame_index = 15;
+  o.state = depth_um > 0.0 ? CellState::kContact : CellState::kFree;
+  o.center_um = {100.0, 80.0};
+  o.rest_outer_radius_um = 52.5;
+  o.rest_inner_radius_um = 47.5;
+  o.outer.emplace();
+  o.axis = {std::cos(axis_rad), std::sin(axis_rad)};
+  o.needle = NeedlePose{};
+  o.indentation_um = depth_um;
+  o.indentation_sigma_um = 0.1;
+  Scene scene;
+  scene.observation = std::make_shared<const Observation>(o);
+  scene.measurement = measurement_from(o);
+  scene.surface =
+      Frozen<vtkPolyData>(make_surface({std::cos(axis_rad), std::sin(axis_rad), 0.0}, meridian_count, ring_count));
+  return scene;
+}
+
+Eigen::Vector3d sum_of(vtkDataArray* array) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), value;
+  for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n) {
+    array->GetTuple(n, value.data());
+    sum += value;
+  }
+  return sum;
+}
+
+/// Sum of the sizes of nodal forces on one side of the cell: tells a push from nothing.
+double sum_of_sizes(vtkDataArray* array) {
+  double sum = 0.0;
+  Eigen::Vector3d value;
+  for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n) {
+    array->GetTuple(n, value.data());
+    sum += value.norm();
+  }
+  return sum;
+}
+
+class MechanicsStepMesh : public ::testing::TestWithParam<std::tuple<int, int>> {};
+
+TEST_P(MechanicsStepMesh, CarriesTheForcesToTheOuterMembraneWithTheirSum) {
+  const auto [meridian_count, ring_count] = GetParam();
+  const Scene scene = make_scene(12.0, 0.8, meridian_count, ring_count);
+  MechanicsStep step(load_profile("mouse-oocyte"));
+  const auto out = step.process(scene);
+  ASSERT_TRUE(out.has_value());
+
+  // The row.
+  const Measurement& row = out->measurement;
+  EXPECT_GT(row.contact_force_uN, 0.8);
+  EXPECT_LT(row.contact_force_uN, 1.6);
+  EXPECT_LT(row.contact_force_lower_uN, row.contact_force_uN);
+  EXPECT_GT(row.contact_force_upper_uN, row.contact_force_uN);
+  EXPECT_GT(row.pressure_Pa, 0.0);
+  EXPECT_GT(row.volume_um3, 5e5);
+
+  // The model.
+  const auto model = out->model.shallow_copy();
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->GetNumberOfPoints(), 492);
+  EXPECT_EQ(model->GetNumberOfCells(), 980);
+  for (const char* name : {array_name::kForce, array_name::kDisplacement, array_name::kTension}) {
+    EXPECT_TRUE(model->GetPointData()->HasArray(name)) << name;
+  }
+  EXPECT_EQ(stamped_frame_index(model), 15);
+
+  // The surface: same sum, nothing on the inner membrane.
+  const auto surface = out->surface.shallow_copy();
+  vtkDataArray* force = surface->GetPointData()->GetArray(array_name::kForce);
+  ASSERT_TRUE(force);
+  EXPECT_EQ(force->GetNumberOfComponents(), 3);
+  const Eigen::Vector3d model_sum = sum_of(model->GetPointData()->GetArray(array_name::kForce));
+  EXPECT_LT((sum_of(force) - model_sum).norm(), 1e-9);
+  EXPECT_GT(sum_of_sizes(force), row.contact_force_uN);
+  vtkDataArray* membrane = surface->GetPointData()->GetArray(array_name::kMembrane);
+  vtkDataArray* sigma = surface->GetPointData()->GetArray(array_name::kForceSigma);
+  vtkDataArray* tension = surface->GetPointData()->GetArray(array_name::kTension);
+  ASSERT_TRUE(sigma && tension);
+  for (vtkIdType n = 0; n < surface->GetNumberOfPoints(); ++n) {
+    Eigen::Vector3d value;
+    force->GetTuple(n, value.data());
+    EXPECT_TRUE(value.allFinite() && std::isfinite(sigma->GetTuple1(n)) && std::isfinite(tension->GetTuple1(n)));
+    if (membrane->GetTuple1(n) == 1.0) {
+      EXPECT_EQ(value.norm(), 0.0);
+      EXPECT_EQ(sigma->GetTuple1(n), 0.0);
+    }
+  }
+
+  // The input is as it was.
+  EXPECT_FALSE(scene.surface.shallow_copy()->GetPointData()->HasArray(array_name::kForce));
+  EXPECT_FALSE(scene.model);
+}
+
+// The paper's steps of 60 and 30 degrees, and finer ones.
+INSTANTIATE_TEST_SUITE_P(Steps, MechanicsStepMesh,
+                         ::testing::Values(std::tuple(6, 11), std::tuple(12, 23), std::tuple(36, 47)));
+
+TEST(MechanicsStep, AVolumeMeasuredBeforeIsKept) {
+  Scene scene = make_scene(5.0, 0.0, 12, 23);
+  scene.measurement.volume_um3 = 123456.0;
+  MechanicsStep step(testing::coarse_profile());
+  EXPECT_DOUBLE_EQ(step.process(scene)->measurement.volume_um3, 123456.0);
+}
+
+TEST(MechanicsStep, ScenesWithoutCellOrSurfacePassOn) {
+  MechanicsStep step(testing::coarse_profile());
+  Scene no_surface = make_scene(5.0, 0.0, 12, 23);
+  no_surface.surface = {};
+  const auto a = step.process(no_surface);
+  ASSERT_TRUE(a.has_value());
+  EXPECT_FALSE(a->surface);
+  EXPECT_TRUE(a->model);
+  EXPECT_GT(a->measurement.contact_force_uN, 0.0);
+
+  Scene no_cell;
+  no_cell.observation = std::make_shared<const Observation>();
+  const auto b = step.process(no_cell);
+  ASSERT_TRUE(b.has_value());
+  EXPECT_FALSE(b->model);
+  EXPECT_TRUE(std::isnan(b->measurement.contact_force_uN));
+
+  EXPECT_FALSE(step.process(Scene{}).has_value());
+}
+
+TEST(ForceTransfer, KeepsSumsAndReproducesLinearFields) {
+  const TriangleMesh mesh = make_sphere_mesh(1.0, {7, 1.25});
+  const TriangleMesh fine = make_sphere_mesh(1.0, {11, 1.0});
+  const Eigen::VectorXd areas = node_areas_um2(fine.points_um, fine.triangles);
+  const ForceTransfer transfer(mesh.points_um, mesh.triangles, fine.points_um, areas);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(mesh.points_um.cols());
+  EXPECT_LT(
+      (Eigen::RowVectorXd::Ones(fine.points_um.cols()) * transfer.extensive() - ones.transpose()).cwiseAbs().maxCoeff(),
+      1e-12);
+  EXPECT_LT((transfer.intensive() * ones - Eigen::VectorXd::Ones(fine.points_um.cols())).cwiseAbs().maxCoeff(), 1e-12);
+  // A smooth field comes over as it is.
+  const Eigen::VectorXd field = (mesh.points_um.row(0) + 0.5 * mesh.points_um.row(2)).transpose();
+  const Eigen::VectorXd expected = (fine.points_um.row(0) + 0.5 * fine.points_um.row(2)).transpose();
+  EXPECT_LT((transfer.intensive() * field - expected).cwiseAbs().maxCoeff(), 0.03);
+}
+
+}  // namespace
+}  // namespace pellucida

@@ -1,0 +1,113 @@
+// The model against the finite-element reference, with the effective scale.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "pellucida/core/Resources.h"
+#include "pellucida/core/Table.h"
+#include "pellucida/mechanics/Indenter.h"
+
+namespace pellucida {
+namespace {
+
+struct Errors {
+  double largest_ratio = 0.0;          ///< from 4 um
+  double largest_of_peak_ratio = 0.0;  ///< everywhere
+};
+
+Errors compare(const CellProfile& profile, int configuration, const std::filesystem::path& file,
+               const char* force_column) {
+  const Table table = Table::read(file);
+  const Eigen::VectorXd depth = table.column("indentation_um"), force = table.column(force_column);
+  Indenter indenter(profile, setup_for_configuration(profile, configuration));
+  Errors errors;
+  for (Eigen::Index row = 0; row < table.rows(); ++row) {
+    const IndentationState state = indenter.advance_to(depth[row]);
+    EXPECT_EQ(state.report.status, SolveStatus::kConverged) << depth[row];
+    const double error = std::abs(state.push_force_uN - force[row]);
+    errors.largest_of_peak_ratio = std::max(errors.largest_of_peak_ratio, error / force[table.rows() - 1]);
+    if (depth[row] >= 4.0) errors.largest_ratio = std::max(errors.largest_ratio, error / force[row]);
+  }
+  std::printf("%s configuration %d against %s: %.2f %% pointwise from 4 um, %.2f %% of the last\n",
+              profile.name.c_str(), configuration, file.filename().c_str(), 100.0 * errors.largest_ratio,
+              100.0 * errors.largest_of_peak_ratio);
+  return errors;
+}
+
+std::filesystem::path reference(const std::string& name) {
+  return resource_folder() / "reference" / (name + "-force.csv");
+}
+
+class OocyteReference : public ::testing::TestWithParam<int> {};
+
+TEST_P(OocyteReference, IsMetWithinFivePercent) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  const Errors errors =
+      compare(profile, GetParam(), reference("mouse-oocyte-" + std::to_string(GetParam())), "force_uN");
+  EXPECT_LT(errors.largest_ratio, 0.05);
+  EXPECT_LT(errors.largest_of_peak_ratio, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Configurations, OocyteReference, ::testing::Values(1, 2, 3));
+
+// The embryo's shipped reference is the axisymmetric solid: thin-shell theory is off by 17 to 20 % at 10 um whatever
+// the scale.
+TEST(EmbryoReference, StaysWithinFivePercentOfPeak) {
+  const Errors errors = compare(load_profile("mouse-embryo"), 1, reference("mouse-embryo-1"), "force_uN");
+  EXPECT_LT(errors.largest_of_peak_ratio, 0.05);
+}
+
+TEST(PuncturePoint, IsPassedByBothCells) {
+  for (const char* name : {"mouse-oocyte", "mouse-embryo"}) {
+    const CellProfile profile = load_profile(name);
+    const auto curve = force_curve(profile, 1, profile.puncture_indentation_um, 2.0);
+    EXPECT_NEAR(curve.back().push_force_uN, profile.puncture_force_uN, 0.01 * profile.puncture_force_uN) << name;
+    // It rises all the way.
+    for (std::size_t k = 1; k < curve.size(); ++k) EXPECT_GT(curve[k].push_force_uN, curve[k - 1].push_force_uN);
+  }
+}
+
+TEST(TableOneModulus, CarriesOnlyAnEighthOfTheMeasuredForce) {
+  // Why an effective modulus is needed: with the published one the shell passes far below the published force.
+  CellProfile profile = load_profile("mouse-oocyte");
+  profile.effective_young_modulus_kPa = profile.young_modulus_kPa;
+  const double force = force_curve(profile, 1, 44.0, 2.0).back().push_force_uN;
+  EXPECT_NEAR(force, 0.92, 0.05);
+}
+
+TEST(ProfileErrors, AreWhatIsFoundToday) {
+  for (const char* name : {"mouse-oocyte", "mouse-embryo"}) {
+    const CellProfile profile = load_profile(name);
+    const std::string shipped = profile.name == "mouse-oocyte" ? "thin-shell" : "solid";
+    int compared = 0;
+    for (const auto& claim : profile.errors) {
+      if (claim.reference.find(shipped) == std::string::npos) continue;
+      const Errors errors = compare(profile, claim.configuration,
+                                    reference(profile.name + "-" + std::to_string(claim.configuration)), "force_uN");
+      EXPECT_NEAR(errors.largest_ratio, claim.largest_ratio, 0.002);
+      EXPECT_NEAR(errors.largest_of_peak_ratio, claim.largest_of_peak_ratio, 0.002);
+      ++compared;
+    }
+    EXPECT_GE(compared, 1) << name;
+  }
+}
+
+TEST(ThinShellReference, TheEmbryoStaysWithinEightPercentPointwise) {
+  const std::filesystem::path file =
+      std::filesystem::path(PELLUCIDA_SOURCE_DIR) / "../shared/mechanics/reference/force_config1_embryo.csv";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the embryo's thin-shell reference isn't beside this checkout";
+  const Errors errors = compare(load_profile("mouse-embryo"), 1, file, "force_scaled_to_TableI_uN");
+  EXPECT_LT(errors.largest_ratio, 0.08);
+  EXPECT_LT(errors.largest_of_peak_ratio, 0.03);
+}
+
+TEST(SolidReference, ConfigurationOneStaysWithinFivePercentOfPeak) {
+  const std::filesystem::path file =
+      std::filesystem::path(PELLUCIDA_SOURCE_DIR) / "../shared/mechanics/reference/force_config1_oocyte_solidFE.csv";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the solid reference isn't beside this checkout";
+  const Errors errors = compare(load_profile("mouse-oocyte"), 1, file, "force_scaled_to_TableI_uN");
+  EXPECT_LT(errors.largest_of_peak_ratio, 0.05);
+}
+
+}  // namespace
+}  // namespace pellucida
