@@ -2,14 +2,17 @@
 
 #include <vtkInteractorStyleTrackballCamera.h>
 
+#include <QAction>
+#include <QActionGroup>
 #include <QApplication>
-#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QPixmap>
+#include <QPushButton>
 #include <QShortcut>
 #include <QSplitter>
 #include <QStandardPaths>
@@ -101,13 +104,21 @@ void MainWindow::build() {
   views->setHandleWidth(4);
   views->addWidget(build_feed_panel());
   views->addWidget(build_membrane_panel());
-  views->setSizes({500, 500});
   auto* all = new QSplitter(Qt::Vertical);
   all->setHandleWidth(4);
   all->setChildrenCollapsible(false);
   views->setChildrenCollapsible(false);
+  QSplitter* charts = build_charts();
   all->addWidget(views);
-  all->addWidget(build_charts());
+  all->addWidget(charts);
+  // The upright borders stand in one line, and stay there.
+  for (QSplitter* one : {views, charts}) {
+    one->setStretchFactor(0, 1);
+    one->setStretchFactor(1, 1);
+    one->setSizes({10000, 10000});
+  }
+  connect(views, &QSplitter::splitterMoved, charts, [=] { charts->setSizes(views->sizes()); });
+  connect(charts, &QSplitter::splitterMoved, views, [=] { views->setSizes(charts->sizes()); });
   all->setStretchFactor(0, 3);
   all->setStretchFactor(1, 1);
   all->setSizes({520, 250});
@@ -117,11 +128,10 @@ void MainWindow::build() {
   setCentralWidget(page);
 }
 
-QToolButton* MainWindow::add_top_button(QLayout* row, const QString& text, const QString& tip) {
-  auto* button = new QToolButton;
+QPushButton* MainWindow::add_top_button(QLayout* row, const QString& text, const QString& tip) {
+  auto* button = new QPushButton;
   button->setText(text);
   button->setToolTip(tip);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setFixedHeight(30);
   button->setFocusPolicy(Qt::TabFocus);
   row->addWidget(button);
@@ -146,16 +156,16 @@ QWidget* MainWindow::build_top_bar() {
   record_->setObjectName("record");
   record_->setCheckable(true);
   record_->setIcon(make_icon(Pictogram::kRecord));
-  connect(record_, &QToolButton::clicked, this, [this] { toggle_recording(); });
+  connect(record_, &QPushButton::clicked, this, [this] { toggle_recording(); });
   pause_ = add_top_button(row, "Pause", "Hold the newest frame (Space)");
   pause_->setIcon(make_icon(Pictogram::kPause));
-  connect(pause_, &QToolButton::clicked, this, [this] { toggle_pause(); });
+  connect(pause_, &QPushButton::clicked, this, [this] { toggle_pause(); });
   auto* note = add_top_button(row, "Note", "Write a remark into the session's events (N)");
   note->setIcon(make_icon(Pictogram::kNote));
-  connect(note, &QToolButton::clicked, this, [this] { ask_for_note(); });
+  connect(note, &QPushButton::clicked, this, [this] { ask_for_note(); });
   auto* picture = add_top_button(row, "Screenshot", "Save the window as a picture (Ctrl+S)");
   picture->setIcon(make_icon(Pictogram::kCamera));
-  connect(picture, &QToolButton::clicked, this, [this] { save_picture(); });
+  connect(picture, &QPushButton::clicked, this, [this] { save_picture(); });
 
   row->addStretch(1);
   add_label(row, "sourceName", text_of(run_->source_info().name));
@@ -173,7 +183,13 @@ QWidget* MainWindow::build_status_line() {
   frame_age_ = add_label(row, "statusText");
   frame_rate_ = add_label(row, "statusText");
   lost_ = add_label(row, "statusText");
-  for (QLabel* label : {frame_age_, frame_rate_, lost_}) label->setMinimumWidth(110);
+  // Room for the widest text, so that nothing jumps.
+  QFont letters = frame_age_->font();
+  letters.setPixelSize(12);
+  const QFontMetrics width(letters);
+  frame_age_->setMinimumWidth(width.horizontalAdvance("Frame age 0000 ms") + 6);
+  frame_rate_->setMinimumWidth(width.horizontalAdvance("000.0 frames/s") + 6);
+  lost_->setMinimumWidth(width.horizontalAdvance("00000 frames skipped") + 6);
   notice_ = add_label(row, "statusText");
   notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addStretch(1);
@@ -219,15 +235,7 @@ QWidget* MainWindow::build_membrane_panel() {
   membrane_widget_->set_style(style);
   auto* panel = new Panel("Membranes and forces", membrane_widget_, nullptr);
 
-  auto* coloring = new QComboBox;
-  coloring->addItems({"Plain surface", "Tension", "Displacement"});
-  coloring->setToolTip("What the outer membrane's colour says");
-  coloring->setFocusPolicy(Qt::TabFocus);
-  connect(coloring, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
-    membranes_.set_coloring(static_cast<SurfaceColoring>(index));
-    membrane_widget_->render();
-  });
-  panel->add_control(coloring);
+  add_coloring_menu(panel);
   panel->add_control(new ArrowMenu(
       membranes_, [this] { membrane_widget_->render(); }, panel));
   QToolButton* tools = panel->add_toggle("Tools", "Needle and holding pipette (4)", true);
@@ -245,7 +253,29 @@ QWidget* MainWindow::build_membrane_panel() {
   return panel;
 }
 
-QWidget* MainWindow::build_charts() {
+void MainWindow::add_coloring_menu(Panel* panel) {
+  QToolButton* button = panel->add_button({}, "What the outer membrane's colour says");
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  auto* choice = new QActionGroup(menu);
+  const std::pair<const char*, SurfaceColoring> entries[] = {{"Plain", SurfaceColoring::kPlain},
+                                                             {"Tension", SurfaceColoring::kTension},
+                                                             {"Displacement", SurfaceColoring::kDisplacement}};
+  for (const auto& [name, coloring] : entries) {
+    QAction* action = choice->addAction(menu->addAction(name));
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this, [this, button, name = QString(name), kind = coloring] {
+      button->setText(QString::fromUtf8("Surface: %1 \u25BE").arg(name.toLower()));
+      membranes_.set_coloring(kind);
+      membrane_widget_->render();
+    });
+  }
+  button->setText(QString::fromUtf8("Surface: plain \u25BE"));
+  choice->actions().first()->setChecked(true);
+  button->setMenu(menu);
+}
+
+QSplitter* MainWindow::build_charts() {
   auto* charts = new QSplitter(Qt::Horizontal);
   charts->setHandleWidth(4);
   charts->setChildrenCollapsible(false);
@@ -253,7 +283,6 @@ QWidget* MainWindow::build_charts() {
   force_time_widget_ = new ViewWidget(force_time_, kChartSamples, nullptr);
   charts->addWidget(new Panel("Force over indentation", force_indentation_widget_, nullptr));
   charts->addWidget(new Panel("Force over time", force_time_widget_, nullptr));
-  charts->setSizes({500, 500});
   return charts;
 }
 

@@ -16,10 +16,13 @@
 #include "presenters/StatusPresenter.h"
 
 class QLabel;
-class QToolButton;
+class QLayout;
+class QPushButton;
+class QSplitter;
 
 namespace pellucida {
 
+class Panel;
 class ReadoutBar;
 class ViewWidget;
 
@@ -39,9 +42,10 @@ class MainWindow : public QMainWindow {
   QWidget* build_status_line();
   QWidget* build_feed_panel();
   QWidget* build_membrane_panel();
-  QWidget* build_charts();
+  QSplitter* build_charts();
+  void add_coloring_menu(Panel* panel);
   void add_shortcuts();
-  QToolButton* add_top_button(class QLayout* row, const QString& text, const QString& tip);
+  QPushButton* add_top_button(QLayout* row, const QString& text, const QString& tip);
 
   void tick();
   bool poll_scene();
@@ -70,8 +74,8 @@ class MainWindow : public QMainWindow {
   ViewWidget* force_indentation_widget_ = nullptr;
   ViewWidget* force_time_widget_ = nullptr;
   ReadoutBar* readouts_ = nullptr;
-  QToolButton* record_ = nullptr;
-  QToolButton* pause_ = nullptr;
+  QPushButton* record_ = nullptr;
+  QPushButton* pause_ = nullptr;
   QLabel* notice_ = nullptr;
   QLabel* frame_age_ = nullptr;
   QLabel* frame_rate_ = nullptr;

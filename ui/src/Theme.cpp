@@ -31,16 +31,15 @@ QToolButton, QPushButton { background: @raised; border: 1px solid @border; borde
 QToolButton:hover, QPushButton:hover { border-color: @accent; }
 QToolButton:pressed, QPushButton:pressed { background: @border; }
 QToolButton:disabled, QPushButton:disabled { color: @border; }
-QToolButton:focus, QPushButton:focus, QComboBox:focus { border-color: @accent; }
+QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
-QToolButton#record:checked { background: @record; border-color: @record; color: @window; font-weight: 700; }
+QPushButton#record:checked { background: @record; border-color: @record; color: @window; font-weight: 700; }
 QToolButton::menu-indicator { image: none; }
-QComboBox { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 24px 3px 10px; font-size: 12px; }
-QComboBox:hover { border-color: @accent; }
-QComboBox::drop-down { width: 20px; border: none; }
-QComboBox QAbstractItemView { background: @raised; border: 1px solid @border; selection-background-color: @border; }
+QPushButton { padding: 0px 12px; }
+QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
+QMenu::item:selected { background: @border; }
 QMenu { background: @raised; border: 1px solid @border; padding: 6px; }
 QMenu QLabel { font-size: 12px; }
 QCheckBox { font-size: 12px; spacing: 8px; }

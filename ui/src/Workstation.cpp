@@ -4,7 +4,10 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
+#include <QMutex>
+#include <QSet>
 #include <QSurfaceFormat>
+#include <cstdio>
 
 #include "MainWindow.h"
 #include "Theme.h"
@@ -13,9 +16,24 @@
 #include "pellucida/visualization_vtk/MessageLog.h"
 
 namespace pellucida {
+namespace {
+
+// Qt's warnings, each once; not its remark that a session without a login manager lacks a runtime folder.
+void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type == QtDebugMsg || type == QtInfoMsg || text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;
+  static QMutex mutex;
+  static QSet<QString> seen;
+  const QMutexLocker lock(&mutex);
+  if (seen.contains(text)) return;
+  seen.insert(text);
+  std::fprintf(stderr, "qt: %s\n", qPrintable(text));
+}
+
+}  // namespace
 
 int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options) {
   MessageLog::install();
+  qInstallMessageHandler(take_qt_message);
   if (!display_answers()) {
     throw DeviceError("no window can be opened: the display does not answer; set DISPLAY to a running X server");
   }

@@ -69,8 +69,9 @@ StatusTexts StatusPresenter::update(const LiveStatus& status, const std::optiona
           : Phrase{"\u2013", palette::kTextDim};
 
   const double rate = frames_per_s(status.measured_count, now_s);
-  texts.frame_rate = {readout::number(rate, 1) + " frames/s", palette::kTextDim};
-  const bool aging = !paused && !status.finished && status.frame_age_ms > kOldForce_ms;
+  const bool still = paused || status.finished;
+  texts.frame_rate = {readout::number(still ? std::nan("") : rate, 1) + " frames/s", palette::kTextDim};
+  const bool aging = !still && status.frame_age_ms > kOldForce_ms;
   texts.frame_age = {row ? "Frame age " + readout::milliseconds(m.frame_age_ms) : "Frame age \u2013",
                      aging ? palette::kWarning : palette::kTextDim};
   texts.lost = lost_phrase(status);

@@ -52,7 +52,7 @@ ArrowMenu::ArrowMenu(MembraneView& view, std::function<void()> changed, QWidget*
     view.show_arrows(on);
     changed();
   });
-  add_slider(grid, "Most arrows", 20, 1000, 300, [&view, changed](int v) {
+  add_slider(grid, "Most arrows", 20, 1000, 250, [&view, changed](int v) {
     view.set_arrow_count(v);
     changed();
     return QString::number(v);

@@ -24,7 +24,7 @@ ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   row->addWidget(state_);
   // Room for the widest value, so that nothing jumps while the numbers run.
   indentation_ = add_figure(row, "INDENTATION", "000.0 µm");
-  force_ = add_figure(row, "FORCE OF THE NEEDLE", "00.00 µN", "95 %: 00.00 – 00.00 µN");
+  force_ = add_figure(row, "FORCE OF THE NEEDLE", "0.00 µN", "95 %: 00.00 – 00.00 µN");
   pressure_ = add_figure(row, "PRESSURE", "0000 Pa");
   confidence_ = add_figure(row, "CONFIDENCE", "100 %");
   row->addStretch(1);
@@ -54,6 +54,7 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
     QFont small = figure.note->font();
     small.setPixelSize(12);
     figure.note->setMinimumWidth(QFontMetrics(small).horizontalAdvance(QString::fromUtf8(widest_note)) + 4);
+    figure.note->setContentsMargins(0, 0, 0, 3);
     line->addWidget(figure.note, 0, Qt::AlignBottom);
   }
   box->addLayout(line);
@@ -63,8 +64,6 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
 
 void ReadoutBar::show_phrase(QLabel* label, const Phrase& phrase) {
   label->setText(QString::fromStdString(phrase.text));
-  QPalette colors = label->palette();
-  colors.setColor(QPalette::WindowText, to_qt(phrase.color));
   label->setStyleSheet("color: " + QString::fromStdString(phrase.color.css()));
 }
 

@@ -11,16 +11,22 @@
 #include <vtkPlotLine.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "Letters.h"
 #include "pellucida/visualization/Readout.h"
+#include "pellucida/visualization/Scaling.h"
 
 namespace pellucida {
 namespace {
+
+// A time axis is never shorter than this.
+constexpr double kLeastTime_s = 5.0;
 
 enum Column { kX, kForce, kLower, kUpper, kColumnCount };
 
@@ -32,10 +38,24 @@ void set_color(vtkPen* pen, const Color& c, double opacity = 1.0) {
 double axis_end(double greatest, double least_end) {
   if (!(greatest > least_end)) return least_end;
   const double decade = std::pow(10.0, std::floor(std::log10(greatest)));
-  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}) {
     if (greatest <= step * decade) return step * decade;
   }
   return 10.0 * decade;
+}
+
+// Ticks on round numbers, as many as have room at `spacing` pixels each.
+void set_ticks(vtkAxis* axis, double begin, double end, double length_px, double spacing_px) {
+  const double most = std::max(2.0, length_px / spacing_px);
+  const double step = nice_ceiling((end - begin) / most, 1e-9);
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> labels;
+  for (double at = std::ceil(begin / step - 1e-6) * step; at <= end + 1e-6 * step; at += step) {
+    places->InsertNextValue(at);
+    labels->InsertNextValue(readout::plain(std::abs(at) < 1e-9 * step ? 0.0 : at));
+  }
+  axis->SetRange(begin, end);
+  axis->SetCustomTickPositions(places, labels);
 }
 
 vtkNew<vtkTable> make_table() {
@@ -102,7 +122,7 @@ ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_uniq
   }
   p.chart->SetShowLegend(false);
   p.chart->SetInteractive(false);
-  set_ranges();
+  p.chart->SetHiddenAxisBorder(12);
 }
 
 ForceChart::~ForceChart() = default;
@@ -135,8 +155,7 @@ void ForceChart::style_axes(double ratio) {
     for (vtkTextProperty* letters : {axis->GetTitleProperties(), axis->GetLabelProperties()}) {
       const Color& c = letters == axis->GetTitleProperties() ? palette::kText : palette::kTextDim;
       letters->SetFontSize(static_cast<int>(std::lround(font_size::kSmall * ratio)));
-      letters->SetBold(false);
-      letters->SetItalic(false);
+      set_typeface(letters, false);
       letters->SetColor(c.red, c.green, c.blue);
     }
     axis->GetPen()->SetWidth(static_cast<float>(ratio));
@@ -191,26 +210,31 @@ void ForceChart::set_ranges() {
   };
   measure(over_time ? history_.over_time() : history_.current_touch());
   if (!over_time) measure(history_.previous_touch());
-  p.chart->GetAxis(vtkAxis::LEFT)->SetRange(0.0, axis_end(1.04 * greatest_uN, 1.0));
+  const double ratio = std::max(hud_ratio(), 1e-3);
+  const int* size = main_->GetSize();
+  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), 0.0, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio, 36.0);
 
-  vtkAxis* bottom = p.chart->GetAxis(vtkAxis::BOTTOM);
-  if (!over_time) {
-    bottom->SetRange(0.0, axis_end(1.02 * greatest_um, 10.0));
-    return;
+  // Time: all of it, or the last part once that is full.
+  double begin = 0.0;
+  double end = axis_end(1.02 * greatest_um, 10.0);
+  if (over_time) {
+    const auto& points = history_.over_time();
+    const double first_s = points.empty() ? 0.0 : points.front().time_s;
+    const double last_s = points.empty() ? 0.0 : points.back().time_s;
+    begin = time_window_s_ > 0.0 ? std::max(first_s, last_s - time_window_s_) : first_s;
+    end = std::max(last_s + 0.03 * (last_s - begin), begin + kLeastTime_s);
   }
-  const auto& points = history_.over_time();
-  const double end_s = points.empty() ? 0.0 : points.back().time_s;
-  const double begin_s = time_window_s_ > 0.0 ? std::max(0.0, end_s - time_window_s_)
-                         : points.empty()     ? 0.0
-                                              : points.front().time_s;
-  bottom->SetRange(begin_s,
-                   std::max(end_s + 0.02 * (end_s - begin_s), begin_s + (time_window_s_ > 0.0 ? time_window_s_ : 1.0)));
+  set_ticks(p.chart->GetAxis(vtkAxis::BOTTOM), begin, end, size[0] / ratio, 90.0);
 }
 
 void ForceChart::prepare(double width_px, double height_px) {
   if (width_px < 1.0 || height_px < 1.0) return;
   style_axes(hud_ratio());
-  if (changed_) fill();
+  if (changed_) {
+    fill();
+  } else {
+    set_ranges();
+  }
   changed_ = false;
 }
 

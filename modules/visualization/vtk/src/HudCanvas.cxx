@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Letters.h"
+
 namespace pellucida {
 namespace {
 
@@ -25,9 +27,8 @@ unsigned char to_byte(double part) {
 }
 
 void apply(const HudText& style, double ratio, vtkTextProperty* property) {
-  property->SetFontFamilyToArial();
+  set_typeface(property, style.bold);
   property->SetFontSize(static_cast<int>(std::lround(style.size_pt * ratio)));
-  property->SetBold(style.bold);
   property->SetColor(style.color.red, style.color.green, style.color.blue);
   property->SetVerticalJustificationToCentered();
   property->SetJustification(style.align == HudAlign::kLeft     ? VTK_TEXT_LEFT

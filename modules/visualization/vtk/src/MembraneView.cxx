@@ -32,9 +32,10 @@
 namespace pellucida {
 namespace {
 
-constexpr double kLongestArrowRatio = 0.45;  // of the cell's radius
+constexpr double kLongestArrowRatio = 0.35;  // of the cell's radius
 constexpr double kContactArrowRatio = 0.8;
-constexpr double kNeedleLengthRatio = 2.2;
+constexpr double kNeedleLengthRatio = 5.0;
+constexpr double kClearOpacity = 0.65;
 constexpr double kHolderLengthRatio = 1.1;
 
 void set_color(vtkActor* actor, const Color& c) {
@@ -230,7 +231,7 @@ MembraneView::MembraneView(StageSource* source) : source_(source), pipeline_(std
   p.build_membranes(source_->GetOutputPort(), main_);
   p.build_arrows(main_);
   // Clear bodies come after solid ones, the cell's skin before the glass.
-  p.outer_wall.build(main_, palette::kOuterSolid, 0.55);
+  p.outer_wall.build(main_, palette::kOuterSolid, kClearOpacity);
   p.holder.build(main_, palette::kGlass, 0.75);
   p.needle.build(main_, palette::kGlass, 0.80);
 
@@ -303,7 +304,7 @@ void MembraneView::refresh_coloring(vtkPolyData* surface) {
   const double greatest = has_surface_ && coloring_ != SurfaceColoring::kPlain ? greatest_of(surface, array) : -1.0;
   coloring_available_ = greatest >= 0.0 && std::isfinite(greatest);
   p.outer_wall.mapper->SetScalarVisibility(coloring_available_);
-  p.outer_wall.set_opacity(coloring_available_ ? 0.85 : 0.55);
+  p.outer_wall.set_opacity(coloring_available_ ? 0.9 : kClearOpacity);
   if (!coloring_available_) return;
   p.outer_wall.mapper->SelectColorArray(array);
   p.surface_colors->SetVectorModeToMagnitude();

@@ -23,7 +23,7 @@ class ForceGlyphFilter : public vtkPolyDataAlgorithm {
   ForceGlyphFilter(const ForceGlyphFilter&) = delete;
   void operator=(const ForceGlyphFilter&) = delete;
 
-  /// Most arrows drawn, 1..5000, default 300.
+  /// Most arrows drawn, 1..5000, default 250.
   vtkSetClampMacro(MaximumCount, int, 1, 5000);
   vtkGetMacro(MaximumCount, int);
   /// Forces below this share of the full scale get no arrow, 0..1, default 0.01.
@@ -44,7 +44,7 @@ class ForceGlyphFilter : public vtkPolyDataAlgorithm {
   void order_nodes(vtkPolyData* surface, const std::vector<vtkIdType>& outer);
   double arrow_length_um(double magnitude_uN) const;
 
-  int MaximumCount = 300;
+  int MaximumCount = 250;
   double ThresholdRatio = 0.01;
   double FullScaleUN = 1.0;
   double LongestArrowUm = 20.0;

@@ -29,7 +29,7 @@ class MembraneView : public View {
   void show_tools(bool shown);
   /// Most arrows drawn, 1..5000.
   void set_arrow_count(int count);
-  /// Arrow size, 1 = the default, in which the longest arrow is 0.45 of the cell's radius; 0.1..5.
+  /// Arrow size, 1 = the default, in which the longest arrow is 0.35 of the cell's radius; 0.1..5.
   void set_arrow_scale(double scale);
   /// Forces below this share of the scale's end are not drawn, 0..1.
   void set_arrow_threshold(double ratio);
