@@ -7,73 +7,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "DistanceField.h"
+#include "Optics.h"
 
 namespace pellucida {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kBand_um = 9.0;
-constexpr int kDirectionCount = 2048;
-
-// Narrowest line that the pixels can carry, um.
-double line_sigma(const Scenario& s, double wanted_um) {
-  return std::max(wanted_um, 0.5 * s.image.pixel_size_um);
-}
-
-EdgeProfile outer_edge(const Scenario& s) {
-  const double c = s.optics.contrast, h = c * s.optics.halo, sigma = line_sigma(s, 0.80);
-  return {[=](double d) {
-            return 1 - 0.40 * c * gaussian(d, sigma) + 0.10 * h * gaussian(d - 2.7, 1.1) +
-                   0.05 * h * gaussian(d + 2.0, 0.8) + 0.035 * c * soft_step(-d - 0.8, 0.6);
-          },
-          kBand_um, sigma, true};
-}
-
-// The zona's inner edge. Without a gap the ooplasm follows at once and darkens the inside.
-EdgeProfile inner_edge(const Scenario& s) {
-  const double c = s.optics.contrast, h = c * s.optics.halo, sigma = line_sigma(s, 0.80);
-  const bool gap = s.cell.perivitelline_gap_um > 0;
-  const double depth = gap ? 0.28 : 0.42, inside = gap ? -0.03 : -0.25;
-  return {[=](double d) {
-            return 1 - depth * c * gaussian(d, sigma) + 0.06 * h * gaussian(d - 2.0, 0.7) +
-                   0.07 * h * gaussian(d + 2.4, 1.0) + inside * c * soft_step(-d - 1.6, 0.7);
-          },
-          kBand_um, sigma, true};
-}
-
-EdgeProfile ooplasm_edge(const Scenario& s) {
-  const double c = s.optics.contrast, h = c * s.optics.halo, sigma = line_sigma(s, 0.85);
-  return {[=](double d) {
-            return 1 - 0.40 * c * gaussian(d, sigma) + 0.10 * h * gaussian(d - 2.3, 0.9) +
-                   0.06 * h * gaussian(d + 2.4, 1.0) - 0.25 * c * soft_step(-d - 1.6, 0.7);
-          },
-          kBand_um, sigma, true};
-}
-
-// Thick glass: broad dark edges, a bright core.
-EdgeProfile holder_edge(const Scenario& s) {
-  const double c = s.optics.contrast, h = c * s.optics.halo, sigma = line_sigma(s, 1.25);
-  return {[=](double d) {
-            return 1 - 0.58 * c * gaussian(d + 0.4, sigma) + 0.12 * h * gaussian(d - 3.0, 1.4) +
-                   0.34 * h * soft_step(-d - 3.0, 0.8);
-          },
-          kBand_um, sigma, false};
-}
-
-EdgeProfile needle_edge(const Scenario& s) {
-  const double c = s.optics.contrast, h = c * s.optics.halo;
-  const double sharp = line_sigma(s, 0.70), sigma = std::hypot(sharp, s.optics.needle_defocus_um);
-  const double fade = sharp / sigma;  // a blurred line is as dark in sum
-  return {[=](double d) {
-            return 1 - 0.52 * c * fade * gaussian(d, sigma) + 0.10 * h * fade * gaussian(d - 2.4 * sigma, 1.1 * sigma) +
-                   0.14 * h * fade * soft_step(-d - 1.7 * sigma, 0.6 * sigma);
-          },
-          std::max(kBand_um, 6 * sigma), sigma, true};
-}
-
-EdgeProfile inside_weight() {
-  return {[](double d) { return soft_step(-d - 1.8, 0.8); }, kBand_um, 1.0, false};
-}
 
 // Columns [first, last] of a row whose lateral distance to an axis is at most `reach`, and whose place along it is at
 // least `begin`; all lengths in px. `point` relative to the axis's origin: (x - ox, y - oy).
@@ -103,23 +42,6 @@ struct Strip {
   }
 };
 
-// Illumination: a slope from side to side, darker corners, and the debris that lies on the glass.
-cv::Mat1f field_of_light(const Scenario& s) {
-  const auto& image = s.image;
-  cv::Mat1f debris(image.height_px, image.width_px, 1.0f);
-  draw_debris(debris, s.debris.count, s.debris.max_radius_um, image.pixel_size_um, s.seed);
-  cv::Mat1f field(image.height_px, image.width_px);
-  const double angle = s.optics.gradient_angle_deg * kPi / 180, half = std::hypot(image.width_px, image.height_px) / 2;
-  for (int y = 0; y < field.rows; ++y)
-    for (int x = 0; x < field.cols; ++x) {
-      const double u = (x - field.cols / 2.0) / half, v = (y - field.rows / 2.0) / half;
-      const double slope = 1 - s.optics.gradient_ratio / 2 * (u * std::cos(angle) + v * std::sin(angle));
-      const double corners = 1 - s.optics.vignette_ratio * (u * u + v * v);
-      field(y, x) = static_cast<float>(s.optics.background_ratio * slope * corners) * debris(y, x);
-    }
-  return field;
-}
-
 }  // namespace
 
 Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
@@ -128,17 +50,17 @@ Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
       rest_pose_(specimen.pose()),
       material_angle_rad_(specimen.reference().angle_rad()),
       inner_radius_um_(specimen.inner_radius_um()),
-      outer_edge_(outer_edge(scenario)),
-      inner_edge_(inner_edge(scenario)),
-      ooplasm_edge_(ooplasm_edge(scenario)),
-      ooplasm_weight_(inside_weight()),
-      holder_edge_(holder_edge(scenario)),
-      needle_edge_(needle_edge(scenario)),
-      texture_(1.05 * specimen.outer_radius_um(), 0.6 * scenario.image.pixel_size_um, scenario.seed),
+      outer_edge_(make_outer_edge(scenario)),
+      inner_edge_(make_inner_edge(scenario)),
+      ooplasm_edge_(make_ooplasm_edge(scenario)),
+      ooplasm_weight_(make_inside_weight()),
+      holder_edge_(make_holder_edge(scenario)),
+      needle_edge_(make_needle_edge(scenario)),
+      granules_(make_granules(specimen.inner_radius_um(), 0.6 * scenario.image.pixel_size_um, scenario.seed)),
+      mottling_(1.05 * specimen.outer_radius_um(), scenario.seed),
       noise_(scenario.seed),
-      background_(field_of_light(scenario)),
-      frame_(scenario.image.height_px, scenario.image.width_px, scenario.image.bit_depth == 16 ? CV_16U : CV_8U),
-      polar_map_(kDirectionCount) {}
+      background_(make_field_of_light(scenario)),
+      frame_(scenario.image.height_px, scenario.image.width_px, scenario.image.bit_depth == 16 ? CV_16U : CV_8U) {}
 
 const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state) {
   background_.copyTo(light_);
@@ -155,55 +77,17 @@ const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state) 
   return frame_;
 }
 
-void Renderer::fill_polar_map(const SpecimenState& state) {
-  // The centre: across, the area's centroid; along the axis, midway between the dimple and the far side, so that the
-  // material before the needle is squeezed no more than need be. Every part of the boundary is seen from it.
-  const Contour_um& boundary = state.section.inner_um;
-  const Eigen::Index n = boundary.cols();
-  double area = 0, moment = 0;
-  for (Eigen::Index i = 0, j = n - 1; i < n; j = i++) {
-    const double cross = boundary(0, j) * boundary(1, i) - boundary(0, i) * boundary(1, j);
-    area += cross / 2;
-    moment += cross / 6 * (boundary(0, j) + boundary(0, i));
-  }
-  polar_center_ = {moment / area, (boundary(1, n / 2) + boundary.row(1).minCoeff()) / 2};
-
-  // Each piece of the boundary fills the directions it spans. Directions: atan2(x, z), as the material angle.
-  auto direction_of = [&](Eigen::Index i) {
-    const Eigen::Vector2d from = boundary.col(i % n) - polar_center_;
-    return std::pair(std::atan2(from.x(), from.y()), from.norm());
-  };
-  auto [angle0, radius0] = direction_of(0);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto [angle1, radius1] = direction_of(i + 1);
-    double turn = angle1 - angle0;
-    turn -= 2 * kPi * std::round(turn / (2 * kPi));
-    const double material0 = material_angle_rad_(i);
-    const double material1 = i + 1 < n ? material_angle_rad_(i + 1) : material_angle_rad_(0) + 2 * kPi;
-    const int first = static_cast<int>(std::ceil((angle0 + kPi) / (2 * kPi) * kDirectionCount));
-    const int last = static_cast<int>(std::floor((angle0 + turn + kPi) / (2 * kPi) * kDirectionCount));
-    for (int k = first; k <= last; ++k) {
-      const double part = (2 * kPi * k / kDirectionCount - kPi - angle0) / turn;
-      const double material = material0 + part * (material1 - material0);
-      polar_map_[static_cast<std::size_t>((k % kDirectionCount + kDirectionCount) % kDirectionCount)] = {
-          0.0f, static_cast<float>(material), static_cast<float>(1 / (radius0 + part * (radius1 - radius0)))};
-    }
-    angle0 = angle1;
-    radius0 = radius1;
-  }
-
-  // Deep inside, equal areas: the angle at rest grows with the sector's area. It begins at the apex, where both agree.
-  double whole = 0;
-  for (const auto& direction : polar_map_) whole += 1 / (direction.inverse_radius * direction.inverse_radius);
-  constexpr int kApex = kDirectionCount / 2;
-  double sector = 0;
-  for (int step = 0; step < kDirectionCount; ++step) {
-    Direction& direction = polar_map_[static_cast<std::size_t>((kApex + step) % kDirectionCount)];
-    const double share = 1 / (direction.inverse_radius * direction.inverse_radius) / whole;
-    const double turned = std::remainder(direction.boundary_turn - 2 * kPi * (sector + share / 2), 2 * kPi);
-    direction.angle = static_cast<float>(2 * kPi * (sector + share / 2));
-    direction.boundary_turn = static_cast<float>(turned);
-    sector += share;
+void Renderer::draw_grain(const Eigen::Vector2d& map_center_um, const cv::Rect& window) {
+  const double pixel_um = scenario_.image.pixel_size_um;
+  const Eigen::Vector2f center = (map_center_um / pixel_um - Eigen::Vector2d(window.x, window.y)).cast<float>();
+  const Eigen::Vector2f across = (rest_pose_.across / pixel_um).cast<float>(),
+                        axis = (rest_pose_.axis / pixel_um).cast<float>();
+  grain_.create(window.size());
+  grain_.setTo(0);
+  for (const Granule& granule : granules_) {
+    const Eigen::Vector2f place = flow_.place_of(granule.ratio, granule.angle);
+    const Eigen::Vector2f pixel = center + place.x() * across + place.y() * axis;
+    draw_granule(grain_, pixel.x(), pixel.y(), granule.sigma_um / static_cast<float>(pixel_um), granule.strength);
   }
 }
 
@@ -223,22 +107,25 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
   signed_distance(outer, pixel_um, window, kBand_um, outer_distance_um_);
   signed_distance(seen.inner->points_um, pixel_um, window, kBand_um, inner_distance_um_);
   if (seen.oolemma) signed_distance(seen.oolemma->points_um, pixel_um, window, kBand_um, ooplasm_distance_um_);
-  fill_polar_map(state);
+  flow_.update(state.section.inner_um, material_angle_rad_);
 
   // Pixel to section frame, relative to the map's centre.
   const Eigen::Vector2d across = rest_pose_.across, axis = rest_pose_.axis;
-  const Eigen::Vector2d map_center = seen.center_um + polar_center_.x() * across + polar_center_.y() * axis;
+  const Eigen::Vector2d map_center = seen.center_um + flow_.center().x() * across + flow_.center().y() * axis;
+  draw_grain(map_center, window);
+
   // The side the light seems to come from; fixed in the image.
   const Eigen::Vector2d lit(std::cos(-kPi / 4), std::sin(-kPi / 4));
   const auto lit_across = static_cast<float>(lit.dot(across)), lit_axis = static_cast<float>(lit.dot(axis));
 
   const auto contrast = static_cast<float>(scenario_.optics.contrast),
              relief = static_cast<float>(scenario_.optics.relief);
-  const float grain = 0.075f * contrast * static_cast<float>(scenario_.optics.granularity), zona_grain = 0.15f * grain;
+  const float grain_depth = 0.075f * contrast * static_cast<float>(scenario_.optics.granularity);
   const auto radius_um = static_cast<float>(inner_radius_um_);
   for (int y = 0; y < window.height; ++y) {
     float* light = light_[window.y + y] + window.x;
     const float *outer_d = outer_distance_um_[y], *inner_d = inner_distance_um_[y];
+    const float* grain = grain_[y];
     const float* ooplasm_d = seen.oolemma ? ooplasm_distance_um_[y] : inner_d;
     for (int x = 0; x < window.width; ++x) {
       if (outer_d[x] >= static_cast<float>(kBand_um)) continue;
@@ -248,17 +135,12 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
                    from_y = (window.y + y) * pixel_um - map_center.y();
       const auto u = static_cast<float>(from_x * across.x() + from_y * across.y());
       const auto v = static_cast<float>(from_x * axis.x() + from_y * axis.y());
-      const float turns =
-          (std::atan2(u, v) + static_cast<float>(kPi)) * static_cast<float>(kDirectionCount / (2 * kPi));
-      const auto& direction = polar_map_[static_cast<std::size_t>(turns) & (kDirectionCount - 1)];
-      const float ratio = std::sqrt(u * u + v * v) * direction.inverse_radius;
-      const float ratio2 = std::min(1.0f, ratio * ratio),
-                  angle = direction.angle + direction.boundary_turn * ratio2 * ratio2;
-      const float sine = std::sin(angle), cosine = std::cos(angle);
+      const auto rest = flow_.rest_of(u, v);
+      const float sine = std::sin(rest.angle), cosine = std::cos(rest.angle);
       const float facing = sine * lit_across + cosine * lit_axis;
 
       // Edges: uneven along the membrane, fringes brighter on the lit side. Neither moves a dark line.
-      const float uneven = 1.0f + 0.07f * texture_.at(radius_um * sine, radius_um * cosine, 0.0f);
+      const float uneven = 1.0f + 0.07f * mottling_.at(radius_um * sine, radius_um * cosine);
       const float fringe = uneven * (1.0f + 0.7f * relief * facing);
       auto shade = [&](float through) { return 1.0f + (through - 1.0f) * (through > 1.0f ? fringe : uneven); };
       float through = shade(outer_edge_(outer_d[x])) * shade(inner_edge_(inner_d[x]));
@@ -266,12 +148,11 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
 
       // Grain and one-sided shading of what lies inside.
       if (outer_d[x] < 0) {
-        const float sharpness = std::min(1.0f, 2.0f / (radius_um * direction.inverse_radius) - 0.75f);
         const float inside = ooplasm_weight_(ooplasm_d[x]);
-        const float grained =
-            texture_.at(ratio * radius_um * sine, ratio * radius_um * cosine, std::max(0.0f, sharpness));
-        const float sloped = facing * ratio * (0.07f + 0.15f * ratio * ratio * ratio);
-        through *= 1.0f + grained * (zona_grain + (grain - zona_grain) * inside) + contrast * relief * inside * sloped;
+        const float cloud = mottling_.at(rest.ratio * radius_um * sine, rest.ratio * radius_um * cosine);
+        const float grained = inside * (grain[x] + 0.5f * cloud) + (1 - inside) * 0.2f * cloud;
+        const float sloped = facing * rest.ratio * (0.07f + 0.15f * rest.ratio * rest.ratio * rest.ratio);
+        through *= 1.0f + grain_depth * grained + contrast * relief * inside * sloped;
       }
       light[x] *= through;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "EdgeProfile.h"
+#include "OoplasmFlow.h"
 #include "Texture.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/Truth.h"
@@ -26,7 +27,7 @@ class Renderer {
   void draw_cell(const Truth& truth, const SpecimenState& state);
   void draw_holder(const HolderPose& holder, const Eigen::Vector2d& center_um);
   void draw_needle(const NeedlePose& needle);
-  void fill_polar_map(const SpecimenState& state);
+  void draw_grain(const Eigen::Vector2d& map_center_um, const cv::Rect& window);
   template <class Pixel>
   void count_light(long frame_index);
 
@@ -36,21 +37,14 @@ class Renderer {
   Eigen::VectorXd material_angle_rad_;  // of the section's points
   double inner_radius_um_;
   EdgeProfile outer_edge_, inner_edge_, ooplasm_edge_, ooplasm_weight_, holder_edge_, needle_edge_;
-  GranularTexture texture_;
+  OoplasmFlow flow_;
+  std::vector<Granule> granules_;
+  Mottling mottling_;
   NoiseBank noise_;
   cv::Mat1f background_;  // ratio of full scale
   cv::Mat1f light_;       // the frame being drawn
-  cv::Mat1f outer_distance_um_, inner_distance_um_, ooplasm_distance_um_;
+  cv::Mat1f outer_distance_um_, inner_distance_um_, ooplasm_distance_um_, grain_;
   cv::Mat frame_;
-
-  // Where the ooplasm's material went: about a centre (section frame), by direction: the angle at rest of what lies
-  // there deep inside (the map keeps areas, as a fluid does), how much further the membrane's own material has turned,
-  // and one over the boundary's distance.
-  struct Direction {
-    float angle, boundary_turn, inverse_radius;
-  };
-  std::vector<Direction> polar_map_;
-  Eigen::Vector2d polar_center_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace pellucida

@@ -45,29 +45,63 @@ std::uint64_t mix(std::uint64_t value) {
 
 }  // namespace
 
-GranularTexture::GranularTexture(double radius_um, double finest_um, std::uint64_t seed) {
-  constexpr double kStep_um = 0.35;
+std::vector<Granule> make_granules(double disc_radius_um, double finest_sigma_um, std::uint64_t seed) {
+  std::mt19937_64 engine(mix(seed ^ 0x6772616e756c65ULL));
+  std::vector<Granule> granules;
+  // Blobs of strength a, sigma s, and density n a um^2 add up to a deviation of a s sqrt(pi n).
+  auto population = [&](double per_um2, double sigma_um, double deviation) {
+    const double strength = deviation / (sigma_um * std::sqrt(CV_PI * per_um2));
+    const long count = std::lround(per_um2 * CV_PI * disc_radius_um * disc_radius_um);
+    for (long k = 0; k < count; ++k) {
+      const double ratio = std::sqrt(uniform(engine)), angle = 2 * CV_PI * uniform(engine);
+      const double size = sigma_um * (0.75 + 0.5 * uniform(engine)), light = strength * normal(engine);
+      granules.push_back(
+          {static_cast<float>(ratio), static_cast<float>(angle), static_cast<float>(size), static_cast<float>(light)});
+    }
+  };
+  population(0.45, std::max(0.75, finest_sigma_um), 0.75);
+  population(0.05, std::max(1.9, finest_sigma_um), 0.50);
+  return granules;
+}
+
+void draw_granule(cv::Mat1f& grain, float x_px, float y_px, float sigma_px, float strength) noexcept {
+  // A Gaussian is a product of one across and one down.
+  constexpr int kMost = 64;
+  const int reach = std::min(kMost / 2 - 1, static_cast<int>(std::ceil(3 * sigma_px)));
+  const int x0 = static_cast<int>(std::floor(x_px)) - reach, y0 = static_cast<int>(std::floor(y_px)) - reach;
+  const int count = 2 * reach + 2;
+  float across[kMost], down[kMost];
+  const float scale = -0.5f / (sigma_px * sigma_px);
+  for (int k = 0; k < count; ++k) {
+    const float dx = static_cast<float>(x0 + k) - x_px, dy = static_cast<float>(y0 + k) - y_px;
+    across[k] = std::exp(scale * dx * dx);
+    down[k] = strength * std::exp(scale * dy * dy);
+  }
+  const int first = std::max(0, -x0), last = std::min(count, grain.cols - x0);
+  for (int j = std::max(0, -y0); j < std::min(count, grain.rows - y0); ++j) {
+    float* row = grain[y0 + j] + x0;
+    for (int i = first; i < last; ++i) row[i] += across[i] * down[j];
+  }
+}
+
+Mottling::Mottling(double radius_um, std::uint64_t seed) {
+  constexpr double kGrain_um = 7.0, kStep_um = 1.0;
   const int side = std::clamp(static_cast<int>(std::ceil(2 * radius_um / kStep_um)) + 2, 16, 2048);
   const double step_um = 2 * radius_um / (side - 2);
-  std::mt19937_64 engine(mix(seed ^ 0x677261696eULL));
-  const double fine_px = std::max(0.75, finest_um) / step_um;
-  fine_ = 0.75f * grain_of(side, fine_px, engine);
-  coarse_ = 0.60f * grain_of(side, 2.5 * fine_px, engine) + 0.45f * grain_of(side, 9.0 / step_um, engine);
+  std::mt19937_64 engine(mix(seed ^ 0x6d6f74746c65ULL));
+  cloud_ = grain_of(side, kGrain_um / step_um, engine);
   origin_um_ = static_cast<float>(radius_um);
   inverse_step_ = static_cast<float>(1 / step_um);
 }
 
-float GranularTexture::at(float x_um, float y_um, float sharpness) const noexcept {
+float Mottling::at(float x_um, float y_um) const noexcept {
   const float x = (x_um + origin_um_) * inverse_step_, y = (y_um + origin_um_) * inverse_step_;
   if (!(x >= 0 && y >= 0)) return 0.0f;
   const int i = static_cast<int>(x), j = static_cast<int>(y);
-  if (i + 1 >= fine_.cols || j + 1 >= fine_.rows) return 0.0f;
+  if (i + 1 >= cloud_.cols || j + 1 >= cloud_.rows) return 0.0f;
   const float u = x - static_cast<float>(i), v = y - static_cast<float>(j);
-  auto bilinear = [&](const cv::Mat1f& grain) {
-    const float *top = grain[j] + i, *bottom = grain[j + 1] + i;
-    return (1 - v) * (top[0] + u * (top[1] - top[0])) + v * (bottom[0] + u * (bottom[1] - bottom[0]));
-  };
-  return sharpness * bilinear(fine_) + bilinear(coarse_);
+  const float *top = cloud_[j] + i, *bottom = cloud_[j + 1] + i;
+  return (1 - v) * (top[0] + u * (top[1] - top[0])) + v * (bottom[0] + u * (bottom[1] - bottom[0]));
 }
 
 NoiseBank::NoiseBank(std::uint64_t seed) : numbers_((1 << 20) + 8192), seed_(mix(seed ^ 0x6e6f697365ULL)) {

@@ -5,17 +5,27 @@
 
 namespace pellucida {
 
-/// The ooplasm's grain at rest: a square of side 2 * `radius_um` about the cell's centre, zero mean, unit deviation:
-/// fine granules on a slow mottling. Seeded.
-class GranularTexture {
+/// One granule of the ooplasm: where it lies at rest (OoplasmFlow's coordinates), its size, and how much lighter (or
+/// darker, below 0) it is.
+struct Granule {
+  float ratio, angle, sigma_um, strength;
+};
+
+/// Granules spread evenly over a disc, fine and coarse ones, whose sum has about unit deviation. Seeded.
+std::vector<Granule> make_granules(double disc_radius_um, double finest_sigma_um, std::uint64_t seed);
+
+/// Adds a granule to `grain` (CV_32F) at a place in px; sigma in px.
+void draw_granule(cv::Mat1f& grain, float x_px, float y_px, float sigma_px, float strength) noexcept;
+
+/// Slow mottling at rest: a square of side 2 * `radius_um` about the centre, zero mean, unit deviation. Seeded.
+class Mottling {
  public:
-  GranularTexture(double radius_um, double finest_um, std::uint64_t seed);
-  /// Value at a rest place relative to the centre, um; 0 outside the square. `sharpness` 1: the whole grain; 0: without
-  /// its fine part, for material squeezed so much that its granules would only alias.
-  float at(float x_um, float y_um, float sharpness) const noexcept;
+  Mottling(double radius_um, std::uint64_t seed);
+  /// Value at a rest place relative to the centre, um; 0 outside the square.
+  float at(float x_um, float y_um) const noexcept;
 
  private:
-  cv::Mat1f fine_, coarse_;
+  cv::Mat1f cloud_;
   float origin_um_ = 0.0f, inverse_step_ = 0.0f;
 };
 
