@@ -121,6 +121,63 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
   return best;
 }
 
+// Judges a closed path of a strip round `center`: how much of it shows the edge, how clearly, how round it is.
+void judge(const GrayImage& image, const Eigen::Vector2d& center, double radius_from, double step,
+           const Eigen::Matrix2Xd& normals, const std::vector<int>& path, const Eigen::MatrixXf& feature,
+           const Eigen::MatrixXf& reward, RingEdge& found) {
+  const Eigen::Index count = normals.cols();
+  found.edge.points.resize(2, count);
+  found.amplitude = 0.0;
+  double sum = 0.0;
+  int seen = 0, inside = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const int j = path[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d p = center + (radius_from + j * step) * normals.col(i);
+    found.edge.points.col(i) = p;
+    if (!image.inside(p, 1.0)) continue;
+    ++inside;
+    sum += reward(i, j);
+    seen += reward(i, j) > 1.5F ? 1 : 0;
+    found.amplitude += feature(i, j);
+  }
+  found.amplitude /= std::max(inside, 1);
+  found.edge.coverage = static_cast<double>(seen) / static_cast<double>(count);
+  found.edge.contrast = sum / static_cast<double>(count);
+}
+
+// Two dark lines side by side, found together: a zona whose edges are alike would make a single path hop between them.
+std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image, const Eigen::Vector2d& center,
+                                                          double radius, double sigma, double noise) {
+  const int count = 128;
+  const double from = 0.62 * radius, to = 1.4 * radius;
+  const double step = std::max(0.5, (to - from) / 110.0);
+  Eigen::Matrix2Xd points, normals;
+  ring(center, from, count, points, normals);
+  NormalStrip strip;
+  strip.sample(image, points, normals, 0.0, to - from, step);
+  const EdgeFilter filter(sigma, step, {1.0, 0.0});
+  Eigen::MatrixXf feature;
+  strip.features(filter, 1, feature);
+  const double spread = std::max({spread_of(feature), noise * filter.noise_gain(), 1e-5});
+  const Eigen::MatrixXf reward = (feature / static_cast<float>(spread)).cwiseMin(4.0F).cwiseMax(-2.0F);
+  const int gap_from = std::max(2, static_cast<int>(std::ceil(2.4 * sigma / step)));
+  const int gap_to = std::max(gap_from + 2, static_cast<int>(0.3 * radius / step));
+  const PathPair paths = best_closed_path_pair(reward, reward, gap_from, gap_to, 0.5F, 0.9F);
+  RingEdge outer, inner;
+  judge(image, center, from, step, normals, paths.outer, feature, reward, outer);
+  judge(image, center, from, step, normals, paths.inner, feature, reward, inner);
+  const double least = std::min(outer.edge.coverage, inner.edge.coverage);
+  const double faint = std::min(outer.amplitude, inner.amplitude), strong = std::max(outer.amplitude, inner.amplitude);
+  if (least < 0.62 || faint < 0.35 * strong) return std::nullopt;
+  for (RingEdge* edge : {&outer, &inner}) {
+    edge->edge.kind = {1.0, 0.0};
+    edge->edge.scale_px = sigma;
+    edge->circle = contour::fit_circle(edge->edge.points, 0.06 * radius);
+    edge->score = edge->edge.coverage;
+  }
+  return std::make_pair(outer, inner);
+}
+
 }  // namespace
 
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options) {
@@ -198,6 +255,14 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
 
   DetectedCell cell;
   cell.score = best.score;
+  if (same.line > 0.0) {
+    if (const auto pair = pair_in_ring(fine, c, r, sigma_fine, fine_noise)) {
+      cell.outer = pair->first.edge;
+      cell.inner = pair->second.edge;
+      cell.circle = pair->first.circle;
+      return cell;
+    }
+  }
   cell.outer = first.edge;
   cell.circle = first.circle;
   constexpr double kSecondScore = 0.35;
