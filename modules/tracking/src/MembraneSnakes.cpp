@@ -224,7 +224,7 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
     }
     const double scatter = weight > 0.0 ? squares / weight : 1.0;
     const double tied = std::max(1.0, 2.2 * std::pow(rigidity[i], 0.25));
-    snake.sigma_px[i] = std::sqrt((snake.sigma_px[i] * snake.sigma_px[i] + scatter) / tied) + 0.03;
+    snake.sigma_px[i] = std::sqrt((snake.sigma_px[i] * snake.sigma_px[i] + scatter) / tied) * 1.3 + 0.07;
     if (!needle || !needle->covers(snake.points.col(i), kNeedleMargin)) {
       score += snake.confidence[i];
       count += 1.0;

@@ -207,7 +207,8 @@ class MembraneTracker::Impl {
 
     // The needle.
     if (needle_.valid()) {
-      if (!needle_.track(image_, noise_, 34.0) && needle_.estimate().confidence < 0.1) needle_.reset();
+      const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
+      if (!needle_.track(image_, noise_, 34.0, clear) && needle_.estimate().confidence < 0.1) needle_.reset();
     } else if (frames_since_detection_ % 3 == 0) {
       find_needle({center_now(), rest_.outer_radius, 1.0, 0.0}, find_tools(image_, {center_now(), rest_.outer_radius, 1.0, 0.0}));
     }

@@ -9,6 +9,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kAcrossStep = 0.5;
+constexpr double kBehind = 85.0;   // px of the cone looked at behind the tip
 
 double median_of(std::vector<double>& values) {
   if (values.empty()) return 0.0;
@@ -90,7 +91,7 @@ struct NeedleTracker::Straightened {
 
 bool NeedleTracker::start(const GrayImage& image, const FoundTool& tool, const contour::Circle& cell, double noise) {
   valid_ = false;
-  presence_ = 0.0;
+  cone_frames_ = 0;
   // Look along the tool from the border to beyond the cell's centre.
   const Eigen::Vector2d across(-tool.direction.y(), tool.direction.x());
   NeedleEstimate guess;
@@ -128,7 +129,9 @@ bool NeedleTracker::start(const GrayImage& image, const FoundTool& tool, const c
   if (reference < 3.0 * noise) return false;
   double sum = 0.0, best_sum = 0.0;
   int tip_station = -1;
-  for (int k = last; k >= 0; --k) {
+  // First as if the tip were outside the cell; if it is not, the measurement below goes on inwards.
+  const int border = static_cast<int>(1.7 * cell.radius) + 3;
+  for (int k = last; k >= std::min(border, last - 12); --k) {
     sum += std::clamp(evidence[static_cast<std::size_t>(k)] / reference, -0.5, 1.2) - 0.5;
     if (sum > best_sum) {
       best_sum = sum;
@@ -140,20 +143,23 @@ bool NeedleTracker::start(const GrayImage& image, const FoundTool& tool, const c
   guess.tip_half_width = std::min(half_width, 3.0);
   guess.widening = std::clamp((half_width - guess.tip_half_width) / std::max(40.0, double(last - tip_station)), 0.0, 0.15);
   now_ = guess;
+  const bool at_border = tip_station < border + 8;
+  const double behind = std::clamp(double(last - tip_station), 12.0, kBehind);
   for (int round = 0; round < 4; ++round) {
-    if (!measure(image, noise, 30.0, std::min(110.0, double(last - tip_station)), round < 2 ? 7.0 : 3.0)) return false;
+    const double ahead = at_border ? (round == 0 ? 3.0 : 1.4 * cell.radius) : 12.0;
+    if (!measure(image, noise, ahead, behind, round < 2 ? 7.0 : 3.0)) return false;
   }
   motion_.setZero();
   valid_ = now_.confidence > 0.2;
   return valid_;
 }
 
-bool NeedleTracker::track(const GrayImage& image, double noise, double reach_px) {
+bool NeedleTracker::track(const GrayImage& image, double noise, double reach_px, bool in_the_clear) {
   if (!valid_) return false;
   const NeedleEstimate before = now_;
   now_.tip += motion_;
-  bool seen = measure(image, noise, reach_px, 110.0, 3.0);
-  if (seen) seen = measure(image, noise, 8.0, 110.0, 2.5);
+  bool seen = measure(image, noise, reach_px, kBehind, 3.0);
+  if (seen) seen = measure(image, noise, 8.0, kBehind, 2.5);
   if (!seen) {
     now_ = before;
     now_.confidence *= 0.5;
@@ -161,7 +167,14 @@ bool NeedleTracker::track(const GrayImage& image, double noise, double reach_px)
     return false;
   }
   motion_ = now_.tip - before.tip;
+  if (in_the_clear) learn_cone();
   return true;
+}
+
+void NeedleTracker::learn_cone() {
+  cone_frames_ = std::min(cone_frames_ + 1, 30);
+  cone_half_width_ += (now_.tip_half_width - cone_half_width_) / cone_frames_;
+  cone_widening_ += (now_.widening - cone_widening_) / cone_frames_;
 }
 
 bool NeedleTracker::measure(const GrayImage& image, double noise, double ahead_px, double behind_px,
@@ -178,7 +191,7 @@ bool NeedleTracker::measure(const GrayImage& image, double noise, double ahead_p
   const double least = 2.0 * noise * filter.noise_gain();
   for (int k = 0; k < strip.stations(); ++k) {
     const double s = strip.from + k;
-    if (s < 6.0 || !strip.inside[static_cast<std::size_t>(k)]) continue;
+    if (s < (cone_frames_ > 2 ? 12.0 : 6.0) || !strip.inside[static_cast<std::size_t>(k)]) continue;
     const double half_width = now_.tip_half_width + now_.widening * s;
     filter.apply(strip.values.col(k).data(), columns, feature.data());
     const auto edge = [&](double v) {
@@ -246,14 +259,28 @@ bool NeedleTracker::measure(const GrayImage& image, double noise, double ahead_p
   // The evidence falls to its half about one blur radius before the tip's own line.
   tip_station += 1.0;
 
+  // Where the shaft's width says the tip is. A dimple that hides the end moves the evidence, not the width.
+  bool by_cone = false;
+  if (cone_frames_ > 2 && cone_widening_ > 0.015) {
+    double s_mean = 0.0;
+    for (const Eigen::Vector3d& p : left) s_mean += p.x();
+    for (const Eigen::Vector3d& p : right) s_mean += p.x();
+    s_mean /= static_cast<double>(left.size() + right.size());
+    const double width = half_width + widening * s_mean;
+    const double cone_station = s_mean - (width - cone_half_width_) / cone_widening_;
+    if (std::abs(cone_station - tip_station) > 2.5) {
+      tip_station = cone_station;
+      by_cone = true;
+    }
+  }
+
   now_.tip = now_.tip - tip_station * now_.direction + (axis_offset + axis_slope * tip_station) * across;
   now_.direction = (now_.direction - axis_slope * across).normalized();
-  now_.tip_half_width = std::max(0.8, half_width + widening * tip_station);
-  now_.widening = std::clamp(widening, 0.0, 0.3);
-  presence_ = presence_ > 0.0 ? 0.9 * presence_ + 0.1 * reference : reference;
+  now_.tip_half_width = by_cone ? cone_half_width_ : std::max(0.8, half_width + widening * tip_station);
+  now_.widening = by_cone ? cone_widening_ : std::clamp(widening, 0.0, 0.3);
   const double clear = std::clamp(reference / (6.0 * std::max(noise, 1e-6)), 0.0, 1.0);
   const double supported = std::clamp(static_cast<double>(std::min(left.size(), right.size())) / 40.0, 0.0, 1.0);
-  now_.confidence = clear * supported;
+  now_.confidence = clear * supported * (by_cone ? 0.7 : 1.0);
   return true;
 }
 
