@@ -1,16 +1,15 @@
 #include "ImageFile.h"
 
 #include <itkBMPImageIO.h>
-#include <itkJPEGImageIO.h>
-#include <itkMetaDataObject.h>
 #include <itkPNGImageIO.h>
-#include <itkTIFFImageIO.h>
 
 #include <array>
-#include <cmath>
+#include <cctype>
 #include <fstream>
 #include <string_view>
 
+#include "ImageStructure.h"
+#include "JpegFile.h"
 #include "TiffPages.h"
 #include "pellucida/core/Error.h"
 
@@ -33,12 +32,10 @@ itk::ImageIOBase::Pointer make_reader(ImageKind kind) {
   switch (kind) {
     case ImageKind::kPng:
       return itk::PNGImageIO::New().GetPointer();
-    case ImageKind::kTiff:
-      return itk::TIFFImageIO::New().GetPointer();
-    case ImageKind::kJpeg:
-      return itk::JPEGImageIO::New().GetPointer();
     case ImageKind::kBmp:
       return itk::BMPImageIO::New().GetPointer();
+    case ImageKind::kTiff:
+    case ImageKind::kJpeg:
     case ImageKind::kNone:
       break;
   }
@@ -88,24 +85,28 @@ ImageKind image_kind(const std::filesystem::path& file) {
 
 ImageFileInfo read_image_info(const std::filesystem::path& file) {
   const ImageKind kind = image_kind(file);
-  if (kind == ImageKind::kTiff) {
-    // Pages, resolution and description come from the TIFF library itself: ITK drops the unit of the resolution.
-    const TiffPages pages(file);
-    return pages.info();
+  if (kind == ImageKind::kTiff) return TiffPages(file).info();
+  // ITK gives a spacing of 1 for these kinds whatever the file says: the scale comes from the file's structure.
+  const ImageStructure structure = check_structure(file, kind);
+  ImageFileInfo info;
+  if (kind == ImageKind::kJpeg) {
+    info.width_px = structure.width_px;
+    info.height_px = structure.height_px;
+    return info;
   }
   const auto reader = open_image(file);
-  ImageFileInfo info;
+  info.physical.pixel_size_um = structure.pixel_size_um;
   info.width_px = static_cast<int>(reader->GetDimensions(0));
   info.height_px = static_cast<int>(reader->GetDimensions(1));
   info.bit_depth = 8 * bytes_per_sample(*reader);
-  // ITK's spacing is in mm, and exactly 1 where the file says nothing.
-  if (const double spacing_mm = reader->GetSpacing(0); spacing_mm != 1.0 && spacing_mm == reader->GetSpacing(1)) {
-    info.physical.pixel_size_um = plausible_pixel_size_um(spacing_mm * 1e3);
-  }
   return info;
 }
 
 GreyImage read_image(const std::filesystem::path& file) {
+  const ImageKind kind = image_kind(file);
+  check_structure(file, kind);
+  if (kind == ImageKind::kTiff) return TiffPages(file).read();
+  if (kind == ImageKind::kJpeg) return read_jpeg(file);
   const auto reader = open_image(file);
   const auto width_px = static_cast<int>(reader->GetDimensions(0));
   const auto height_px = static_cast<int>(reader->GetDimensions(1));

@@ -22,7 +22,8 @@ ImageKind image_kind(const std::filesystem::path& file);
 /// Throws InputError, one line, when the file is broken or holds pixels other than 8 or 16 bit unsigned integers.
 ImageFileInfo read_image_info(const std::filesystem::path& file);
 
-/// The pixels, as grey, of a file with one page; errors as for the info. Reads through ITK.
+/// The pixels, as grey, of a file with one page; errors as for the info. PNG and BMP are read through
+/// ITK, TIFF by TiffPages, JPEG by OpenCV.
 GreyImage read_image(const std::filesystem::path& file);
 
 }  // namespace pellucida

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <mutex>
 
 #include "pellucida/core/Error.h"
 
@@ -36,12 +35,9 @@ void TiffPages::Close::operator()(::tiff* file) const noexcept {
 }
 
 TiffPages::TiffPages(const std::filesystem::path& file) : file_(file) {
-  // What is wrong is said once, by the exception.
-  static std::once_flag once;
-  std::call_once(once, [] {
-    TIFFSetErrorHandler(nullptr);
-    TIFFSetWarningHandler(nullptr);
-  });
+  // What is wrong is said once, by the exception. Each time anew: other libraries put handlers of their own here.
+  TIFFSetErrorHandler(nullptr);
+  TIFFSetWarningHandler(nullptr);
   tiff_.reset(TIFFOpen(file.c_str(), "rm"));
   if (!tiff_) throw InputError(file.string() + ": broken TIFF (its first page can't be found)");
 
@@ -51,6 +47,9 @@ TiffPages::TiffPages(const std::filesystem::path& file) : file_(file) {
   const auto bits = tag<std::uint16_t>(page, TIFFTAG_BITSPERSAMPLE, 1);
   const auto format = tag<std::uint16_t>(page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   if (info_.width_px <= 0 || info_.height_px <= 0) throw InputError(file.string() + ": broken TIFF (it has no size)");
+  if (static_cast<std::int64_t>(info_.width_px) * info_.height_px > std::int64_t{1} << 30) {
+    throw InputError(file.string() + ": broken TIFF (its size makes no sense)");
+  }
   if (bits > 16 || (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID)) {
     const char* kind = format == SAMPLEFORMAT_IEEEFP ? " bit float"
                        : format == SAMPLEFORMAT_INT  ? " bit signed"

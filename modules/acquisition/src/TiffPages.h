@@ -9,8 +9,9 @@ struct tiff;
 
 namespace pellucida {
 
-/// The pages of a TIFF, one after the other: only one is ever in memory. (ITK's TIFF reader can only read all of them
-/// at once, which a recording of some gigabytes forbids; so pages come straight from the TIFF library below it.)
+/// The pages of a TIFF, one after the other: only one is ever in memory. (They come straight from the TIFF library.
+/// ITK's reader above it can only read all pages at once, which a recording of some gigabytes forbids; it also drops
+/// the unit of the resolution, and lets the library write to stderr.)
 class TiffPages {
  public:
   /// Opens at the first page. Throws InputError when the file is broken or its pixels are neither 8 nor 16 bit

@@ -116,8 +116,9 @@ class VideoFileSource final : public FrameSource {
     const bool few = counted && missing > std::max(2L, expected / 100);
     const bool cut = extent_.cut_off() && (missing > 0 || !counted);
     if (!few && !cut) return;
-    std::string text = info_.name + ": broken off after frame " + std::to_string(last_index_) + " (" +
-                       std::to_string(delivered_) + " frames were read";
+    std::string text = info_.name;
+    text += extent_.cut_off() ? ": broken off after frame " + std::to_string(last_index_) : ": damaged";
+    text += " (" + std::to_string(delivered_) + " frames were read";
     if (missing > 0) text += ", about " + std::to_string(missing) + " of " + std::to_string(expected) + " are missing";
     throw InputError(text + "); copy or record it again");
   }
