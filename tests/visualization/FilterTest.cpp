@@ -70,7 +70,7 @@ class ForceGlyphs : public testing::Test {
   }
 
   vtkSmartPointer<vtkPolyData> surface = test::synthetic_scene(25.0).surface.shallow_copy();
-  double full_scale_uN = maximum_node_force_uN(surface);
+  double full_scale_uN = node_force_quantile_uN(surface, 1.0);
   vtkNew<ForceGlyphFilter> filter;
 };
 
@@ -147,12 +147,24 @@ TEST_F(ForceGlyphs, LogScaleLengthensSmallForces) {
   EXPECT_GT(least_um(true), 2.0 * linear_um);
 }
 
+TEST_F(ForceGlyphs, QuantilesOfTheForceGrowWithTheShare) {
+  EXPECT_LT(node_force_quantile_uN(surface, 0.0), node_force_quantile_uN(surface, 0.5));
+  EXPECT_LT(node_force_quantile_uN(surface, 0.5), node_force_quantile_uN(surface, 1.0));
+}
+
+TEST_F(ForceGlyphs, BeyondTheScaleAnArrowGrowsNoLongerThanHalfAsMuchAgain) {
+  full_scale_uN *= 0.1;
+  filter->SetMaximumCount(1);
+  filter->SetLongestArrowUm(20.0);
+  EXPECT_DOUBLE_EQ(update()->GetPointData()->GetArray("arrow_length_um")->GetComponent(0, 0), 30.0);
+}
+
 TEST_F(ForceGlyphs, WithoutForcesThereAreNoArrowsAndTheInputStaysAsItWas) {
   surface->GetPointData()->RemoveArray(array_name::kForce);
   const vtkMTimeType before = surface->GetMTime();
   EXPECT_EQ(update()->GetNumberOfPoints(), 0);
   EXPECT_EQ(surface->GetMTime(), before);
-  EXPECT_EQ(maximum_node_force_uN(surface), 0.0);
+  EXPECT_EQ(node_force_quantile_uN(surface, 1.0), 0.0);
 }
 
 TEST_F(ForceGlyphs, AForceThatIsNoNumberGetsNoArrow) {

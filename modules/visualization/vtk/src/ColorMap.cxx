@@ -44,7 +44,7 @@ vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
 }
 
 void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height, double upper,
-                    const std::string& title, HudAlign side) {
+                    const std::string& title, HudAlign side, bool open_end) {
   // The bar stands at the view's edge, its labels towards the middle.
   const bool right = side == HudAlign::kRight;
   const double bar_x = right ? x - kBarWidth : x;
@@ -57,7 +57,8 @@ void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, doubl
     const double part = static_cast<double>(i) / (kLabels - 1);
     const double tick_x = right ? bar_x - 5.0 : bar_x + kBarWidth + 1.0;
     hud.rectangle(tick_x, y + part * height - 0.5, 4.0, 1.0, palette::kTextDim);
-    hud.text(right ? tick_x - 4.0 : tick_x + 8.0, y + part * height, readout::plain(part * upper), style);
+    hud.text(right ? tick_x - 4.0 : tick_x + 8.0, y + part * height,
+             (open_end && i == kLabels - 1 ? "\u2265 " : "") + readout::plain(part * upper), style);
   }
   hud.text(x, y + height + 20.0, title, {.color = palette::kText, .align = style.align});
 }

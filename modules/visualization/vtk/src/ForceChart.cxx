@@ -219,7 +219,8 @@ void ForceChart::set_ranges() {
   double end = axis_end(1.02 * greatest_um, 10.0);
   if (over_time) {
     const auto& points = history_.over_time();
-    const double first_s = points.empty() ? 0.0 : points.front().time_s;
+    // A run whose force began early is shown from its start.
+    const double first_s = points.empty() || points.front().time_s < kLeastTime_s ? 0.0 : points.front().time_s;
     const double last_s = points.empty() ? 0.0 : points.back().time_s;
     begin = time_window_s_ > 0.0 ? std::max(first_s, last_s - time_window_s_) : first_s;
     end = std::max(last_s + 0.03 * (last_s - begin), begin + kLeastTime_s);

@@ -51,15 +51,16 @@ vtkSmartPointer<Array> new_array(const char* name, int components) {
 
 vtkStandardNewMacro(ForceGlyphFilter);
 
-double maximum_node_force_uN(vtkPolyData* surface) {
+double node_force_quantile_uN(vtkPolyData* surface, double share) {
   vtkDataArray* forces = surface ? forces_of(surface) : nullptr;
   if (!forces) return 0.0;
-  double greatest_uN = 0.0;
+  std::vector<double> magnitudes_uN;
   double force_uN[3];
-  for (const vtkIdType node : outer_nodes(surface)) {
-    greatest_uN = std::max(greatest_uN, magnitude_of(forces, node, force_uN));
-  }
-  return greatest_uN;
+  for (const vtkIdType node : outer_nodes(surface)) magnitudes_uN.push_back(magnitude_of(forces, node, force_uN));
+  if (magnitudes_uN.empty()) return 0.0;
+  const auto at = magnitudes_uN.begin() + std::lround(share * static_cast<double>(magnitudes_uN.size() - 1));
+  std::nth_element(magnitudes_uN.begin(), at, magnitudes_uN.end());
+  return *at;
 }
 
 void ForceGlyphFilter::order_nodes(vtkPolyData* surface, const std::vector<vtkIdType>& outer) {
@@ -86,7 +87,8 @@ void ForceGlyphFilter::order_nodes(vtkPolyData* surface, const std::vector<vtkId
 }
 
 double ForceGlyphFilter::arrow_length_um(double magnitude_uN) const {
-  const double share = std::min(magnitude_uN / this->FullScaleUN, 1.0);
+  constexpr double kMostShare = 1.5;
+  const double share = std::min(magnitude_uN / this->FullScaleUN, kMostShare);
   return this->LongestArrowUm * (this->LogScale ? 0.5 * std::log10(1.0 + 99.0 * share) : share);
 }
 

@@ -35,6 +35,8 @@ namespace {
 constexpr double kLongestArrowRatio = 0.35;  // of the cell's radius
 constexpr double kContactArrowRatio = 0.8;
 constexpr double kNeedleLengthRatio = 5.0;
+// The colour scale ends where all but the few nodes at the tip are below; those are marked as beyond it.
+constexpr double kScaleShare = 0.99;
 constexpr double kClearOpacity = 0.65;
 constexpr double kHolderLengthRatio = 1.1;
 
@@ -288,7 +290,8 @@ void MembraneView::refresh_arrows(vtkPolyData* surface) {
   has_forces_ = has_surface_ && surface->GetPointData()->GetArray(array_name::kForce) != nullptr;
   p.glyph_actor->SetVisibility(arrows_shown_ && has_forces_);
   if (!has_forces_) return;
-  const double upper_uN = force_range_uN_.update(maximum_node_force_uN(surface));
+  const double upper_uN = force_range_uN_.update(node_force_quantile_uN(surface, kScaleShare));
+  beyond_scale_ = node_force_quantile_uN(surface, 1.0) > upper_uN;
   p.force_colors->SetTableRange(0.0, upper_uN);
   p.glyphs->SetFullScaleUN(upper_uN);
   p.glyphs->SetLongestArrowUm(kLongestArrowRatio * radius_um_ * arrow_scale_);
@@ -357,7 +360,7 @@ void MembraneView::reset_camera() {
   const double from[3] = {0.80 * axis.x(), 0.80 * axis.y() - 0.50, -1.0};
   const double length = std::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
   constexpr double kViewAngle_deg = 24.0;
-  const double distance_um = 1.75 * radius_um_ / std::sin(0.5 * kViewAngle_deg * EIGEN_PI / 180.0);
+  const double distance_um = 1.6 * radius_um_ / std::sin(0.5 * kViewAngle_deg * EIGEN_PI / 180.0);
   camera->SetViewAngle(kViewAngle_deg);
   camera->SetFocalPoint(center_um_);
   camera->SetPosition(center_um_[0] + from[0] / length * distance_um, center_um_[1] + from[1] / length * distance_um,
@@ -415,7 +418,7 @@ void MembraneView::draw_hud(HudCanvas& hud, double width, double height) {
   const double bar_y = height - bar_height - 46.0;
   if (arrows_shown_ && has_forces_) {
     draw_color_bar(hud, ColorMapKind::kForce, width - 16.0, bar_y, bar_height, force_range_uN_.upper(),
-                   "Node force (µN)", HudAlign::kRight);
+                   "Node force (µN)", HudAlign::kRight, beyond_scale_);
   }
   if (coloring_available_) {
     const bool tension = coloring_ == SurfaceColoring::kTension;
@@ -459,8 +462,8 @@ void MembraneView::draw_contact_label(HudCanvas& hud) const {
   const std::string text = readout::force(source_->GetScene().measurement);
   const HudText style{.size_pt = font_size::kTitle, .color = palette::kText, .bold = true, .align = HudAlign::kCentre};
   const double width = hud.text_width(text, style) + 18.0;
-  hud.rounded(x - 0.5 * width, y + 16.0, width, 26.0, 5.0, palette::kWindow, 0.78);
-  hud.text(x, y + 29.0, text, style);
+  hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, palette::kWindow, 0.78);
+  hud.text(x, y + 35.0, text, style);
 }
 
 }  // namespace pellucida

@@ -111,7 +111,7 @@ vtkSmartPointer<vtkPolyData> revolve_profile(const std::vector<ProfilePoint>& pr
                                              const Eigen::Vector2d& direction) {
   const Eigen::Vector2d side = perpendicular(direction);
   vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkCellArray> faces;
   for (const ProfilePoint& point : profile) {
     for (int k = 0; k < kSides; ++k) {
       const double angle_rad = 2.0 * vtkMath::Pi() * k / kSides;
@@ -119,17 +119,24 @@ vtkSmartPointer<vtkPolyData> revolve_profile(const std::vector<ProfilePoint>& pr
       points->InsertNextPoint(p.x(), p.y(), point.radius_um * std::sin(angle_rad));
     }
   }
-  for (vtkIdType row = 0; row + 1 < static_cast<vtkIdType>(profile.size()); ++row) {
+  for (std::size_t row = 0; row + 1 < profile.size(); ++row) {
+    const auto first = static_cast<vtkIdType>(row) * kSides;
     for (vtkIdType k = 0; k < kSides; ++k) {
       const vtkIdType after = (k + 1) % kSides;
-      const vtkIdType quad[4] = {row * kSides + k, row * kSides + after, (row + 1) * kSides + after,
-                                 (row + 1) * kSides + k};
-      quads->InsertNextCell(4, quad);
+      const vtkIdType quad[4] = {first + k, first + after, first + kSides + after, first + kSides + k};
+      // Where the wall meets the axis a quad is a triangle.
+      if (profile[row].radius_um <= 0.0) {
+        faces->InsertNextCell({quad[0], quad[2], quad[3]});
+      } else if (profile[row + 1].radius_um <= 0.0) {
+        faces->InsertNextCell({quad[0], quad[1], quad[2]});
+      } else {
+        faces->InsertNextCell(4, quad);
+      }
     }
   }
   vtkNew<vtkPolyData> shape;
   shape->SetPoints(points);
-  shape->SetPolys(quads);
+  shape->SetPolys(faces);
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(shape);
   normals->SplittingOff();

@@ -18,7 +18,7 @@ class NiceRange {
   double upper() const noexcept { return upper_; }
 
  private:
-  static constexpr int kPatience = 90;
+  static constexpr int kPatience = 45;
   double floor_;
   double upper_;
   int small_count_ = 0;

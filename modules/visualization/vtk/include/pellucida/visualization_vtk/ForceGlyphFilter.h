@@ -11,7 +11,7 @@ namespace pellucida {
 ///   | array            | type   | comp. | what                                                                |
 ///   | force_uN         | double | 3     | as in the input                                                     |
 ///   | magnitude_uN     | double | 1     | its length                                                          |
-///   | arrow_length_um  | double | 1     | LongestArrowUm at FullScaleUN, else by `LogScale`                   |
+///   | arrow_length_um  | double | 1     | LongestArrowUm at FullScaleUN, at most 1.5 of it                    |
 ///   | arrow_kind       | int    | 1     | 0 starts at the node, 1 (the force pushes inward) ends at it        |
 /// The nodes are taken in farthest-point order of the first shape seen with this number of points, so any number of
 /// them covers the membrane evenly; the node with the greatest force is always among them. Cost: points x MaximumCount
@@ -28,9 +28,9 @@ class ForceGlyphFilter : public vtkPolyDataAlgorithm {
   vtkGetMacro(MaximumCount, int);
   /// Forces below this share of the full scale get no arrow, 0..1, default 0.01.
   vtkSetClampMacro(ThresholdRatio, double, 0.0, 1.0);
-  /// Force that the longest arrow stands for, > 0.
+  /// Force at which an arrow has the length LongestArrowUm, > 0.
   vtkSetMacro(FullScaleUN, double);
-  /// Length of the longest arrow, > 0.
+  /// Length of an arrow of full scale, > 0; a stronger force gets up to 1.5 times that.
   vtkSetMacro(LongestArrowUm, double);
   /// Arrow lengths by log10(1 + 99 f) / 2 of the full scale's share f, so that small forces show; default off.
   vtkSetMacro(LogScale, bool);
@@ -54,7 +54,8 @@ class ForceGlyphFilter : public vtkPolyDataAlgorithm {
   vtkIdType ordered_point_count_ = -1;
 };
 
-/// The greatest |force_uN| on the nodes of the outer membrane; 0 without the arrays.
-double maximum_node_force_uN(vtkPolyData* surface);
+/// The |force_uN| that a `share` (0..1) of the outer membrane's nodes don't exceed: 1 gives the greatest. 0 without
+/// forces.
+double node_force_quantile_uN(vtkPolyData* surface, double share);
 
 }  // namespace pellucida

@@ -62,6 +62,7 @@ class MembraneView : public View {
   bool has_surface_ = false;
   bool has_forces_ = false;
   bool coloring_available_ = false;
+  bool beyond_scale_ = false;
   bool framed_ = false;
   double arrow_scale_ = 1.0;
   double center_um_[3] = {0.0, 0.0, 0.0};
