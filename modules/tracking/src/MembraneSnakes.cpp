@@ -7,6 +7,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kStep = 0.5;           // px between samples on a normal
+constexpr double kSearchStep = 1.0;     // the same in the search for where an edge roughly is
 constexpr double kNeedleMargin = 2.5;   // px: half width of the needle's own dark edge, with its halo
 
 double median_of(std::vector<double> values) {
@@ -107,11 +108,11 @@ void MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, dou
 void MembraneSnakes::search_pair(const GrayImage& image, const NeedleZone* needle, double search_px) {
   const Eigen::Matrix2Xd normals = contour::outward_normals(outer_.points);
   const double reach_in = search_px + (has_inner() ? 1.6 * thickness_ : 0.0);
-  strip_.sample(image, outer_.points, normals, reach_in + 3.0, search_px + 3.0, kStep);
-  strip_.features(EdgeFilter(outer_.scale_px, kStep, outer_.kind), 1, feature_);
+  strip_.sample(image, outer_.points, normals, reach_in + 3.0, search_px + 3.0, kSearchStep);
+  strip_.features(EdgeFilter(outer_.scale_px, kSearchStep, outer_.kind), 1, feature_);
   reward_outer_ = as_reward(feature_, outer_.strength);
   if (has_inner()) {
-    strip_.features(EdgeFilter(inner_.scale_px, kStep, inner_.kind), 1, feature_);
+    strip_.features(EdgeFilter(inner_.scale_px, kSearchStep, inner_.kind), 1, feature_);
     reward_inner_ = as_reward(feature_, inner_.strength);
   }
   // The needle's own edges say nothing about a membrane; the tip itself does, once it touches.
@@ -136,16 +137,16 @@ void MembraneSnakes::search_pair(const GrayImage& image, const NeedleZone* needl
   reward_outer_.leftCols(std::max(0, low)).setConstant(-2.0F);
   reward_outer_.rightCols(std::max(0, strip_.columns() - 1 - high)).setConstant(-2.0F);
 
-  constexpr float kSlope = 0.12F, kGap = 0.12F;
+  constexpr float kSlope = 0.2F, kGap = 0.2F;
   std::vector<int> outer_path, inner_path;
   if (has_inner()) {
-    const int gap_from = std::max(2, static_cast<int>(0.45 * thickness_ / kStep));
-    const int gap_to = static_cast<int>(std::ceil(1.5 * thickness_ / kStep));
+    const int gap_from = std::max(2, static_cast<int>(0.45 * thickness_ / kSearchStep));
+    const int gap_to = static_cast<int>(std::ceil(1.5 * thickness_ / kSearchStep));
     PathPair pair = best_closed_path_pair(reward_outer_, reward_inner_, gap_from, gap_to, kSlope, kGap);
     outer_path = std::move(pair.outer);
     inner_path = std::move(pair.inner);
   } else {
-    outer_path = best_closed_path(reward_outer_, 2, kSlope);
+    outer_path = best_closed_path(reward_outer_, 1, kSlope);
   }
   Eigen::Matrix2Xd outer(2, strip_.rows()), inner(2, strip_.rows());
   for (int i = 0; i < strip_.rows(); ++i) {

@@ -114,6 +114,7 @@ class MembraneTracker::Impl {
     touching_ = dimpled;
     if (!dimpled) learn_rest();
     membrane_depth_ = measure_membrane_depth();
+    quality_ = usual_quality_ = quality_now();
   }
 
   static contour::Circle fit(const Eigen::Matrix2Xd& points) {
@@ -199,6 +200,12 @@ class MembraneTracker::Impl {
     return count > 3.0 ? sum / count : snakes_.outer().score;
   }
 
+  // The weakest of what was seen: the whole outer contour, the inner one, and the outer one on the needle's side.
+  double quality_now() const {
+    const double both = snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;
+    return std::min(both, local_score());
+  }
+
   void follow() {
     // Rigid motion of the whole: by the holder where there is one, else later by the far side.
     const Eigen::Vector2d shift_before = rigid_shift_;
@@ -220,14 +227,14 @@ class MembraneTracker::Impl {
     // Contours: the narrow band first; where that fails, wider, and with the membrane sprung back.
     const SnakeContour outer_before = snakes_.outer(), inner_before = snakes_.inner();
     snakes_.track(image_, noise_, shift, needle_.motion(), known, options_.search_px);
-    double quality = std::min(snakes_.outer().score, local_score());
-    if (quality < 0.6) {
+    double quality = quality_now();
+    if (quality < std::max(0.6, 0.88 * usual_quality_)) {
       SnakeContour best_outer = snakes_.outer(), best_inner = snakes_.inner();
       const auto attempt = [&](const NeedleZone* with, bool from_rest, double reach) {
         snakes_.restore(outer_before, inner_before);
         if (from_rest) snakes_.restore(at_rest(outer_before, rest_.outer_radius), at_rest(inner_before, rest_.inner_radius));
         snakes_.track(image_, noise_, from_rest ? Eigen::Vector2d::Zero() : shift, needle_.motion(), with, reach);
-        const double now = std::min(snakes_.outer().score, local_score());
+        const double now = quality_now();
         if (now > quality + 0.05) {
           quality = now;
           best_outer = snakes_.outer();
@@ -240,11 +247,13 @@ class MembraneTracker::Impl {
       if (known && touching_) {
         attempt(&loose, false, options_.wide_search_px);
         attempt(&loose, true, 2.0 * options_.search_px);
+        attempt(&loose, true, options_.wide_search_px);
       } else {
         attempt(known, true, options_.wide_search_px);
       }
       snakes_.restore(best_outer, best_inner);
     }
+    quality_ = quality;
     score_ = snakes_.outer().score;
     const bool good = score_ >= options_.min_tracking_score && plausible();
     bad_frames_ = good ? 0 : bad_frames_ + 1;
@@ -258,6 +267,8 @@ class MembraneTracker::Impl {
       }
       return;
     }
+
+    usual_quality_ += 0.1 * (quality_ - usual_quality_);
 
     // Without a holder the side away from the needle tells the rigid motion.
     if (!rigid_.valid()) rigid_shift_ = far_side_center() - rest_.center;
@@ -350,9 +361,12 @@ class MembraneTracker::Impl {
     if (needle_.valid()) fill_needle(out, pixel_size_um);
     if (holder_.valid) fill_holder(out, pixel_size_um);
 
+    // As good as the contours were seen, less where they were suddenly seen worse than before.
     const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
+    const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
     const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-    out.confidence = std::clamp(sides * first_sight * std::min(1.0, 0.4 + 0.6 * detection_score_), 0.0, 1.0);
+    out.confidence = sides * sudden * sudden * first_sight * std::min(1.0, 0.4 + 0.6 * detection_score_);
+    out.confidence = std::clamp(out.confidence, 0.0, 1.0);
     if (bad_frames_ > 0) out.confidence *= 0.3;
     return out;
   }
@@ -418,7 +432,7 @@ class MembraneTracker::Impl {
   ContactLogic contact_;
   Holder holder_;
   Eigen::Vector2d rigid_shift_ = Eigen::Vector2d::Zero();
-  double detection_score_ = 0.0, score_ = 0.0, membrane_depth_ = 0.0;
+  double detection_score_ = 0.0, score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, membrane_depth_ = 0.0;
   bool has_cell_ = false, ever_ = false, touching_ = false;
   int bad_frames_ = 0;
   int frames_since_detection_ = 1 << 20;
