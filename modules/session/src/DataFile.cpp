@@ -2,6 +2,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
+#include <vtkPoints.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataReader.h>
@@ -107,6 +108,13 @@ std::string serialise(vtkImageData* data) {
 
 std::string serialise(vtkPolyData* data) {
   return serialise_with<vtkXMLPolyDataWriter>(data, kPolyPacking);
+}
+
+std::string empty_poly_file() {
+  // ParaView warns of a file without a list of points, though it be empty.
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(vtkNew<vtkPoints>());
+  return serialise(data.Get());
 }
 
 vtkSmartPointer<vtkImageData> read_image_file(const std::filesystem::path& file) {

@@ -13,6 +13,9 @@ std::string serialise(vtkImageData* data);
 /// The content of a `.vtp` file (appended raw, compressed). `data` isn't changed.
 std::string serialise(vtkPolyData* data);
 
+/// The content of a `.vtp` file with no point in it.
+std::string empty_poly_file();
+
 /// Reads a `.vti` or `.vtp` file. Throws InputError, one line, for a file that is missing, cut off or not of that kind.
 vtkSmartPointer<vtkImageData> read_image_file(const std::filesystem::path& file);
 vtkSmartPointer<vtkPolyData> read_poly_file(const std::filesystem::path& file);

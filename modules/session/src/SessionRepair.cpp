@@ -73,7 +73,7 @@ void repair_session(const fs::path& folder, const SessionFindings& findings, Ses
 
   // Lists and counts anew from what is there now.
   if (!fs::exists(folder / session_name::kEmpty)) {
-    replace_file(folder / session_name::kEmpty, serialise(vtkSmartPointer<vtkPolyData>::New().Get()));
+    replace_file(folder / session_name::kEmpty, empty_poly_file());
   }
   const SessionFiles files = list_files(folder);
   const std::vector<SessionStep> steps = make_steps(findings.measurements.rows, files);

@@ -68,7 +68,7 @@ class SessionWriter::Impl {
     for (const PartNames& names : kParts) {
       if (names.part != SessionPart::kFrame || options.frames) make_folder(folder_ / names.folder);
     }
-    replace_file(folder_ / session_name::kEmpty, serialise(vtkSmartPointer<vtkPolyData>::New().Get()));
+    replace_file(folder_ / session_name::kEmpty, empty_poly_file());
     measurements_ = std::make_unique<AppendFile>(folder_ / session_name::kMeasurements, measurement_header());
     events_ = std::make_unique<AppendFile>(folder_ / session_name::kEvents, session_name::kEventsHeader);
     write_pvd();
