@@ -25,16 +25,17 @@ void simulate(const SimulateArguments& arguments) {
   Scenario scenario = load_scenario(arguments.scenario);
   if (arguments.duration_s) {
     // 0 stands for "the motion's length" in a scenario; here it can only be a mistake.
-    if (!(*arguments.duration_s > 0)) throw UsageError("--duration-s must be above 0");
+    if (!(*arguments.duration_s > 0)) throw UsageError("--duration-s must be above 0, up to 3600");
     scenario.image.duration_s = *arguments.duration_s;
   }
   if (arguments.frame_rate_hz) scenario.image.frame_rate_hz = *arguments.frame_rate_hz;
   if (arguments.seed) scenario.seed = *arguments.seed;
 
   VirtualMicroscope microscope(scenario);
-  const auto writer = FrameWriter::open(arguments.output, microscope.info());
+  // The small file first: where it can't be written, the video of an earlier run is left alone.
   std::optional<TruthWriter> truth;
   if (!arguments.truth.empty()) truth.emplace(arguments.truth);
+  const auto writer = FrameWriter::open(arguments.output, microscope.info());
 
   long count = 0;
   {

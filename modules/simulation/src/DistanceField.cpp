@@ -18,6 +18,17 @@ void fill_far(const Contour_um& contour_px, float band_um, cv::Mat1f& distance_u
   cv::fillPoly(distance_um, std::vector<std::vector<cv::Point>>{polygon}, cv::Scalar(-band_um), cv::LINE_8, kShift);
 }
 
+// Narrows low..high to the x with |slope * (x - center) + offset| <= limit.
+void narrow(float slope, float offset, float limit, float center, float& low, float& high) {
+  if (std::abs(slope) < 1e-6f) {
+    if (std::abs(offset) > limit) high = low - 1;
+    return;
+  }
+  const float a = center + (-limit - offset) / slope, b = center + (limit - offset) / slope;
+  low = std::max(low, std::min(a, b));
+  high = std::min(high, std::max(a, b));
+}
+
 }  // namespace
 
 void signed_distance(const Contour_um& contour_um, double pixel_size_um, const cv::Rect& window, double band_um,
@@ -50,13 +61,22 @@ void signed_distance(const Contour_um& contour_um, double pixel_size_um, const c
     const Eigen::Vector2f at_a = normal + turn * Eigen::Vector2f(before.y(), -before.x());
     const Eigen::Vector2f at_b = normal + turn * Eigen::Vector2f(after.y(), -after.x());
 
+    // Only a strip along the segment, a little longer than it: contours turn by less than 28 degrees from one segment
+    // to the next, so every near pixel lies in the strip of the segment or vertex nearest to it.
     const auto reach = static_cast<float>(band_px);
-    const int x0 = std::max(0, static_cast<int>(std::ceil(std::min(a.x(), b.x()) - reach)));
-    const int x1 = std::min(window.width - 1, static_cast<int>(std::floor(std::max(a.x(), b.x()) + reach)));
-    const int y0 = std::max(0, static_cast<int>(std::ceil(std::min(a.y(), b.y()) - reach)));
-    const int y1 = std::min(window.height - 1, static_cast<int>(std::floor(std::max(a.y(), b.y()) + reach)));
+    const float length = std::sqrt(length2), ahead = 0.25f * reach;
+    const Eigen::Vector2f corner = (normal * reach).cwiseAbs() + (along * (ahead + length / 2)).cwiseAbs();
+    const Eigen::Vector2f middle = (a + b) / 2;
+    const int y0 = std::max(0, static_cast<int>(std::ceil(middle.y() - corner.y())));
+    const int y1 = std::min(window.height - 1, static_cast<int>(std::floor(middle.y() + corner.y())));
     const float inverse_length2 = 1.0f / length2, scale = static_cast<float>(pixel_size_um);
     for (int y = y0; y <= y1; ++y) {
+      float low = middle.x() - corner.x(), high = middle.x() + corner.x();
+      const float dy_middle = static_cast<float>(y) - middle.y();
+      narrow(along.x(), dy_middle * along.y(), ahead + length / 2, middle.x(), low, high);
+      narrow(normal.x(), dy_middle * normal.y(), reach, middle.x(), low, high);
+      const int x0 = std::max(0, static_cast<int>(std::ceil(low)));
+      const int x1 = std::min(window.width - 1, static_cast<int>(std::floor(high)));
       float* best = nearest2[y];
       float* distance = distance_um[y];
       for (int x = x0; x <= x1; ++x) {

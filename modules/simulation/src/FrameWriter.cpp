@@ -3,6 +3,7 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -59,13 +60,17 @@ class VideoWriter : public FrameWriter {
     fail(output, "this OpenCV has no encoder for " + extension + "; use .tif or a folder of PNG");
   }
 
-  void write(const Frame& frame) override { writer_.write(pixels_of(frame)); }
+  void write(const Frame& frame) override {
+    writer_.write(pixels_of(frame));
+    ++count_;
+  }
 
   void close() override {
     writer_.release();
-    // OpenCV keeps write errors to itself: a file without content is the sign.
-    std::error_code error;
-    if (fs::file_size(output_, error) == 0 || error) fail(output_);
+    // OpenCV keeps write errors (a full disk) to itself: ask the file how long it is. Containers round their duration.
+    cv::VideoCapture written(output_.string(), cv::CAP_FFMPEG);
+    if (!written.isOpened() || std::abs(written.get(cv::CAP_PROP_FRAME_COUNT) - static_cast<double>(count_)) > 1.5)
+      fail(output_);
   }
 
   std::string format() const override { return words_; }
@@ -73,6 +78,7 @@ class VideoWriter : public FrameWriter {
  private:
   fs::path output_;
   cv::VideoWriter writer_;
+  long count_ = 0;
   std::string words_;
 };
 
