@@ -28,8 +28,12 @@ void load(const ImageView& view, GrayImage& image) {
 
 GrayImage reduced(const GrayImage& image, double sigma_px, int factor) {
   const cv::Mat input(image.height, image.width, CV_32F, const_cast<float*>(image.pixels.data()));
-  cv::Mat smooth = input;
-  if (sigma_px > 0.0) cv::GaussianBlur(input, smooth, {0, 0}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
+  cv::Mat smooth;  // its own memory: the input stays as it is
+  if (sigma_px > 0.0) {
+    cv::GaussianBlur(input, smooth, {0, 0}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
+  } else {
+    smooth = input;
+  }
   GrayImage result;
   result.width = std::max(1, (image.width + factor - 1) / factor);
   result.height = std::max(1, (image.height + factor - 1) / factor);
