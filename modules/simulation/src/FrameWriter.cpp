@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <vector>
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
@@ -153,7 +155,12 @@ class FolderWriter : public FrameWriter {
   void write(const Frame& frame) override {
     char name[32];
     std::snprintf(name, sizeof name, "frame_%06ld.png", frame.frame_index);
-    if (!cv::imwrite((output_ / name).string(), pixels_of(frame))) fail(output_ / name);
+    // Encoded here and written by the stream: libpng would print its own line about a full disk.
+    std::vector<unsigned char> bytes;
+    std::ofstream file(output_ / name, std::ios::binary);
+    if (!cv::imencode(".png", pixels_of(frame), bytes) ||
+        !file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())).flush())
+      fail(output_ / name);
   }
 
   void close() override {}
