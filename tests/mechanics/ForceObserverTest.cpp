@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 #include "TestProfiles.h"
 #include "pellucida/mechanics/Indenter.h"
@@ -143,6 +144,14 @@ TEST(ForceObserver, MissingPartsAreSaidNotGuessed) {
   o = make_observation(CellState::kContact, 5.0, 0.0, std::numbers::pi, 3);
   o.rest_outer_radius_um = 0.0;
   EXPECT_TRUE(std::isnan(observer.process(o).contact_force_uN));
+
+  // A cell of another kind, or a wrong pixel size.
+  o = make_observation(CellState::kContact, 1.0, 0.0, std::numbers::pi, 3);
+  o.rest_outer_radius_um = 4.0;
+  o.rest_inner_radius_um = 0.0;
+  const ForceEstimate tiny = observer.process(o);
+  EXPECT_TRUE(std::isnan(tiny.contact_force_uN));
+  EXPECT_NE(tiny.reason.find("radius is 4 um"), std::string::npos) << tiny.reason;
 
   // And it recovers.
   const ForceEstimate again = observer.process(make_observation(CellState::kContact, 5.0, 0.0, std::numbers::pi, 4));

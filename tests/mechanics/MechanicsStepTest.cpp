@@ -133,8 +133,8 @@ TEST_P(MechanicsStepMesh, CarriesTheForcesToTheOuterMembraneWithTheirSum) {
   // The model.
   const auto model = out->model.shallow_copy();
   ASSERT_TRUE(model);
-  EXPECT_EQ(model->GetNumberOfPoints(), 492);
-  EXPECT_EQ(model->GetNumberOfCells(), 980);
+  EXPECT_EQ(model->GetNumberOfPoints(), 642);
+  EXPECT_EQ(model->GetNumberOfCells(), 1280);
   for (const char* name : {array_name::kForce, array_name::kDisplacement, array_name::kTension}) {
     EXPECT_TRUE(model->GetPointData()->HasArray(name)) << name;
   }
@@ -176,6 +176,20 @@ TEST(MechanicsStep, AVolumeMeasuredBeforeIsKept) {
   scene.measurement.volume_um3 = 123456.0;
   MechanicsStep step(testing::coarse_profile());
   EXPECT_DOUBLE_EQ(step.process(scene)->measurement.volume_um3, 123456.0);
+}
+
+TEST(MechanicsStep, AMissingForceIsExplainedOnce) {
+  MechanicsStep step(testing::coarse_profile());
+  Scene scene = make_scene(5.0, 0.0, 12, 23);
+  Observation o = *scene.observation;
+  o.needle.reset();
+  scene.observation = std::make_shared<const Observation>(o);
+  const auto first = step.process(scene);
+  ASSERT_EQ(first->events.size(), 1u);
+  EXPECT_EQ(first->events[0].kind, "note");
+  EXPECT_NE(first->events[0].detail.find("needle"), std::string::npos);
+  EXPECT_TRUE(std::isnan(first->measurement.contact_force_uN));
+  EXPECT_TRUE(step.process(scene)->events.empty());
 }
 
 TEST(MechanicsStep, ScenesWithoutCellOrSurfacePassOn) {

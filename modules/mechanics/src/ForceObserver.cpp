@@ -16,6 +16,9 @@ namespace {
 constexpr double kDefaultDepthSigma_um = 0.2;
 /// What no filter averages out: the edge's centre line may lie a little beside the membrane, the same in every frame.
 constexpr double kEdgeBias_um = 0.12;
+/// A profile speaks of cells of its own size: outside this share of its radius it says nothing.
+constexpr double kSmallestRatio = 0.6;
+constexpr double kLargestRatio = 1.7;
 /// The model is built anew when the tracked rest radius or thickness moved by more than this share.
 constexpr double kRebuildRatio = 0.004;
 /// How fast the holder's direction follows the tracker, per frame, and the turn that is worth following.
@@ -33,6 +36,10 @@ double relative_sigma(const CellProfile& profile) {
 
 double sphere_volume_um3(double radius_um) {
   return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_um, 3);
+}
+
+std::string whole(double value) {
+  return std::to_string(std::lround(value));
 }
 
 Eigen::Vector3d in_plane(const Eigen::Vector2d& v) {
@@ -64,6 +71,14 @@ class ForceObserver::Impl {
     }
     if (!o.center_um.allFinite() || !std::isfinite(o.rest_outer_radius_um) || o.rest_outer_radius_um <= 0.0) {
       estimate.reason = "the cell's rest shape is not known";
+      return estimate;
+    }
+
+    const double outer_ratio = o.rest_outer_radius_um / (profile_.mid_radius_um + 0.5 * profile_.thickness_um);
+    if (outer_ratio < kSmallestRatio || outer_ratio > kLargestRatio) {
+      estimate.reason = "no cell of profile " + profile_.name + ": its radius is " + whole(o.rest_outer_radius_um) +
+                        " um, the profile's " + whole(profile_.mid_radius_um) +
+                        " um; check the pixel size, or give another profile";
       return estimate;
     }
 
@@ -123,9 +138,9 @@ class ForceObserver::Impl {
   /// A model of this cell's size with the holder in place.
   void prepare_model(const Observation& o, ForceEstimate& estimate) {
     double thickness_um = o.rest_outer_radius_um - o.rest_inner_radius_um;
-    estimate.thickness_assumed = !(o.rest_inner_radius_um > 0.0 && thickness_um > 0.0);
+    estimate.thickness_assumed = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um && thickness_um > 0.0);
     if (estimate.thickness_assumed) thickness_um = profile_.thickness_um;
-    const double mid_radius_um = std::max(0.1 * o.rest_outer_radius_um, o.rest_outer_radius_um - 0.5 * thickness_um);
+    const double mid_radius_um = o.rest_outer_radius_um - 0.5 * thickness_um;
     const Eigen::Vector3d holder = holder_W_ ? Eigen::Vector3d(estimate.rotation_WC.transpose() * in_plane(*holder_W_))
                                              : -Eigen::Vector3d::UnitZ();
 

@@ -6,36 +6,39 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <vector>
 
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
 namespace {
 
-/// An icosahedron with vertices on +z and -z; vertex 1 lies at azimuth 0.
+/// An icosahedron with the middle of an edge on +z and on -z: the three coordinate planes are its mirrors.
 std::array<Eigen::Vector3d, 12> icosahedron_vertices() {
   std::array<Eigen::Vector3d, 12> vertices;
-  const double z = 1.0 / std::sqrt(5.0);
-  const double rho = 2.0 / std::sqrt(5.0);
-  vertices[0] = Eigen::Vector3d::UnitZ();
-  for (int k = 0; k < 5; ++k) {
-    const double upper = 2.0 * std::numbers::pi * k / 5.0;
-    const double lower = upper + std::numbers::pi / 5.0;
-    vertices[1 + k] = {rho * std::cos(upper), rho * std::sin(upper), z};
-    vertices[6 + k] = {rho * std::cos(lower), rho * std::sin(lower), -z};
+  std::size_t n = 0;
+  for (const double one : {1.0, -1.0}) {
+    for (const double phi : {std::numbers::phi, -std::numbers::phi}) {
+      vertices[n++] = Eigen::Vector3d(0.0, one, phi).normalized();
+      vertices[n++] = Eigen::Vector3d(one, phi, 0.0).normalized();
+      vertices[n++] = Eigen::Vector3d(phi, 0.0, one).normalized();
+    }
   }
-  vertices[11] = -Eigen::Vector3d::UnitZ();
   return vertices;
 }
 
-std::vector<std::array<int, 3>> icosahedron_faces() {
+/// Its faces, outward: every three vertices that are neighbours of each other.
+std::vector<std::array<int, 3>> icosahedron_faces(const std::array<Eigen::Vector3d, 12>& v) {
+  const auto neighbours = [&](int i, int j) { return v[i].dot(v[j]) > 0.4; };
   std::vector<std::array<int, 3>> faces;
-  for (int k = 0; k < 5; ++k) {
-    const int next = (k + 1) % 5;
-    faces.push_back({0, 1 + k, 1 + next});
-    faces.push_back({1 + k, 6 + k, 1 + next});
-    faces.push_back({1 + next, 6 + k, 6 + next});
-    faces.push_back({11, 6 + next, 6 + k});
+  for (int i = 0; i < 12; ++i) {
+    for (int j = i + 1; j < 12; ++j) {
+      for (int k = j + 1; k < 12; ++k) {
+        if (!neighbours(i, j) || !neighbours(j, k) || !neighbours(i, k)) continue;
+        const bool outward = (v[j] - v[i]).cross(v[k] - v[i]).dot(v[i]) > 0.0;
+        faces.push_back({i, outward ? j : k, outward ? k : j});
+      }
+    }
   }
   return faces;
 }
@@ -80,7 +83,7 @@ TriangleMesh make_sphere_mesh(double radius_um, const SphereMeshOptions& options
 
   // Every face in f^2 triangles of its own orientation.
   std::vector<Eigen::Vector3i> triangles;
-  for (const auto& face : icosahedron_faces()) {
+  for (const auto& face : icosahedron_faces(vertices)) {
     for (int i = 0; i < f; ++i) {
       for (int j = 0; j < f - i; ++j) {
         const int k = f - i - j;

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
@@ -93,6 +94,14 @@ class MechanicsStep::Impl {
     out.measurement.contact_force_upper_uN = e.contact_force_upper_uN;
     out.measurement.pressure_Pa = e.converged ? e.pressure_Pa : Measurement::kNotMeasured;
     if (std::isnan(out.measurement.volume_um3)) out.measurement.volume_um3 = e.volume_um3;
+
+    // Why there is no force, said once: a note when the reason is new.
+    const bool should_measure =
+        scene.observation->state == CellState::kContact || scene.observation->state == CellState::kFree;
+    if (should_measure && !e.reason.empty() && e.reason != said_) {
+      out.events.push_back({scene.observation->time_s, "note", "no force: " + e.reason});
+    }
+    if (should_measure) said_ = e.reason;
     if (e.rest_um.cols() == 0 || !e.converged) return out;
 
     // The model's own surface, and its forces on the surface that people look at.
@@ -137,6 +146,7 @@ class MechanicsStep::Impl {
   }
 
   ForceObserver observer_;
+  std::string said_;  // the last reason given
   std::optional<ForceTransfer> transfer_;
   Eigen::Matrix3Xd directions_;  // the surface's, as the transfer was made for
   Eigen::Index nodes_ = 0;       // the model's, likewise
