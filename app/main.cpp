@@ -10,9 +10,7 @@
 #include "commands/ForceCommand.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/SimulateCommand.h"
-#ifdef PELLUCIDA_HAS_UI
 #include "commands/WorkstationCommand.h"
-#endif
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Version.h"
 
@@ -31,9 +29,7 @@ int main(int argc, char** argv) {
                "pellucida");
   app.set_version_flag("--version", pellucida::kVersion);
   app.require_subcommand(0, 1);
-#ifdef PELLUCIDA_HAS_UI
   pellucida::add_workstation_command(app);
-#endif
   pellucida::add_simulate_command(app);
   pellucida::add_analyze_command(app);
   pellucida::add_force_command(app);

@@ -13,10 +13,11 @@ function(pellucida_add_module NAME)
   target_link_libraries(pellucida_${NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} pellucida::build_options)
 endfunction()
 
-# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ...)
-# A GoogleTest program; each test case becomes a CTest test with the labels given.
+# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [TIMEOUT s] [WHOLE])
+# A GoogleTest program; each test case becomes a CTest test with the labels given. WHOLE: the program is one CTest test,
+# for cases that share an expensive preparation.
 function(pellucida_add_test NAME)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "WHOLE" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -25,8 +26,13 @@ function(pellucida_add_test NAME)
   target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   # Read by tests that look at the shipped resources, the small test data, or (where it is there) the folder beside the checkout.
   target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES
-    LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "VTK_SMP_BACKEND_IN_USE=Sequential")
+  set(properties LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "VTK_SMP_BACKEND_IN_USE=Sequential")
+  if(ARG_WHOLE)
+    add_test(NAME ${NAME} COMMAND ${NAME})
+    set_tests_properties(${NAME} PROPERTIES ${properties})
+  else()
+    gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+  endif()
 endfunction()
 
 # pellucida_add_benchmark(NAME SOURCES ... [LIBRARIES ...]): a Google Benchmark program.

@@ -11,7 +11,7 @@
 namespace pellucida {
 namespace {
 
-constexpr std::size_t kQueueCount = 8;
+constexpr std::size_t kQueueCount = 2;
 
 // How good a scene is for the one picture of a run: force first, then how much was seen.
 double picture_score(const Scene& scene) {
@@ -36,7 +36,12 @@ Scene timed(S& step, const Scene& scene, const Clock& clock, Distribution& step_
 struct TrackHalf {
   using Input = Scene;
   using Output = Scene;
-  expected<Scene, StepFailure> process(const Scene& scene) { return timed(chain.tracking, scene, clock, tracking_us); }
+  expected<Scene, StepFailure> process(const Scene& waiting) {
+    // A recording doesn't age while it waits in a queue: a frame arrives when its turn comes.
+    Scene scene = waiting;
+    scene.arrival_s = clock.now_s();
+    return timed(chain.tracking, scene, clock, tracking_us);
+  }
   Chain& chain;
   const Clock& clock;
   Distribution tracking_us;
