@@ -47,7 +47,7 @@ class EquilibriumSolver {
   SolveReport solve(const MembraneModel& model, Eigen::Matrix3Xd& x_um, const SolveOptions& options);
 
   /// H^-1 b with the Hessian at `x_um` (3 x n), by conjugate gradients preconditioned with the kept factorisation, to a
-  /// relative residual of 1e-5; starts from `guess`. Where the Hessian turns out not to be positive definite, the
+  /// relative residual of 1e-4; starts from `guess`. Where the Hessian turns out not to be positive definite, the
   /// shifted one is used.
   Eigen::Matrix3Xd apply_inverse_hessian(const MembraneModel& model, const Eigen::Matrix3Xd& x_um,
                                          const Eigen::Matrix3Xd& b, const Eigen::Matrix3Xd& guess);
