@@ -17,6 +17,18 @@ TEST(SourcePresenter, NamesSourceAndPicture) {
   EXPECT_EQ(source_caption(info), "728 × 486 px  ·  0.825 µm/px  ·  30 frames/s");
 }
 
+TEST(SourcePresenter, FilesAndFoldersAreNamedWithoutTheWayToThem) {
+  const auto label = [](const char* name) {
+    SourceInfo info;
+    info.name = name;
+    return source_label(info);
+  };
+  EXPECT_EQ(label("/data/cells/day 1.avi"), "day 1.avi");
+  EXPECT_EQ(label("/data/cells/"), "cells");
+  EXPECT_EQ(label("v4l2:0"), "v4l2:0");
+  EXPECT_EQ(label("/"), "/");
+}
+
 TEST(SourcePresenter, AStillHasNoFrameRate) {
   SourceInfo info;
   info.width_px = 10;

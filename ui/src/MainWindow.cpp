@@ -168,7 +168,8 @@ QWidget* MainWindow::build_top_bar() {
   connect(picture, &QPushButton::clicked, this, [this] { save_picture(); });
 
   row->addStretch(1);
-  add_label(row, "sourceName", text_of(run_->source_info().name));
+  QLabel* source = add_label(row, "sourceName", text_of(source_label(run_->source_info())));
+  source->setToolTip(text_of(run_->source_info().name));
   return bar;
 }
 

@@ -5,6 +5,9 @@
 
 namespace pellucida {
 
+/// The source's name as it fits into a line: a file without its folder.
+std::string source_label(const SourceInfo& info);
+
 /// "Pellucida - virtual:default": the window's title.
 std::string window_title(const SourceInfo& info);
 

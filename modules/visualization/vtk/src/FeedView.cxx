@@ -8,7 +8,6 @@
 #include <vtkImageProperty.h>
 #include <vtkImageSlice.h>
 #include <vtkImageSliceMapper.h>
-#include <vtkLookupTable.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
@@ -24,36 +23,37 @@
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization/Scaling.h"
 #include "pellucida/visualization_vtk/DashFilter.h"
+#include "pellucida/visualization_vtk/RibbonFilter.h"
 #include "pellucida/visualization_vtk/ToolShapes.h"
 
 namespace pellucida {
 namespace {
 
 constexpr double kLineWidth = 2.0;
-constexpr double kUnderlayWidth = 4.0;
 constexpr double kCellMargin = 1.7;  // half the view's height, in radii of the cell
 
 // Lines with a dark underlay, so that they read on bright and dark parts of the image alike.
 struct Lines {
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkPolyDataMapper> under_mapper;
+  vtkNew<RibbonFilter> ribbon;
+  vtkNew<RibbonFilter> under_ribbon;
   vtkNew<vtkActor> actor;
   vtkNew<vtkActor> under;
 
   // `level` orders lines one above the other.
   void build(vtkAlgorithmOutput* input, vtkRenderer* renderer, int level) {
-    mapper->SetInputConnection(input);
-    under_mapper->SetInputConnection(input);
-    under_mapper->ScalarVisibilityOff();
-    actor->SetMapper(mapper);
-    under->SetMapper(under_mapper);
-    for (vtkActor* one : {actor.Get(), under.Get()}) {
+    under_ribbon->SetColors({palette::kWindow});
+    under_ribbon->SetOpacity(0.6);
+    for (auto [filter, one] : {std::pair{ribbon.Get(), actor.Get()}, std::pair{under_ribbon.Get(), under.Get()}}) {
+      filter->SetInputConnection(input);
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputConnection(filter->GetOutputPort());
+      one->SetMapper(mapper);
       one->GetProperty()->LightingOff();
+      // Blended in the order of drawing: the pass for clear things would mix a line with its underlay.
+      one->ForceOpaqueOn();
       one->PickableOff();
       one->VisibilityOff();
     }
-    under->GetProperty()->SetColor(0.02, 0.03, 0.05);
-    under->GetProperty()->SetOpacity(0.55);
     // The camera looks along +z: smaller z is nearer.
     actor->SetPosition(0.0, 0.0, -2.0 * level);
     under->SetPosition(0.0, 0.0, -2.0 * level + 1.0);
@@ -61,22 +61,10 @@ struct Lines {
     renderer->AddActor(actor);
   }
 
-  // Colours lines by an integer cell array whose values count through `colors`.
-  void color_by(const char* array, std::initializer_list<Color> colors) {
-    vtkNew<vtkLookupTable> table;
-    table->SetNumberOfTableValues(static_cast<vtkIdType>(colors.size()));
-    vtkIdType index = 0;
-    for (const Color& c : colors) table->SetTableValue(index++, c.red, c.green, c.blue, 1.0);
-    table->SetTableRange(-0.5, static_cast<double>(colors.size()) - 0.5);
-    mapper->SetScalarModeToUseCellFieldData();
-    mapper->SelectColorArray(array);
-    mapper->SetLookupTable(table);
-    mapper->UseLookupTableScalarRangeOn();
-  }
-
-  void set_width(double ratio, double width) {
-    actor->GetProperty()->SetLineWidth(static_cast<float>(width * ratio));
-    under->GetProperty()->SetLineWidth(static_cast<float>((width + kUnderlayWidth - kLineWidth) * ratio));
+  void set_width(double width, double um_per_px) {
+    ribbon->SetWidthUm(width * um_per_px);
+    under_ribbon->SetWidthUm((width + 2.0) * um_per_px);
+    for (RibbonFilter* one : {ribbon.Get(), under_ribbon.Get()}) one->SetRimUm(1.2 * um_per_px);
   }
 
   void show(bool shown) {
@@ -146,13 +134,14 @@ FeedView::FeedView(StageSource* source) : source_(source), pipeline_(std::make_u
   p.dashes->SetInputConnection(p.section_lines->GetOutputPort());
 
   p.tool_lines.build(p.tools->GetOutputPort(), main_, 1);
-  p.tool_lines.color_by(array_name::kTool, {palette::kNeedle, palette::kHolder});
+  p.tool_lines.ribbon->SetColors({palette::kNeedle, palette::kHolder}, array_name::kTool);
   p.membrane_lines.build(p.membranes->GetOutputPort(), main_, 2);
-  p.membrane_lines.color_by(array_name::kMembrane, {palette::kOuter, palette::kInner, palette::kOolemma});
+  p.membrane_lines.ribbon->SetColors({palette::kOuter, palette::kInner, palette::kOolemma}, array_name::kMembrane);
   p.model_lines.build(p.dashes->GetOutputPort(), main_, 3);
-  p.model_lines.mapper->ScalarVisibilityOff();
-  p.model_lines.actor->GetProperty()->SetColor(palette::kModel.red, palette::kModel.green, palette::kModel.blue);
+  p.model_lines.ribbon->SetColors({palette::kModel});
 
+  // The image is shown as it is: lines are smooth by themselves.
+  main_->SetUseFXAA(false);
   // As in the eyepiece: x right, y down, looking along +z.
   main_->SetBackground(palette::kWindow.data());
   vtkCamera* camera = main_->GetActiveCamera();
@@ -326,10 +315,10 @@ void FeedView::prepare(double width_px, double height_px) {
   camera->SetClippingRange(1.0, 1000.0);
 
   // Line widths in logical pixels.
-  pipeline_->membrane_lines.set_width(hud_ratio(), kLineWidth);
-  pipeline_->tool_lines.set_width(hud_ratio(), kLineWidth);
-  pipeline_->model_lines.set_width(hud_ratio(), 1.5);
   const double um_per_px = 2.0 * camera->GetParallelScale() / (height_px / hud_ratio());
+  pipeline_->membrane_lines.set_width(kLineWidth, um_per_px);
+  pipeline_->tool_lines.set_width(kLineWidth, um_per_px);
+  pipeline_->model_lines.set_width(0.75 * kLineWidth, um_per_px);
   pipeline_->dashes->SetDashUm(6.0 * um_per_px);
   pipeline_->dashes->SetGapUm(5.0 * um_per_px);
 }

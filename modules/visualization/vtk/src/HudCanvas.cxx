@@ -62,12 +62,13 @@ void HudCanvas::begin(double ratio) {
   colors_->Reset();
 }
 
-void HudCanvas::polygon(const std::vector<double>& xy, const Color& color, double opacity) {
-  const unsigned char rgba[4] = {to_byte(color.red), to_byte(color.green), to_byte(color.blue), to_byte(opacity)};
+void HudCanvas::polygon(const std::vector<double>& xy, const Color& color, double opacity, unsigned clear_corners) {
   const auto count = static_cast<int>(xy.size() / 2);
   polygons_->InsertNextCell(count);
   for (int i = 0; i < count; ++i) {
     polygons_->InsertCellPoint(points_->InsertNextPoint(xy[2 * i] * ratio_, xy[2 * i + 1] * ratio_, 0.0));
+    const double solid = (clear_corners >> i) & 1U ? 0.0 : opacity;
+    const unsigned char rgba[4] = {to_byte(color.red), to_byte(color.green), to_byte(color.blue), to_byte(solid)};
     colors_->InsertNextTypedTuple(rgba);
   }
 }
@@ -96,9 +97,20 @@ void HudCanvas::rounded(double x, double y, double width, double height, double 
 void HudCanvas::line(double x0, double y0, double x1, double y1, double width, const Color& color, double opacity) {
   const double length = std::hypot(x1 - x0, y1 - y0);
   if (length <= 0.0) return;
-  const double nx = -(y1 - y0) / length * 0.5 * width;
-  const double ny = (x1 - x0) / length * 0.5 * width;
-  polygon({x0 + nx, y0 + ny, x0 - nx, y0 - ny, x1 - nx, y1 - ny, x1 + nx, y1 + ny}, color, opacity);
+  // A solid core between two rims that fade out, half a device pixel to either side of the edge.
+  const double rim = 0.5 / ratio_;
+  const double core = std::max(0.5 * width - rim, 0.0);
+  const double edge = 0.5 * width + rim;
+  const double nx = -(y1 - y0) / length;
+  const double ny = (x1 - x0) / length;
+  const auto strip = [&](double from, double to, unsigned clear_corners) {
+    polygon({x0 + from * nx, y0 + from * ny, x0 + to * nx, y0 + to * ny, x1 + to * nx, y1 + to * ny, x1 + from * nx,
+             y1 + from * ny},
+            color, opacity, clear_corners);
+  };
+  strip(core, edge, 0b0110);
+  strip(-core, core, 0);
+  strip(-edge, -core, 0b1001);
 }
 
 void HudCanvas::disc(double x, double y, double radius, const Color& color, double opacity) {

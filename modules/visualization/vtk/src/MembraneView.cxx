@@ -290,6 +290,12 @@ void MembraneView::refresh_arrows(vtkPolyData* surface) {
   has_forces_ = has_surface_ && surface->GetPointData()->GetArray(array_name::kForce) != nullptr;
   p.glyph_actor->SetVisibility(arrows_shown_ && has_forces_);
   if (!has_forces_) return;
+  // A free cell: nothing to draw, and no scale for it.
+  has_forces_ = node_force_quantile_uN(surface, 1.0) > 0.0;
+  if (!has_forces_) {
+    p.glyph_actor->VisibilityOff();
+    return;
+  }
   const double upper_uN = force_range_uN_.update(node_force_quantile_uN(surface, kScaleShare));
   beyond_scale_ = node_force_quantile_uN(surface, 1.0) > upper_uN;
   p.force_colors->SetTableRange(0.0, upper_uN);

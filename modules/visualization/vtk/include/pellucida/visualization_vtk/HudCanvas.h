@@ -54,7 +54,8 @@ class HudCanvas {
   double text_width(const std::string& utf8, const HudText& style = {});
 
  private:
-  void polygon(const std::vector<double>& xy, const Color& color, double opacity);
+  // `clear_corners`: a bit for each corner that is drawn without opacity.
+  void polygon(const std::vector<double>& xy, const Color& color, double opacity, unsigned clear_corners = 0);
   vtkTextActor* next_text();
 
   vtkRenderer* renderer_;
