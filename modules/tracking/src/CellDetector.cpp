@@ -8,6 +8,7 @@
 namespace pellucida {
 namespace {
 
+constexpr double kSecondScore = 0.35;
 constexpr std::initializer_list<EdgeKind> kAnyKind = {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
 
 // A circle's points, with their radial normals.
@@ -39,7 +40,7 @@ struct RingEdge {
 
 // The best closed edge of one kind in a ring round a centre, `radius_from`..`radius_to` px of `image`.
 RingEdge closed_edge(const GrayImage& image, const Eigen::Vector2d& center, double radius_from, double radius_to,
-                     const EdgeKind& kind, double sigma, double noise) {
+                     const EdgeKind& kind, double sigma, double noise, int smoothing) {
   const int count = 96;
   const double step = std::max(0.5, (radius_to - radius_from) / 120.0);
   Eigen::Matrix2Xd points, normals;
@@ -48,8 +49,8 @@ RingEdge closed_edge(const GrayImage& image, const Eigen::Vector2d& center, doub
   strip.sample(image, points, normals, 0.0, radius_to - radius_from, step);
   const EdgeFilter filter(sigma, step, kind);
   Eigen::MatrixXf feature;
-  strip.features(filter, 1, feature);
-  const double spread = std::max({spread_of(feature), noise * filter.noise_gain(), 1e-5});
+  strip.features(filter, smoothing, feature);
+  const double spread = std::max({spread_of(feature), noise * filter.noise_gain() / std::sqrt(1.0 + smoothing), 1e-5});
   // Rewards saturate: a long faint edge beats a short glaring one.
   const Eigen::MatrixXf reward = (feature / static_cast<float>(spread)).cwiseMin(4.0F).cwiseMax(-2.0F);
   const std::vector<int> path = best_closed_path(reward, 2, 0.6F);
@@ -72,8 +73,8 @@ RingEdge closed_edge(const GrayImage& image, const Eigen::Vector2d& center, doub
     leading += feature(i, j) > 0.6F * feature.row(i).maxCoeff() ? 1 : 0;
   }
   found.amplitude /= std::max(inside, 1);
-  found.edge.coverage = static_cast<double>(seen) / count;
-  found.edge.contrast = inside > 0 ? sum / count : 0.0;
+  found.edge.coverage = static_cast<double>(seen) / std::max(inside, 1);
+  found.edge.contrast = inside > 0 ? sum / inside : 0.0;
   found.circle = contour::fit_circle(found.edge.points, 0.06 * radius_to);
   // Complete, clear against its surroundings, round, and within the image.
   const double round = std::clamp((found.circle.inlier_ratio - 0.45) / 0.3, 0.0, 1.0);
@@ -107,16 +108,37 @@ bool translucent(const GrayImage& image, const contour::Circle& circle) {
 
 // Looks in a ring for the best closed edge of any kind, at a fine and a coarse scale.
 RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
-                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds) {
+                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
+                      int smoothing = 1) {
   RingEdge best;
   if (!(to > from)) return best;
   for (const double sigma : sigmas) {
     for (const EdgeKind& kind : kinds) {
-      RingEdge found = closed_edge(image, center, from, to, kind, sigma, noise);
+      RingEdge found = closed_edge(image, center, from, to, kind, sigma, noise, smoothing);
       // A dark line has bright fringes and steps beside it: those must do clearly better to be taken for the edge itself.
       if (kind.line <= 0.0) found.score *= 0.75;
       if (found.score > best.score) best = std::move(found);
     }
+  }
+  return best;
+}
+
+// The soft outer edge of a thick zona: a faint step, told from texture by how much stronger the best closed path of one
+// polarity is than the best of the other; texture gives both alike.
+RingEdge soft_step(const GrayImage& image, const Eigen::Vector2d& center, double from, double to, double sigma,
+                   double noise) {
+  constexpr int kSmoothing = 10;
+  RingEdge best;
+  if (!(to > from)) return best;
+  for (const double scale : {sigma, 1.6 * sigma}) {
+    RingEdge up = closed_edge(image, center, from, to, {0.0, 1.0}, scale, noise, kSmoothing);
+    RingEdge down = closed_edge(image, center, from, to, {0.0, -1.0}, scale, noise, kSmoothing);
+    RingEdge& strong = up.amplitude > down.amplitude ? up : down;
+    const RingEdge& weak = up.amplitude > down.amplitude ? down : up;
+    const double ratio = strong.amplitude / std::max(weak.amplitude, 1e-6);
+    const double round = std::clamp((strong.circle.inlier_ratio - 0.45) / 0.3, 0.0, 1.0);
+    strong.score = round * std::clamp((ratio - 1.0) / 1.5, 0.0, 1.0);
+    if (strong.score > best.score) best = strong;
   }
   return best;
 }
@@ -169,6 +191,13 @@ std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image
   const double least = std::min(outer.edge.coverage, inner.edge.coverage);
   const double faint = std::min(outer.amplitude, inner.amplitude), strong = std::max(outer.amplitude, inner.amplitude);
   if (least < 0.62 || faint < 0.35 * strong) return std::nullopt;
+  // Between two lines it is bright; the two shoulders of one broad line have no such valley.
+  double between = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const int middle = (paths.outer[static_cast<std::size_t>(i)] + paths.inner[static_cast<std::size_t>(i)]) / 2;
+    between += feature(i, middle) / count;
+  }
+  if (between > 0.1 * faint) return std::nullopt;
   for (RingEdge* edge : {&outer, &inner}) {
     edge->edge.kind = {1.0, 0.0};
     edge->edge.scale_px = sigma;
@@ -225,7 +254,8 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   const GrayImage& fine = pyramid.front();
   const double fine_noise = noises.front();
   const double sigma_fine = std::clamp(0.02 * radius, 1.2, 2.5);
-  RingEdge first = best_in_ring(fine, center, 0.7 * radius, 1.3 * radius, {sigma_fine, 2.0 * sigma_fine}, fine_noise, kAnyKind);
+  RingEdge first = best_in_ring(fine, center, 0.75 * radius, 1.25 * radius, {sigma_fine, 2.0 * sigma_fine}, fine_noise,
+                                {best.edge.kind});
   if (first.score < 0.5 * best.score) {
     first = best;
     first.edge.points *= scale;
@@ -238,23 +268,23 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   const Eigen::Vector2d c = first.circle.center;
   const double r = first.circle.radius;
   const double gap = 1.5 * sigma_fine;
-  // A near one must be of the same kind (else it is the first one's halo); a far one may be a soft step, as the outer
-  // edge of a thick zona is.
+  // A near one must be of the same kind (else it is the first one's halo), and not much fainter (else a fringe); a far one
+  // may be the soft outer edge of a thick zona.
   const EdgeKind same = first.edge.kind;
-  const auto second = [&](double near_from, double near_to, double far_from, double far_to) {
-    RingEdge near = best_in_ring(fine, c, near_from, near_to, {sigma_fine}, fine_noise, {same});
-    RingEdge far = best_in_ring(fine, c, far_from, far_to, {0.03 * r + 1.0, 0.05 * r + 1.5}, fine_noise,
-                                {{1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}});
-    // A fringe of the first edge is much fainter than the edge; the zona's own outer edge is faint too, but soft and far.
+  const auto near_one = [&](double from, double to) {
+    RingEdge near = best_in_ring(fine, c, from, to, {sigma_fine}, fine_noise, {same});
     if (near.amplitude < 0.35 * first.amplitude) near.score = 0.0;
-    if (far.amplitude < 0.06 * first.amplitude) far.score = 0.0;
-    return near.score >= 0.8 * far.score ? near : far;
+    return near;
   };
-  RingEdge outside = second(r + 2.0 * gap, 1.35 * r, 1.13 * r, 1.55 * r);
-  RingEdge inside = second(0.72 * r, r - 2.0 * gap, 0.55 * r, 0.85 * r);
+  RingEdge outside = near_one(r + 2.0 * gap, 1.35 * r);
+  RingEdge inside = near_one(0.72 * r, r - 2.0 * gap);
+  if (outside.score < kSecondScore && inside.score < kSecondScore && same.line > 0.0) {
+    outside = soft_step(fine, c, 1.13 * r, 1.55 * r, 0.025 * r + 1.0, fine_noise);
+    if (outside.amplitude < 0.06 * first.amplitude) outside.score = 0.0;
+  }
 
   DetectedCell cell;
-  cell.score = best.score;
+  cell.score = best.score * first.edge.coverage;
   if (same.line > 0.0) {
     if (const auto pair = pair_in_ring(fine, c, r, sigma_fine, fine_noise)) {
       cell.outer = pair->first.edge;
@@ -265,7 +295,6 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   }
   cell.outer = first.edge;
   cell.circle = first.circle;
-  constexpr double kSecondScore = 0.35;
   if (outside.score >= kSecondScore && outside.score >= 0.8 * inside.score) {
     cell.inner = first.edge;
     cell.outer = outside.edge;

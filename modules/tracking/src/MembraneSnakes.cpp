@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kStep = 0.5;           // px between samples on a normal
 constexpr double kSearchStep = 1.0;     // the same in the search for where an edge roughly is
+constexpr double kLeastWorth = 0.25;    // agreement times score of a contour that counts
 constexpr double kNeedleMargin = 2.5;   // px: half width of the needle's own dark edge, with its halo
 
 double median_of(std::vector<double> values) {
@@ -32,7 +33,15 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
   std::vector<double> heights;
   const int middle = static_cast<int>(std::lround(strip_.column_of(0.0))), reach = static_cast<int>(std::ceil(2.0 / kStep));
   Eigen::VectorXf row(strip_.columns());
-  Eigen::VectorXd mean_profile = Eigen::VectorXd::Zero(17);  // -2 .. +2 px about the filter's own peak
+  // The mean profile about the filter's own peak, over the reach of the filter.
+  constexpr int kLook = 33;
+  const double kLookStep = 0.25 * snake.scale_px;
+  Eigen::VectorXd mean_profile = Eigen::VectorXd::Zero(kLook);
+  const auto value_at = [&](int i, double column) {
+    const int whole = std::clamp(static_cast<int>(column), 0, strip_.columns() - 2);
+    const double t = std::clamp(column - whole, 0.0, 1.0);
+    return (1.0 - t) * strip_.profile(i)[whole] + t * strip_.profile(i)[whole + 1];
+  };
   double aligned = 0.0;
   for (int i = 0; i < strip_.rows(); ++i) {
     if (needle && needle->covers(snake.points.col(i), 6.0)) continue;
@@ -40,21 +49,17 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
     const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
     heights.push_back(peak.height);
     if (peak.curvature >= 0.0) continue;
-    for (int k = 0; k < 17; ++k) {
-      const double at = peak.position + (k - 8) * 0.25 / kStep;
-      const int whole = std::clamp(static_cast<int>(at), 0, strip_.columns() - 2);
-      const double t = at - whole;
-      mean_profile[k] += (1.0 - t) * strip_.profile(i)[whole] + t * strip_.profile(i)[whole + 1];
-    }
+    for (int k = 0; k < kLook; ++k)
+      mean_profile[k] += value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
     aligned += 1.0;
   }
   if (aligned > 20.0 && snake.kind.step == 0.0) {
     // The line's own centre against the filter's peak, which steps and fringes beside the line pull aside: the extremum of
     // the mean profile, by a parabola through its inner pixels.
     double s2 = 0.0, s4 = 0.0, sv = 0.0, s1v = 0.0, s2v = 0.0;
-    const int inner = 4;
+    const int inner = 3;
     for (int k = -inner; k <= inner; ++k) {
-      const double x = 0.25 * k, v = mean_profile[k + 8] / aligned;
+      const double x = kLookStep * k, v = mean_profile[k + kLook / 2] / aligned;
       s2 += x * x;
       s4 += x * x * x * x;
       sv += v;
@@ -68,12 +73,31 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
       snake.center_offset_px = snake.strength > 0.0 ? 0.8 * snake.center_offset_px + 0.2 * offset : offset;
     }
   }
+  // How alike the profiles are all round: one membrane has one look, a chance ring of edges has many.
+  if (aligned > 20.0) {
+    const Eigen::VectorXd look = (mean_profile.array() - mean_profile.mean()).matrix().normalized();
+    double alike = 0.0;
+    int rows = 0;
+    for (int i = 0; i < strip_.rows(); ++i) {
+      if (needle && needle->covers(snake.points.col(i), 6.0)) continue;
+      row = feature_.row(i).transpose();
+      const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
+      Eigen::VectorXd own(kLook);
+      for (int k = 0; k < kLook; ++k) own[k] = value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
+      own.array() -= own.mean();
+      const double norm = own.norm();
+      alike += norm > 0.0 ? std::max(0.0, own.dot(look) / norm) : 0.0;
+      ++rows;
+    }
+    const double agreement = rows > 0 ? alike / rows : 0.0;
+    snake.agreement = snake.strength > 0.0 ? 0.9 * snake.agreement + 0.1 * agreement : agreement;
+  }
   const double now = median_of(std::move(heights));
   if (now <= 0.0) return;
   snake.strength = snake.strength > 0.0 ? 0.9 * snake.strength + 0.1 * now : now;
 }
 
-void MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle) {
+bool MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle) {
   const auto take = [&](const FoundEdge& edge, SnakeContour& snake) {
     snake = {};
     snake.kind = edge.kind;
@@ -97,12 +121,31 @@ void MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, dou
     refine(image, noise, snake, needle, is_outer, 2.0);
   };
   settle(outer_, true);
-  if (!has_inner()) return;
-  settle(inner_, false);
+  if (has_inner()) settle(inner_, false);
+
+  // A ring of chance edges is uneven in strength and in look; a membrane is not. The surer of the two must convince, the
+  // other one must at least hold out; two that ended on the same line are one.
+  const auto worth = [](const SnakeContour& snake) { return snake.agreement * snake.score; };
+  if (has_inner()) {
+    const double apart = median_gap();
+    if (apart < 2.2 * std::min(outer_.scale_px, inner_.scale_px) || worth(inner_) < kLeastWorth) {
+      if (worth(inner_) > worth(outer_)) std::swap(outer_, inner_);
+      inner_ = {};
+    } else if (worth(outer_) < kLeastWorth) {
+      std::swap(outer_, inner_);
+      inner_ = {};
+    }
+  }
+  if (std::max(worth(outer_), has_inner() ? worth(inner_) : 0.0) * cell.score < options_.min_detection_score) return false;
+  if (has_inner()) thickness_ = median_gap();
+  return true;
+}
+
+double MembraneSnakes::median_gap() const {
   std::vector<double> gaps;
   for (Eigen::Index i = 0; i < outer_.points.cols(); i += 2)
     gaps.push_back(contour::distance_to(inner_.points, outer_.points.col(i)));
-  thickness_ = median_of(std::move(gaps));
+  return median_of(std::move(gaps));
 }
 
 void MembraneSnakes::search_pair(const GrayImage& image, const NeedleZone* needle, double search_px) {

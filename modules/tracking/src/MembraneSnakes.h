@@ -35,6 +35,7 @@ struct SnakeContour {
   double scale_px = 1.3;
   double strength = 0.0;        ///< learnt median feature along the edge
   double center_offset_px = 0.0;  ///< learnt: from the filter's peak to the line's own centre, outwards
+  double agreement = 0.0;       ///< 0..1: how alike the profiles across the edge are all round the contour
   Eigen::VectorXd sigma_px;     ///< (n)
   Eigen::VectorXd confidence;   ///< (n) 0..1
   double score = 0.0;           ///< mean confidence where no needle covers the edge
@@ -45,8 +46,9 @@ class MembraneSnakes {
  public:
   explicit MembraneSnakes(const TrackerOptions& options) : options_(options) {}
 
-  /// Starts from a detection, and learns the edges' look on `image`.
-  void start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
+  /// Starts from a detection, and learns the edges' look on `image`. False when the edges found do not look like a
+  /// membrane's.
+  bool start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
 
   /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's own
   /// motion, near its tip). Returns the outer contour's score.
@@ -65,6 +67,7 @@ class MembraneSnakes {
   }
 
  private:
+  double median_gap() const;
   void search_pair(const GrayImage& image, const NeedleZone* needle, double search_px);
   void refine(const GrayImage& image, double noise, SnakeContour& snake, const NeedleZone* needle, bool is_outer,
               double reach_px);

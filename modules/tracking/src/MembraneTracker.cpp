@@ -91,14 +91,14 @@ class MembraneTracker::Impl {
     frames_since_detection_ = 0;
     const std::optional<DetectedCell> cell = detect_cell(image_, options_);
     if (!cell) return;
-    detection_score_ = cell->score;
-    ever_ = has_cell_ = true;
-    bad_frames_ = 0;
     touching_ = false;
     needle_.reset();
     find_tools_of(cell->circle);
     const NeedleZone needle_zone = zone();
-    snakes_.start(image_, *cell, noise_, needle_.valid() ? &needle_zone : nullptr);
+    if (!snakes_.start(image_, *cell, noise_, needle_.valid() ? &needle_zone : nullptr)) return;
+    detection_score_ = cell->score;
+    ever_ = has_cell_ = true;
+    bad_frames_ = 0;
     score_ = snakes_.outer().score;
 
     // The rest shape as far as this one frame shows it: the circle through the undeformed part.
