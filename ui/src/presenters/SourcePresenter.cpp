@@ -4,8 +4,16 @@
 
 namespace pellucida {
 
+std::string source_label(const SourceInfo& info) {
+  // A folder may be named with a slash at its end.
+  std::string name = info.name;
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
+  const std::size_t slash = name.rfind('/');
+  return slash == std::string::npos || slash + 1 == name.size() ? name : name.substr(slash + 1);
+}
+
 std::string window_title(const SourceInfo& info) {
-  return "Pellucida - " + info.name;
+  return "Pellucida - " + source_label(info);
 }
 
 std::string source_caption(const SourceInfo& info) {
