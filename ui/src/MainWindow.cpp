@@ -234,7 +234,7 @@ QWidget* MainWindow::build_membrane_panel() {
   membrane_widget_ = new ViewWidget(membranes_, 0, nullptr);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   membrane_widget_->set_style(style);
-  auto* panel = new Panel("Membranes and forces", membrane_widget_, nullptr);
+  auto* panel = new Panel("Forces in 3-D", membrane_widget_, nullptr);
 
   add_coloring_menu(panel);
   panel->add_control(new ArrowMenu(
