@@ -57,7 +57,8 @@ fs::path folder_of(const std::string& part) {
 std::map<std::string, std::set<std::string>> allowed_parts() {
   std::ifstream stream(kRoot / "tests" / "layering" / "layering.json");
   std::map<std::string, std::set<std::string>> allowed;
-  for (const auto& [part, uses] : nlohmann::json::parse(stream).items()) {
+  const auto listed = nlohmann::json::parse(stream);
+  for (const auto& [part, uses] : listed.items()) {
     if (part.starts_with("_")) continue;
     for (const auto& use : uses) allowed[part].insert(use.get<std::string>());
     allowed[part].insert(part);
