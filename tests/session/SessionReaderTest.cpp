@@ -156,7 +156,9 @@ TEST(SessionReader, SaysWhatIsWrong) {
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
   };
-  expect_error(folder / "nowhere", "no such folder");
+  expect_error(folder / "nowhere", "no such session folder");
+  put(folder / "file", "text");
+  expect_error(folder / "file", "no such session folder");
   fs::create_directories(folder / "empty");
   expect_error(folder / "empty", "no session here");
   write_session(folder / "s", 1);

@@ -247,7 +247,7 @@ class Check {
 
 SessionReport check_session(const fs::path& folder, bool repair, const SessionProgress& progress) {
   std::error_code status;
-  if (!fs::is_directory(folder, status)) throw InputError(folder.string() + ": no such folder; check the path");
+  if (!fs::is_directory(folder, status)) throw InputError(folder.string() + ": no such session folder; check the path");
   SessionReport report;
   const SessionFindings findings = Check(folder, report, progress).run();
   if (repair && report.problem_count > 0) repair_session(folder, findings, report);

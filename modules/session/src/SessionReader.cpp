@@ -14,7 +14,8 @@ namespace pellucida {
 class SessionReader::Impl {
  public:
   explicit Impl(const std::filesystem::path& folder) : folder_(folder) {
-    if (!std::filesystem::exists(folder_)) throw InputError(folder_.string() + ": no such folder; check the path");
+    if (!std::filesystem::is_directory(folder_))
+      throw InputError(folder_.string() + ": no such session folder; check the path");
     if (!std::filesystem::exists(folder_ / session_name::kJson)) {
       throw InputError(folder_.string() + ": no session here (session.json is missing); name a session's folder");
     }
