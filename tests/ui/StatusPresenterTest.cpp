@@ -43,7 +43,7 @@ TEST(StatusPresenter, BeforeTheFirstRowThereAreDashes) {
   const StatusTexts texts = presenter.update({}, std::nullopt, false, 0.0);
   EXPECT_EQ(texts.state.text, "Waiting");
   EXPECT_EQ(texts.force.text, "–");
-  EXPECT_EQ(texts.force_interval, "no interval");
+  EXPECT_EQ(texts.force_interval, "");
   EXPECT_EQ(texts.confidence.text, "–");
   EXPECT_EQ(texts.notice.text, "Waiting for the first frame");
 }

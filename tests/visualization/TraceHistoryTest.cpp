@@ -27,11 +27,23 @@ TEST(TraceHistory, ANewTouchKeepsTheOneBefore) {
   TraceHistory history;
   for (int i = 0; i < 10; ++i) history.append(row(i, CellState::kContact, i, 0.1 * i));
   history.append(row(10, CellState::kFree, 0.0, 0.0));
+  EXPECT_FALSE(history.in_touch());
+  EXPECT_EQ(history.current_touch().size(), 10U);
   history.append(row(11, CellState::kContact, 1.0, 0.1));
-  EXPECT_EQ(history.previous_touch().size(), 11U);
+  EXPECT_EQ(history.previous_touch().size(), 10U);
+  EXPECT_TRUE(history.in_touch());
   ASSERT_EQ(history.current_touch().size(), 1U);
   EXPECT_DOUBLE_EQ(history.current_touch()[0].indentation_um, 1.0);
   EXPECT_EQ(history.over_time().size(), 12U);
+}
+
+TEST(TraceHistory, APassingLossDoesNotEndATouch) {
+  TraceHistory history;
+  for (int i = 0; i < 5; ++i) history.append(row(i, CellState::kContact, i, 0.1 * i));
+  history.append(row(5, CellState::kLost, 5.0, 0.5));
+  for (int i = 6; i < 9; ++i) history.append(row(i, CellState::kContact, i, 0.1 * i));
+  EXPECT_EQ(history.current_touch().size(), 8U);
+  EXPECT_TRUE(history.previous_touch().empty());
 }
 
 TEST(TraceHistory, StaysBoundedAndKeepsFirstAndNewest) {
@@ -45,6 +57,21 @@ TEST(TraceHistory, StaysBoundedAndKeepsFirstAndNewest) {
   for (std::size_t i = 1; i < history.over_time().size(); ++i) {
     ASSERT_GT(history.over_time()[i].time_s, history.over_time()[i - 1].time_s);
   }
+}
+
+TEST(TraceHistory, MarksContactPunctureAndLossOnce) {
+  TraceHistory history;
+  for (int i = 0; i < 3; ++i) history.append(row(i, CellState::kFree, 0.0, 0.0));
+  for (int i = 3; i < 6; ++i) history.append(row(i, CellState::kContact, i, 0.1 * i));
+  for (int i = 6; i < 9; ++i) history.append(row(i, CellState::kPunctured, 0.0, 0.0));
+  for (int i = 9; i < 12; ++i) history.append(row(i, CellState::kFree, 0.0, 0.0));
+  ASSERT_EQ(history.marks().size(), 2U);
+  EXPECT_EQ(history.marks()[0].state, CellState::kContact);
+  EXPECT_DOUBLE_EQ(history.marks()[0].time_s, 3.0);
+  EXPECT_EQ(history.marks()[1].state, CellState::kPunctured);
+  EXPECT_DOUBLE_EQ(history.marks()[1].time_s, 6.0);
+  for (int i = 12; i < 1000; ++i) history.append(row(i, i % 2 ? CellState::kLost : CellState::kContact, 1.0, 0.0));
+  EXPECT_EQ(history.marks().size(), TraceHistory::kMostMarks);
 }
 
 TEST(TraceHistory, TimeGoingBackStartsAfresh) {

@@ -22,10 +22,16 @@ void TraceHistory::append(const Measurement& m) {
   if (!all_.points.empty() && m.time_s < all_.points.back().time_s) clear();
 
   // A new touch begins a new curve; the one before stays for comparison.
-  if (m.state == CellState::kContact && (state_ == CellState::kFree || state_ == CellState::kNoCell) &&
+  if (m.state == CellState::kContact && state_ != CellState::kContact && state_ != CellState::kLost &&
       current_.points.size() > 1) {
     previous_ = std::move(current_.points);
     current_ = Trace{};
+  }
+  const bool worth_a_mark =
+      m.state == CellState::kContact || m.state == CellState::kPunctured || m.state == CellState::kLost;
+  if (m.state != state_ && worth_a_mark) {
+    if (marks_.size() == kMostMarks) marks_.erase(marks_.begin());
+    marks_.push_back({m.time_s, m.state});
   }
   state_ = m.state;
   if (!std::isfinite(m.contact_force_uN)) return;
@@ -37,7 +43,7 @@ void TraceHistory::append(const Measurement& m) {
                          .lower_uN = or_force(m.contact_force_lower_uN),
                          .upper_uN = or_force(m.contact_force_upper_uN)};
   all_.append(point);
-  if (std::isfinite(m.indentation_um)) current_.append(point);
+  if (m.state == CellState::kContact && std::isfinite(m.indentation_um)) current_.append(point);
 }
 
 void TraceHistory::clear() {

@@ -62,7 +62,7 @@ StatusTexts StatusPresenter::update(const LiveStatus& status, const std::optiona
   texts.indentation = value(readout::indentation(m), m.indentation_um);
   texts.force = value(readout::force(m), m.contact_force_uN);
   const std::string interval = readout::force_interval(m);
-  texts.force_interval = interval.empty() ? "no interval" : "95 %: " + interval;
+  if (std::isfinite(m.contact_force_uN)) texts.force_interval = interval.empty() ? "no interval" : "95 %: " + interval;
   texts.pressure = value(readout::pressure(m), m.pressure_Pa);
   texts.confidence =
       row ? Phrase{readout::confidence(m), m.confidence < kWeakConfidence ? palette::kWarning : palette::kText}

@@ -22,7 +22,7 @@ struct StatusTexts {
   Phrase state;  ///< its colour is the pill's ground
   Phrase indentation;
   Phrase force;
-  std::string force_interval;  ///< "95 %: 3.10 – 3.75 µN", or why there is none
+  std::string force_interval;  ///< "95 %: 3.10 – 3.75 µN", or that there is none; empty without a force
   Phrase pressure;
   Phrase confidence;
   Phrase frame_age;

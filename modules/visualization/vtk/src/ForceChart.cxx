@@ -191,7 +191,7 @@ void ForceChart::fill() {
   const bool drawable = points.size() - first > 1;
   p.curve->SetVisible(drawable);
   p.band->SetVisible(drawable);
-  p.last->SetVisible(!points.empty());
+  p.last->SetVisible(over_time ? !points.empty() : history_.in_touch());
   p.before->SetVisible(!over_time && history_.previous_touch().size() > 1);
   set_ranges();
   p.chart->RecalculateBounds();
@@ -241,9 +241,36 @@ void ForceChart::prepare(double width_px, double height_px) {
 
 void ForceChart::draw_hud(HudCanvas& hud, double width, double height) {
   const bool empty = (kind_ == ForceChartKind::kForceTime ? history_.over_time() : history_.current_touch()).empty();
-  if (!empty) return;
+  if (!empty) {
+    if (kind_ == ForceChartKind::kForceTime) draw_marks(hud);
+    return;
+  }
   hud.text(0.5 * width, 0.55 * height, "No force measured yet",
            {.size_pt = font_size::kNormal, .color = palette::kTextDim, .align = HudAlign::kCentre});
+}
+
+// An upright line at each moment, named at its upper end where there is room.
+void ForceChart::draw_marks(HudCanvas& hud) const {
+  vtkAxis* bottom = plots_->chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
+  const double begin_s = bottom->GetMinimum();
+  const double end_s = bottom->GetMaximum();
+  const double x0 = bottom->GetPoint1()[0] / hud_ratio();
+  const double x1 = bottom->GetPoint2()[0] / hud_ratio();
+  const double y0 = left->GetPoint1()[1] / hud_ratio();
+  const double y1 = left->GetPoint2()[1] / hud_ratio();
+  double free_from = x0;
+  for (const TraceMark& mark : history_.marks()) {
+    if (mark.time_s < begin_s || mark.time_s > end_s) continue;
+    const Color color = state_color(mark.state);
+    const double x = x0 + (x1 - x0) * (mark.time_s - begin_s) / (end_s - begin_s);
+    hud.line(x, y0, x, y1, 1.25, color, 0.8);
+    const std::string name = readout::state(mark.state);
+    const double width = hud.text_width(name) + 10.0;
+    if (x < free_from || x + width > x1) continue;
+    hud.text(x + 6.0, y1 - 9.0, name, {.color = color});
+    free_from = x + width;
+  }
 }
 
 }  // namespace pellucida

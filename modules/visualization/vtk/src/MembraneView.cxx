@@ -416,7 +416,8 @@ void MembraneView::prepare(double, double) {
 
 void MembraneView::draw_hud(HudCanvas& hud, double width, double height) {
   if (!has_surface_) {
-    hud.text(0.5 * width, 0.5 * height, "Waiting for a cell",
+    const bool measured = source_->GetScene().observation != nullptr;
+    hud.text(0.5 * width, 0.5 * height, measured ? "No cell in sight" : "Waiting for a cell",
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }

@@ -15,11 +15,18 @@ struct TracePoint {
   double upper_uN = 0.0;
 };
 
+/// A moment worth a mark on the time axis.
+struct TraceMark {
+  double time_s = 0.0;
+  CellState state = CellState::kNoCell;  ///< what the cell turned into: contact, punctured or lost
+};
+
 /// What the charts show of a run of measurements, bounded however long it lasts: rows with a force, thinned to every
 /// second one whenever a trace grows beyond `kMostPoints`.
 class TraceHistory {
  public:
   static constexpr std::size_t kMostPoints = 4000;
+  static constexpr std::size_t kMostMarks = 100;
 
   /// Rows without a force are left out. A step of time backwards (a recording started again) starts all afresh.
   void append(const Measurement& m);
@@ -27,8 +34,12 @@ class TraceHistory {
 
   /// All rows over time.
   const std::vector<TracePoint>& over_time() const noexcept { return all_.points; }
-  /// Rows since the needle last came into contact.
+  /// When the cell came into contact, was punctured or lost; the newest `kMostMarks`.
+  const std::vector<TraceMark>& marks() const noexcept { return marks_; }
+  /// Rows in contact since the needle last touched the cell; a passing loss does not end a touch.
   const std::vector<TracePoint>& current_touch() const noexcept { return current_.points; }
+  /// Whether the newest row belongs to it.
+  bool in_touch() const noexcept { return state_ == CellState::kContact && !current_.points.empty(); }
   /// Rows of the touch before that.
   const std::vector<TracePoint>& previous_touch() const noexcept { return previous_; }
 
@@ -43,6 +54,7 @@ class TraceHistory {
   Trace all_;
   Trace current_;
   std::vector<TracePoint> previous_;
+  std::vector<TraceMark> marks_;
   CellState state_ = CellState::kNoCell;
 };
 

@@ -12,7 +12,8 @@ enum class ForceChartKind {
   kForceTime,         ///< the last `time_window_s`, or all
 };
 
-/// A curve of the contact force in uN with its 95 % band and the present value marked.
+/// A curve of the contact force in uN with its 95 % band and the present value marked; over time also the moments of
+/// contact, puncture and loss.
 class ForceChart : public View {
  public:
   explicit ForceChart(ForceChartKind kind);
@@ -32,6 +33,7 @@ class ForceChart : public View {
   void style_axes(double ratio);
   void fill();
   void set_ranges();
+  void draw_marks(HudCanvas& hud) const;
 
   ForceChartKind kind_;
   TraceHistory history_;
