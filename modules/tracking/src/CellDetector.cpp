@@ -92,18 +92,20 @@ bool translucent(const GrayImage& image, const contour::Circle& circle) {
   for (int k = 0; k < 64; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / 64;
     const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
-    for (const double f : {0.25, 0.5, 0.7}) in.push_back(image.sample(circle.center + f * circle.radius * d));
+    for (const double f : {0.25, 0.4, 0.55, 0.7, 0.85}) in.push_back(image.sample(circle.center + f * circle.radius * d));
     for (const double f : {1.25, 1.4}) {
       const Eigen::Vector2d p = circle.center + f * circle.radius * d;
       if (image.inside(p)) out.push_back(image.sample(p));
     }
   }
   if (out.size() < 16) return true;
-  const auto median = [](std::vector<float>& v) {
+  const auto middle = [](std::vector<float>& v) {
     std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
     return v[v.size() / 2];
   };
-  return median(in) > 0.35F * median(out);
+  const float medium = middle(out);
+  const auto black = std::count_if(in.begin(), in.end(), [&](float v) { return v < 0.25F * medium; });
+  return middle(in) > 0.35F * medium && static_cast<double>(black) < 0.12 * static_cast<double>(in.size());
 }
 
 // Looks in a ring for the best closed edge of any kind, at a fine and a coarse scale.

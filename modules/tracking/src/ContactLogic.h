@@ -45,9 +45,9 @@ class ContactLogic {
     return state_;
   }
 
-  /// Before the cell is known, or after it was lost. `in_contact`: the first sight shows a dimple already.
-  void reset(bool in_contact) {
-    state_ = in_contact ? CellState::kContact : CellState::kFree;
+  /// At the first sight of a cell: what that one frame shows.
+  void reset(CellState first_sight) {
+    state_ = first_sight;
     votes_ = 0;
     deepest_px_ = 0.0;
   }

@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kStep = 0.5;           // px between samples on a normal
 constexpr double kSearchStep = 1.0;     // the same in the search for where an edge roughly is
-constexpr double kLeastWorth = 0.25;    // agreement times score of a contour that counts
+constexpr double kLeastWorth = 0.30;    // agreement times score of a contour that counts
+constexpr double kSoftRigidity = 20.0;   // times the rigidity, for a faint step that single normals see badly
+constexpr double kLeastSureness = 0.26; // the same of the surer contour, times the detection's score
 constexpr double kNeedleMargin = 2.5;   // px: half width of the needle's own dark edge, with its halo
 
 double median_of(std::vector<double> values) {
@@ -29,7 +31,7 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
   const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
   strip_.sample(image, snake.points, normals, 6.0 * snake.scale_px, 6.0 * snake.scale_px, kStep);
   const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
-  strip_.features(filter, 1, feature_);
+  strip_.features(filter, snake.is_soft() ? 8 : 1, feature_);
   std::vector<double> heights;
   const int middle = static_cast<int>(std::lround(strip_.column_of(0.0))), reach = static_cast<int>(std::ceil(2.0 / kStep));
   Eigen::VectorXf row(strip_.columns());
@@ -136,7 +138,8 @@ bool MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, dou
       inner_ = {};
     }
   }
-  if (std::max(worth(outer_), has_inner() ? worth(inner_) : 0.0) * cell.score < options_.min_detection_score) return false;
+  sureness_ = std::max(worth(outer_), has_inner() ? worth(inner_) : 0.0) * cell.score;
+  if (sureness_ < kLeastSureness) return false;
   if (has_inner()) thickness_ = median_gap();
   return true;
 }
@@ -211,8 +214,9 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
   snake.sigma_px.resize(n);
   const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
   strip_.sample(image, snake.points, normals, margin, margin, kStep);
-  strip_.features(filter, 1, feature_);
-  const double noise_feature = noise * filter.noise_gain() * 0.61;  // (1 2 1)/4 smoothing
+  strip_.features(filter, snake.is_soft() ? 8 : 1, feature_);
+  const double smoothing_gain = snake.is_soft() ? 0.37 : 0.61;  // of (1 2 1) / 4, so many times over
+  const double noise_feature = noise * filter.noise_gain() * smoothing_gain;
   const int middle = static_cast<int>(std::lround(strip_.column_of(0.0)));
   const int reach = static_cast<int>(std::ceil(reach_px / kStep));
   Eigen::VectorXf row(strip_.columns());
@@ -227,8 +231,8 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
     snake.confidence[i] = peak.curvature < 0.0 ? std::clamp(1.4 * clear, 0.0, 1.0) : 0.0;
     (void)relative;
     curvature[i] = -peak.curvature / (kStep * kStep);
-    snake.sigma_px[i] = curvature[i] > 1e-9 ? noise * filter.slope_noise_gain() * 0.61 / curvature[i] : reach_px;
-    rigidity[i] = options_.rigidity;
+    snake.sigma_px[i] = curvature[i] > 1e-9 ? noise * filter.slope_noise_gain() * smoothing_gain / curvature[i] : reach_px;
+    rigidity[i] = options_.rigidity * (snake.is_soft() ? kSoftRigidity : 1.0);
     if (!needle) continue;
 
     // Softer near the tip, where the dimple is sharp.

@@ -39,6 +39,8 @@ struct SnakeContour {
   Eigen::VectorXd sigma_px;     ///< (n)
   Eigen::VectorXd confidence;   ///< (n) 0..1
   double score = 0.0;           ///< mean confidence where no needle covers the edge
+
+  bool is_soft() const noexcept { return kind.step != 0.0; }
 };
 
 /// The pair of coupled snakes.
@@ -58,6 +60,8 @@ class MembraneSnakes {
   const SnakeContour& outer() const noexcept { return outer_; }
   const SnakeContour& inner() const noexcept { return inner_; }
   bool has_inner() const noexcept { return inner_.points.cols() > 0; }
+  /// 0..1: how sure it was at the start that this is a cell.
+  double sureness() const noexcept { return sureness_; }
   double thickness_px() const noexcept { return thickness_; }
 
   /// Puts back contours kept from before (after a try that failed).
@@ -75,6 +79,7 @@ class MembraneSnakes {
 
   TrackerOptions options_;
   SnakeContour outer_, inner_;
+  double sureness_ = 0.0;
   double thickness_ = 0.0;  ///< median distance between the two, px
   Snake snake_;
   NormalStrip strip_;

@@ -63,7 +63,7 @@ class MembraneTracker::Impl {
     noise_ = std::max(noise_level(image_), 1e-4);
     ++frames_since_detection_;
     if (!has_cell_) {
-      if (!ever_ || frames_since_detection_ >= options_.redetect_interval_frames) detect();
+      if (frames_since_detection_ >= options_.redetect_interval_frames) detect();
     } else {
       follow();
     }
@@ -96,7 +96,7 @@ class MembraneTracker::Impl {
     find_tools_of(cell->circle);
     const NeedleZone needle_zone = zone();
     if (!snakes_.start(image_, *cell, noise_, needle_.valid() ? &needle_zone : nullptr)) return;
-    detection_score_ = cell->score;
+    detection_score_ = std::min(1.0, snakes_.sureness() / 0.6);
     ever_ = has_cell_ = true;
     bad_frames_ = 0;
     score_ = snakes_.outer().score;
@@ -109,11 +109,12 @@ class MembraneTracker::Impl {
     rest_.inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
     rigid_shift_.setZero();
     learn_holder_motion();
-    const bool dimpled = needle_.valid() && tip_depth() > 2.0 * options_.contact_px;
-    contact_.reset(dimpled);
-    touching_ = dimpled;
-    if (!dimpled) learn_rest();
     membrane_depth_ = measure_membrane_depth();
+    const bool entered = needle_.valid() && tip_depth() > 2.0 * options_.contact_px;
+    const bool through = entered && tip_depth() > 8.0 * options_.contact_px && membrane_depth_ < 0.5 * tip_depth();
+    contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
+    touching_ = entered && !through;
+    if (!entered) learn_rest();
     quality_ = usual_quality_ = quality_now();
   }
 
@@ -365,7 +366,7 @@ class MembraneTracker::Impl {
     const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
     const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
     const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-    out.confidence = sides * sudden * sudden * first_sight * std::min(1.0, 0.4 + 0.6 * detection_score_);
+    out.confidence = sides * sudden * sudden * first_sight * detection_score_;
     out.confidence = std::clamp(out.confidence, 0.0, 1.0);
     if (bad_frames_ > 0) out.confidence *= 0.3;
     return out;
