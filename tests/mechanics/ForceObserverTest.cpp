@@ -163,7 +163,7 @@ TEST(ForceObserver, ANoisierDepthWidensTheInterval) {
   ForceObserver sharp(testing::coarse_profile()), blurred(testing::coarse_profile());
   Observation o = make_observation(CellState::kContact, 6.0, 0.0, std::numbers::pi, 0);
   const ForceEstimate a = sharp.process(o);
-  o.indentation_sigma_um = 1.0;
+  o.indentation_sigma_um = 3.0;
   const ForceEstimate b = blurred.process(o);
   EXPECT_GT(b.contact_force_upper_uN - b.contact_force_lower_uN,
             1.5 * (a.contact_force_upper_uN - a.contact_force_lower_uN));

@@ -27,11 +27,15 @@ constexpr double kHolderTurn_rad = 0.002;
 /// Two-sided 95 % of a normal distribution.
 constexpr double kInterval = 1.96;
 
-/// Largest fit error the profile admits to, taken as two standard deviations; and the scale's own.
-double relative_sigma(const CellProfile& profile) {
-  double worst = 0.0;
-  for (const auto& error : profile.errors) worst = std::max(worst, error.largest_of_peak_ratio);
-  return std::hypot(profile.force_scale_relative_sigma, 0.5 * worst);
+/// Standard deviation of the force that the model itself may be wrong by: the largest error the profile admits to at
+/// this force, as a share of it or of the peak, whichever is less, taken as two standard deviations.
+double model_sigma_uN(const CellProfile& profile, double force_uN) {
+  double worst_uN = 0.0;
+  for (const auto& error : profile.errors) {
+    worst_uN = std::max(
+        worst_uN, std::min(error.largest_ratio * force_uN, error.largest_of_peak_ratio * profile.puncture_force_uN));
+  }
+  return 0.5 * worst_uN;
 }
 
 double sphere_volume_um3(double radius_um) {
@@ -50,7 +54,7 @@ Eigen::Vector3d in_plane(const Eigen::Vector2d& v) {
 
 class ForceObserver::Impl {
  public:
-  explicit Impl(CellProfile profile) : profile_(std::move(profile)), relative_sigma_(relative_sigma(profile_)) {}
+  explicit Impl(CellProfile profile) : profile_(std::move(profile)) {}
 
   const CellProfile& profile() const noexcept { return profile_; }
 
@@ -184,11 +188,16 @@ class ForceObserver::Impl {
     estimate.solved_um = (R * x).colwise() + estimate.center_um;
     estimate.triangles = model.rest().triangles;
 
-    // Forces on the nodes; their sigma from the depth's (along the tangent) and the scale's.
+    // Forces on the nodes; their sigma from the depth's (along the tangent), the profile's scale and the model's own
+    // error.
     const double depth_sigma_um = estimate.depth_sigma_um;
+    const double push_uN = std::max(0.0, state.push_force_uN);
+    const double profile_sigma_uN =
+        std::hypot(profile_.force_scale_relative_sigma * push_uN, model_sigma_uN(profile_, push_uN));
+    const double relative_sigma = push_uN > 0.0 ? profile_sigma_uN / push_uN : 0.0;
     const Eigen::Matrix3Xd force = model.elastic_force_uN(x);
     estimate.force_uN = R * force;
-    estimate.force_sigma_uN = relative_sigma_ * force.colwise().norm().transpose();
+    estimate.force_sigma_uN = relative_sigma * force.colwise().norm().transpose();
     if (contact && depth_sigma_um > 0.0) {
       constexpr double kProbe_um = 1e-3;
       const Eigen::Matrix3Xd moved = model.elastic_force_uN(x + kProbe_um * indenter_->depth_tangent());
@@ -206,16 +215,13 @@ class ForceObserver::Impl {
     estimate.depth_um = depth_um;
     estimate.stiffness_uN_per_um = contact ? std::max(0.0, state.stiffness_uN_per_um) : 0.0;
     estimate.tip_force_uN = R * state.tip_force_uN;
-    estimate.contact_force_uN = std::max(0.0, state.push_force_uN);
-    const double sigma_uN =
-        contact ? std::hypot(estimate.stiffness_uN_per_um * depth_sigma_um, relative_sigma_ * estimate.contact_force_uN)
-                : 0.0;
+    estimate.contact_force_uN = push_uN;
+    const double sigma_uN = contact ? std::hypot(estimate.stiffness_uN_per_um * depth_sigma_um, profile_sigma_uN) : 0.0;
     estimate.contact_force_lower_uN = std::max(0.0, estimate.contact_force_uN - kInterval * sigma_uN);
     estimate.contact_force_upper_uN = estimate.contact_force_uN + kInterval * sigma_uN;
   }
 
   CellProfile profile_;
-  double relative_sigma_ = 0.0;
   std::unique_ptr<Indenter> indenter_;
   bool start_anew_ = false;
   DepthFilter filter_;

@@ -82,7 +82,7 @@ IndentationState Indenter::advance_to(double depth_um) {
     const double lag = 1.0 - tangent_.col(model_.tip().nodes()[k]).dot(model_.setup().push);
     state.stiffness_uN_per_um += model_.tip().weights_uN_per_um()[k] * lag;
   }
-  state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_);
+  state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0;  // no -0
   state.volume_um3 = model_.volume().volume_um3(x_um_);
   state.report = total;
   return state;
