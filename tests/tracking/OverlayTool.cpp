@@ -1,5 +1,5 @@
-// A developer's tool, not installed: runs the tracker over a scenario of the virtual microscope, or over stills, prints a
-// line a frame and draws the contours over chosen frames.
+// A developer's tool, not installed: runs the tracker over a scenario of the virtual microscope, or over stills, prints
+// a line a frame and draws the contours over chosen frames.
 //   tracking_overlay virtual:NAME [--every N] [--draw F,F,...] [--out PREFIX]
 //   tracking_overlay IMAGE_OR_VIDEO... [--every N] [--draw F,F,...] [--out PREFIX] [--pixel-size-um X]
 #include <algorithm>
@@ -56,8 +56,8 @@ void draw(const cv::Mat& grey, const Observation& seen, double pixel_size_um, co
 void print(const Observation& seen, double pixel_size_um, double took_ms) {
   std::printf("%4ld %-9s conf %.2f", seen.frame_index, std::string(to_string(seen.state)).c_str(), seen.confidence);
   if (seen.outer)
-    std::printf(" R %.1f r %.1f px%s", seen.rest_outer_radius_um / pixel_size_um, seen.rest_inner_radius_um / pixel_size_um,
-                seen.inner ? "" : " no inner");
+    std::printf(" R %.1f r %.1f px%s", seen.rest_outer_radius_um / pixel_size_um,
+                seen.rest_inner_radius_um / pixel_size_um, seen.inner ? "" : " no inner");
   if (seen.needle)
     std::printf(" tip %.1f %.1f conf %.2f depth %.2f um", seen.needle->tip_um.x() / pixel_size_um,
                 seen.needle->tip_um.y() / pixel_size_um, seen.needle->confidence, seen.indentation_um);
@@ -107,11 +107,13 @@ void run_virtual(const std::string& name, const Choice& choice) {
     bold += e.confidence > 0.8 && (e.outer_px > 2.0 || e.inner_px > 2.0) ? 1 : 0;
     state_errors += e.state != e.true_state ? 1 : 0;
   }
-  std::printf("%s: outer %.3f (max %.2f, missing %d) inner %.3f (max %.2f, missing %d) tip %.3f (max %.2f, missing %d) px, "
-              "indentation RMS %.3f (max %.2f) um, %.2f ms a frame, 1-sigma %.2f, confident and wrong %d, state differs %d of %zu\n",
-              name.c_str(), outer.rms, outer.largest, outer.missing, inner.rms, inner.largest, inner.missing, tip.rms,
-              tip.largest, tip.missing, depth.rms, depth.largest, took / std::max<std::size_t>(1, errors.size() - 1),
-              covered / static_cast<double>(errors.size()), bold, state_errors, errors.size());
+  std::printf(
+      "%s: outer %.3f (max %.2f, missing %d) inner %.3f (max %.2f, missing %d) tip %.3f (max %.2f, missing %d) px, "
+      "indentation RMS %.3f (max %.2f) um, %.2f ms a frame, 1-sigma %.2f, confident and wrong %d, state differs %d of "
+      "%zu\n",
+      name.c_str(), outer.rms, outer.largest, outer.missing, inner.rms, inner.largest, inner.missing, tip.rms,
+      tip.largest, tip.missing, depth.rms, depth.largest, took / std::max<std::size_t>(1, errors.size() - 1),
+      covered / static_cast<double>(errors.size()), bold, state_errors, errors.size());
 }
 
 void run_files(const std::string& file, const Choice& choice) {
@@ -143,7 +145,8 @@ void run_files(const std::string& file, const Choice& choice) {
       print(seen, choice.pixel_size_um, ms);
       std::printf("\n");
     }
-    if (chosen(choice, frame)) draw(grey, seen, choice.pixel_size_um, choice.out + "_" + stem + "_" + std::to_string(frame) + ".png");
+    if (chosen(choice, frame))
+      draw(grey, seen, choice.pixel_size_um, choice.out + "_" + stem + "_" + std::to_string(frame) + ".png");
   }
 }
 

@@ -9,8 +9,8 @@
 namespace pellucida::test {
 namespace {
 
-double contour_error(const MembraneContour& measured, const MembraneContour& truth, double pixel_size_um, double* largest,
-                     int& covered, int& count) {
+double contour_error(const MembraneContour& measured, const MembraneContour& truth, double pixel_size_um,
+                     double* largest, int& covered, int& count) {
   double squares = 0.0;
   for (Eigen::Index i = 0; i < measured.points_um.cols(); ++i) {
     const double distance = contour::distance_to(truth.points_um, measured.points_um.col(i));

@@ -14,16 +14,16 @@ namespace pellucida::test {
 struct FrameError {
   CellState state = CellState::kNoCell, true_state = CellState::kNoCell;
   double confidence = 0.0;
-  double outer_px = -1.0;        ///< RMS distance of the contour's points from the true contour
+  double outer_px = -1.0;  ///< RMS distance of the contour's points from the true contour
   double inner_px = -1.0;
   double outer_max_px = -1.0;
   double tip_px = -1.0;
   double center_px = -1.0;
-  double indentation_um = 0.0;   ///< measured minus true
+  double indentation_um = 0.0;  ///< measured minus true
   double true_indentation_um = 0.0;
-  double direction_rad = -1.0;   ///< angle between the needle's directions
-  double covered_ratio = 0.0;    ///< share of the contour points whose error is within their sigma
-  double sharp_ratio = 0.0;      ///< share of contour points with confidence above 0.5
+  double direction_rad = -1.0;  ///< angle between the needle's directions
+  double covered_ratio = 0.0;   ///< share of the contour points whose error is within their sigma
+  double sharp_ratio = 0.0;     ///< share of contour points with confidence above 0.5
 };
 
 /// Root of the mean square, and the largest, of one error over frames that have it.

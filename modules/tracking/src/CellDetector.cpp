@@ -12,7 +12,8 @@ constexpr double kSecondScore = 0.35;
 constexpr std::initializer_list<EdgeKind> kAnyKind = {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}};
 
 // A circle's points, with their radial normals.
-void ring(const Eigen::Vector2d& center, double radius, int count, Eigen::Matrix2Xd& points, Eigen::Matrix2Xd& normals) {
+void ring(const Eigen::Vector2d& center, double radius, int count, Eigen::Matrix2Xd& points,
+          Eigen::Matrix2Xd& normals) {
   points.resize(2, count);
   normals.resize(2, count);
   for (int i = 0; i < count; ++i) {
@@ -92,7 +93,8 @@ bool translucent(const GrayImage& image, const contour::Circle& circle) {
   for (int k = 0; k < 64; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / 64;
     const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
-    for (const double f : {0.25, 0.4, 0.55, 0.7, 0.85}) in.push_back(image.sample(circle.center + f * circle.radius * d));
+    for (const double f : {0.25, 0.4, 0.55, 0.7, 0.85})
+      in.push_back(image.sample(circle.center + f * circle.radius * d));
     for (const double f : {1.25, 1.4}) {
       const Eigen::Vector2d p = circle.center + f * circle.radius * d;
       if (image.inside(p)) out.push_back(image.sample(p));
@@ -117,7 +119,8 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
   for (const double sigma : sigmas) {
     for (const EdgeKind& kind : kinds) {
       RingEdge found = closed_edge(image, center, from, to, kind, sigma, noise, smoothing);
-      // A dark line has bright fringes and steps beside it: those must do clearly better to be taken for the edge itself.
+      // A dark line has bright fringes and steps beside it: those must do clearly better to be taken for the edge
+      // itself.
       if (kind.line <= 0.0) found.score *= 0.75;
       if (found.score > best.score) best = std::move(found);
     }
@@ -236,7 +239,8 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
       RingEdge found = best_in_ring(level, center, 0.55 * radius, 1.5 * radius, {1.3}, noise, kAnyKind);
       if (found.score > here.score) here = std::move(found);
       if (here.score < 0.15 || here.circle.radius < 4.0) break;
-      if ((here.circle.center - center).norm() < 0.03 * radius && std::abs(here.circle.radius - radius) < 0.1 * radius) break;
+      if ((here.circle.center - center).norm() < 0.03 * radius && std::abs(here.circle.radius - radius) < 0.1 * radius)
+        break;
       center = here.circle.center;
       radius = here.circle.radius;
     }
@@ -270,8 +274,8 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   const Eigen::Vector2d c = first.circle.center;
   const double r = first.circle.radius;
   const double gap = 1.5 * sigma_fine;
-  // A near one must be of the same kind (else it is the first one's halo), and not much fainter (else a fringe); a far one
-  // may be the soft outer edge of a thick zona.
+  // A near one must be of the same kind (else it is the first one's halo), and not much fainter (else a fringe); a far
+  // one may be the soft outer edge of a thick zona.
   const EdgeKind same = first.edge.kind;
   const auto near_one = [&](double from, double to) {
     RingEdge near = best_in_ring(fine, c, from, to, {sigma_fine}, fine_noise, {same});

@@ -12,24 +12,24 @@ namespace pellucida {
 
 /// One closed edge found round a centre, px of the full image.
 struct FoundEdge {
-  Eigen::Matrix2Xd points;      ///< (2 x n), positive area
+  Eigen::Matrix2Xd points;  ///< (2 x n), positive area
   EdgeKind kind;
-  double scale_px = 1.0;        ///< sigma of the filter that found it
-  double coverage = 0.0;        ///< share of the outline that shows the edge, 0..1
-  double contrast = 0.0;        ///< mean feature along the edge over the spread of the feature round about
+  double scale_px = 1.0;  ///< sigma of the filter that found it
+  double coverage = 0.0;  ///< share of the outline that shows the edge, 0..1
+  double contrast = 0.0;  ///< mean feature along the edge over the spread of the feature round about
 };
 
 /// A cell found with no hint.
 struct DetectedCell {
   FoundEdge outer;
   std::optional<FoundEdge> inner;
-  contour::Circle circle;       ///< through the undeformed part of the outer edge
-  double score = 0.0;           ///< 0..1
+  contour::Circle circle;  ///< through the undeformed part of the outer edge
+  double score = 0.0;      ///< 0..1
 };
 
-/// Finds the roundest, most completely closed edge of an image: gradient voting over a pyramid for centres, then a closed
-/// shortest path in the unrolled ring, then a search for the second membrane beside it. Nothing when no candidate reaches
-/// `options.min_detection_score`.
+/// Finds the roundest, most completely closed edge of an image: gradient voting over a pyramid for centres, then a
+/// closed shortest path in the unrolled ring, then a search for the second membrane beside it. Nothing when no
+/// candidate reaches `options.min_detection_score`.
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options);
 
 /// A centre the voting proposes (full image px).

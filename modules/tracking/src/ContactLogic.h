@@ -13,7 +13,7 @@ class ContactLogic {
   explicit ContactLogic(const TrackerOptions& options) : options_(options) {}
 
   struct Depths {
-    double tip_px = 0.0;        ///< negative while the needle is away
+    double tip_px = 0.0;  ///< negative while the needle is away
     double membrane_px = 0.0;
     bool needle_seen = false;
   };

@@ -124,7 +124,8 @@ PathPair best_closed_path_pair(const Eigen::MatrixXf& reward_outer, const Eigen:
                                int max_gap, float slope_penalty, float gap_penalty) {
   const int rows = static_cast<int>(reward_outer.rows()), columns = static_cast<int>(reward_outer.cols());
   const int gaps = std::max(1, max_gap - min_gap + 1);
-  PathPair pair{std::vector<int>(static_cast<std::size_t>(rows), 0), std::vector<int>(static_cast<std::size_t>(rows), 0)};
+  PathPair pair{std::vector<int>(static_cast<std::size_t>(rows), 0),
+                std::vector<int>(static_cast<std::size_t>(rows), 0)};
   if (rows < 1 || columns < 1) return pair;
   const int lead = rows / 5 + 1, total = rows + 2 * lead;
   const int states = columns * gaps;

@@ -9,7 +9,8 @@
 
 namespace pellucida {
 
-/// A grey image of our own, float, row by row, 0..1 of the format's range. Coordinates in px, pixel centres at whole numbers.
+/// A grey image of our own, float, row by row, 0..1 of the format's range. Coordinates in px, pixel centres at whole
+/// numbers.
 struct GrayImage {
   int width = 0;
   int height = 0;

@@ -6,12 +6,12 @@
 namespace pellucida {
 namespace {
 
-constexpr double kStep = 0.5;           // px between samples on a normal
-constexpr double kSearchStep = 1.0;     // the same in the search for where an edge roughly is
-constexpr double kLeastWorth = 0.30;    // agreement times score of a contour that counts
+constexpr double kStep = 0.5;            // px between samples on a normal
+constexpr double kSearchStep = 1.0;      // the same in the search for where an edge roughly is
+constexpr double kLeastWorth = 0.30;     // agreement times score of a contour that counts
 constexpr double kSoftRigidity = 20.0;   // times the rigidity, for a faint step that single normals see badly
-constexpr double kLeastSureness = 0.26; // the same of the surer contour, times the detection's score
-constexpr double kNeedleMargin = 2.5;   // px: half width of the needle's own dark edge, with its halo
+constexpr double kLeastSureness = 0.26;  // the same of the surer contour, times the detection's score
+constexpr double kNeedleMargin = 2.5;    // px: half width of the needle's own dark edge, with its halo
 
 double median_of(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -33,7 +33,8 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
   const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
   strip_.features(filter, snake.is_soft() ? 8 : 1, feature_);
   std::vector<double> heights;
-  const int middle = static_cast<int>(std::lround(strip_.column_of(0.0))), reach = static_cast<int>(std::ceil(2.0 / kStep));
+  const int middle = static_cast<int>(std::lround(strip_.column_of(0.0))),
+            reach = static_cast<int>(std::ceil(2.0 / kStep));
   Eigen::VectorXf row(strip_.columns());
   // The mean profile about the filter's own peak, over the reach of the filter.
   constexpr int kLook = 33;
@@ -51,13 +52,12 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
     const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
     heights.push_back(peak.height);
     if (peak.curvature >= 0.0) continue;
-    for (int k = 0; k < kLook; ++k)
-      mean_profile[k] += value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
+    for (int k = 0; k < kLook; ++k) mean_profile[k] += value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
     aligned += 1.0;
   }
   if (aligned > 20.0 && snake.kind.step == 0.0) {
-    // The line's own centre against the filter's peak, which steps and fringes beside the line pull aside: the extremum of
-    // the mean profile, by a parabola through its inner pixels.
+    // The line's own centre against the filter's peak, which steps and fringes beside the line pull aside: the extremum
+    // of the mean profile, by a parabola through its inner pixels.
     double s2 = 0.0, s4 = 0.0, sv = 0.0, s1v = 0.0, s2v = 0.0;
     const int inner = 3;
     for (int k = -inner; k <= inner; ++k) {
@@ -125,8 +125,8 @@ bool MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, dou
   settle(outer_, true);
   if (has_inner()) settle(inner_, false);
 
-  // A ring of chance edges is uneven in strength and in look; a membrane is not. The surer of the two must convince, the
-  // other one must at least hold out; two that ended on the same line are one.
+  // A ring of chance edges is uneven in strength and in look; a membrane is not. The surer of the two must convince,
+  // the other one must at least hold out; two that ended on the same line are one.
   const auto worth = [](const SnakeContour& snake) { return snake.agreement * snake.score; };
   if (has_inner()) {
     const double apart = median_gap();
@@ -231,7 +231,8 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
     snake.confidence[i] = peak.curvature < 0.0 ? std::clamp(1.4 * clear, 0.0, 1.0) : 0.0;
     (void)relative;
     curvature[i] = -peak.curvature / (kStep * kStep);
-    snake.sigma_px[i] = curvature[i] > 1e-9 ? noise * filter.slope_noise_gain() * smoothing_gain / curvature[i] : reach_px;
+    snake.sigma_px[i] =
+        curvature[i] > 1e-9 ? noise * filter.slope_noise_gain() * smoothing_gain / curvature[i] : reach_px;
     rigidity[i] = options_.rigidity * (snake.is_soft() ? kSoftRigidity : 1.0);
     if (!needle) continue;
 

@@ -30,15 +30,15 @@ struct NeedleZone {
 
 /// One snake: contour, what its edge looks like, and how well it was seen.
 struct SnakeContour {
-  Eigen::Matrix2Xd points;      ///< px, closed, positive area; empty when there is none
+  Eigen::Matrix2Xd points;  ///< px, closed, positive area; empty when there is none
   EdgeKind kind;
   double scale_px = 1.3;
-  double strength = 0.0;        ///< learnt median feature along the edge
+  double strength = 0.0;          ///< learnt median feature along the edge
   double center_offset_px = 0.0;  ///< learnt: from the filter's peak to the line's own centre, outwards
-  double agreement = 0.0;       ///< 0..1: how alike the profiles across the edge are all round the contour
-  Eigen::VectorXd sigma_px;     ///< (n)
-  Eigen::VectorXd confidence;   ///< (n) 0..1
-  double score = 0.0;           ///< mean confidence where no needle covers the edge
+  double agreement = 0.0;         ///< 0..1: how alike the profiles across the edge are all round the contour
+  Eigen::VectorXd sigma_px;       ///< (n)
+  Eigen::VectorXd confidence;     ///< (n) 0..1
+  double score = 0.0;             ///< mean confidence where no needle covers the edge
 
   bool is_soft() const noexcept { return kind.step != 0.0; }
 };
@@ -52,8 +52,8 @@ class MembraneSnakes {
   /// membrane's.
   bool start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
 
-  /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's own
-  /// motion, near its tip). Returns the outer contour's score.
+  /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's
+  /// own motion, near its tip). Returns the outer contour's score.
   double track(const GrayImage& image, double noise, const Eigen::Vector2d& shift, const Eigen::Vector2d& push,
                const NeedleZone* needle, double search_px);
 

@@ -19,7 +19,8 @@ namespace {
 
 void require(bool holds, const char* name, const char* range, double value) {
   if (!holds)
-    throw UsageError(std::string("tracker option ") + name + " is " + std::to_string(value) + "; give a value " + range);
+    throw UsageError(std::string("tracker option ") + name + " is " + std::to_string(value) + "; give a value " +
+                     range);
 }
 
 void check(const TrackerOptions& o) {
@@ -145,8 +146,8 @@ class MembraneTracker::Impl {
     needle_.reset();
   }
 
-  // The pixels of the holder, outside the cell: what tells the cell's rigid motion. Its rim is what shows a motion along
-  // the pipette, so the pixels go close to the membrane and not far up the shaft.
+  // The pixels of the holder, outside the cell: what tells the cell's rigid motion. Its rim is what shows a motion
+  // along the pipette, so the pixels go close to the membrane and not far up the shaft.
   void learn_holder_motion() {
     rigid_.reset();
     if (!holder_.valid) return;
@@ -203,7 +204,8 @@ class MembraneTracker::Impl {
 
   // The weakest of what was seen: the whole outer contour, the inner one, and the outer one on the needle's side.
   double quality_now() const {
-    const double both = snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;
+    const double both =
+        snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;
     return std::min(both, local_score());
   }
 
@@ -218,7 +220,8 @@ class MembraneTracker::Impl {
       const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
       if (!needle_.track(image_, noise_, 34.0, clear) && needle_.estimate().confidence < 0.1) needle_.reset();
     } else if (frames_since_detection_ % 3 == 0) {
-      find_needle({center_now(), rest_.outer_radius, 1.0, 0.0}, find_tools(image_, {center_now(), rest_.outer_radius, 1.0, 0.0}));
+      find_needle({center_now(), rest_.outer_radius, 1.0, 0.0},
+                  find_tools(image_, {center_now(), rest_.outer_radius, 1.0, 0.0}));
     }
     const bool punctured = contact_.state() == CellState::kPunctured;
     touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
@@ -233,7 +236,8 @@ class MembraneTracker::Impl {
       SnakeContour best_outer = snakes_.outer(), best_inner = snakes_.inner();
       const auto attempt = [&](const NeedleZone* with, bool from_rest, double reach) {
         snakes_.restore(outer_before, inner_before);
-        if (from_rest) snakes_.restore(at_rest(outer_before, rest_.outer_radius), at_rest(inner_before, rest_.inner_radius));
+        if (from_rest)
+          snakes_.restore(at_rest(outer_before, rest_.outer_radius), at_rest(inner_before, rest_.inner_radius));
         snakes_.track(image_, noise_, from_rest ? Eigen::Vector2d::Zero() : shift, needle_.motion(), with, reach);
         const double now = quality_now();
         if (now > quality + 0.05) {
@@ -450,7 +454,11 @@ MembraneTracker& MembraneTracker::operator=(MembraneTracker&&) noexcept = defaul
 Observation MembraneTracker::process(const ImageView& image, double time_s, long frame_index) {
   return impl_->process(image, time_s, frame_index);
 }
-void MembraneTracker::reset() { impl_ = std::make_unique<Impl>(impl_->options()); }
-const TrackerOptions& MembraneTracker::options() const noexcept { return impl_->options(); }
+void MembraneTracker::reset() {
+  impl_ = std::make_unique<Impl>(impl_->options());
+}
+const TrackerOptions& MembraneTracker::options() const noexcept {
+  return impl_->options();
+}
 
 }  // namespace pellucida

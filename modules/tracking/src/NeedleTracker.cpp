@@ -9,7 +9,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kAcrossStep = 0.5;
-constexpr double kBehind = 85.0;   // px of the cone looked at behind the tip
+constexpr double kBehind = 85.0;  // px of the cone looked at behind the tip
 
 double median_of(std::vector<double>& values) {
   if (values.empty()) return 0.0;
@@ -45,7 +45,7 @@ bool fit_line(const std::vector<Eigen::Vector3d>& points, double& a, double& b) 
 
 // The image along the needle: station k at `from + k` px behind the tip, columns across.
 struct NeedleTracker::Straightened {
-  Eigen::MatrixXf values;   // (columns across x stations): one station is contiguous
+  Eigen::MatrixXf values;  // (columns across x stations): one station is contiguous
   std::vector<bool> inside;
   double from = 0.0, half_across = 0.0;
 
@@ -60,8 +60,7 @@ struct NeedleTracker::Straightened {
     for (int k = 0; k < stations; ++k) {
       const Eigen::Vector2d middle = needle.tip - (from + k) * needle.direction;
       inside[static_cast<std::size_t>(k)] = image.inside(middle, 3.0);
-      for (int j = 0; j < columns; ++j)
-        values(j, k) = image.sample(middle + (j * kAcrossStep - half_across) * across);
+      for (int j = 0; j < columns; ++j) values(j, k) = image.sample(middle + (j * kAcrossStep - half_across) * across);
     }
   }
   int stations() const { return static_cast<int>(values.cols()); }
@@ -141,7 +140,8 @@ bool NeedleTracker::start(const GrayImage& image, const FoundTool& tool, const c
   if (tip_station < 0 || last - tip_station < 12) return false;
   guess.tip -= tip_station * guess.direction;
   guess.tip_half_width = std::min(half_width, 3.0);
-  guess.widening = std::clamp((half_width - guess.tip_half_width) / std::max(40.0, double(last - tip_station)), 0.0, 0.15);
+  guess.widening =
+      std::clamp((half_width - guess.tip_half_width) / std::max(40.0, double(last - tip_station)), 0.0, 0.15);
   now_ = guess;
   const bool at_border = tip_station < border + 8;
   const double behind = std::clamp(double(last - tip_station), 12.0, kBehind);

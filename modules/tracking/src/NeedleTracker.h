@@ -14,12 +14,12 @@ struct NeedleEstimate {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
   double tip_half_width = 2.0;
-  double widening = 0.0;       ///< half width gained per px behind the tip
+  double widening = 0.0;  ///< half width gained per px behind the tip
   double confidence = 0.0;
 };
 
-/// Follows the injection needle by its shaft's two edges, and the tip by where they end; where a dimple hides that end, by
-/// the shaft's known cone.
+/// Follows the injection needle by its shaft's two edges, and the tip by where they end; where a dimple hides that end,
+/// by the shaft's known cone.
 class NeedleTracker {
  public:
   /// Looks for the tip along a tool found by voting. False when the tool's edges can't be followed.
@@ -42,8 +42,8 @@ class NeedleTracker {
 
   NeedleEstimate now_;
   Eigen::Vector2d motion_ = Eigen::Vector2d::Zero();
-  // The cone, learnt in the clear: how wide the needle is at its tip, and how fast it widens. It tells where the tip is when
-  // the tip itself is hidden in the dimple.
+  // The cone, learnt in the clear: how wide the needle is at its tip, and how fast it widens. It tells where the tip is
+  // when the tip itself is hidden in the dimple.
   double cone_half_width_ = 0.0, cone_widening_ = 0.0;
   int cone_frames_ = 0;
   bool valid_ = false;

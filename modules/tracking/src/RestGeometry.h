@@ -11,8 +11,8 @@ struct RestGeometry {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double outer_radius = 0.0;
   double inner_radius = 0.0;
-  int frame_count = 0;       ///< undisturbed frames that went in
-  bool seen_free = false;    ///< false while only the undeformed side was seen
+  int frame_count = 0;     ///< undisturbed frames that went in
+  bool seen_free = false;  ///< false while only the undeformed side was seen
 
   /// Takes in one frame's circle; the mean of the last `memory` frames is kept.
   void learn(const Eigen::Vector2d& center_now, double outer_now, double inner_now, int memory = 60) {
@@ -24,8 +24,8 @@ struct RestGeometry {
     seen_free = true;
   }
 
-  /// Where the line through `tip` along `direction` first meets the resting outer membrane; the closest point of the circle
-  /// when the line passes beside it. `center_now` is the rest centre in the image.
+  /// Where the line through `tip` along `direction` first meets the resting outer membrane; the closest point of the
+  /// circle when the line passes beside it. `center_now` is the rest centre in the image.
   Eigen::Vector2d entry_point(const Eigen::Vector2d& center_now, const Eigen::Vector2d& tip,
                               const Eigen::Vector2d& direction) const {
     const Eigen::Vector2d from_center = tip - center_now;
@@ -36,8 +36,8 @@ struct RestGeometry {
   }
 };
 
-/// Where the line through `origin` along `direction` crosses the closed contour first, as a signed way along `direction`
-/// from `origin`. `fallback` when it never does.
+/// Where the line through `origin` along `direction` crosses the closed contour first, as a signed way along
+/// `direction` from `origin`. `fallback` when it never does.
 inline double first_crossing(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& origin,
                              const Eigen::Vector2d& direction, double fallback) {
   const Eigen::Index n = points.cols();
@@ -52,8 +52,9 @@ inline double first_crossing(const Eigen::Matrix2Xd& points, const Eigen::Vector
   return std::isfinite(best) ? best : fallback;
 }
 
-/// Half the distance, across the axis, between the crests on both sides of the dimple: from the contour's point nearest the
-/// axis under the needle each side climbs to its point farthest along `outward` (unit, cell to needle). 0 without a dimple.
+/// Half the distance, across the axis, between the crests on both sides of the dimple: from the contour's point nearest
+/// the axis under the needle each side climbs to its point farthest along `outward` (unit, cell to needle). 0 without a
+/// dimple.
 inline double dimple_radius(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& center, const Eigen::Vector2d& apex,
                             const Eigen::Vector2d& outward) {
   const Eigen::Index n = points.cols();

@@ -35,8 +35,8 @@ bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2
 bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double& residual) const {
   double gain = 0.0, offset = 0.0;
   for (int round = 0; round < 14; ++round) {
-    // Pixels that something else covers now (a membrane that bulges beside the rim) must not pull: tolerant at first, then
-    // strict.
+    // Pixels that something else covers now (a membrane that bulges beside the rim) must not pull: tolerant at first,
+    // then strict.
     const double scale = std::max(3.0 * noise_, (round < 4 ? 0.5 : 0.12) * spread_);
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();

@@ -6,12 +6,13 @@
 
 namespace pellucida {
 
-/// Follows a set of pixels that move together (the holding pipette) by least squares on their grey values, with gain and
-/// offset free: tells a drift of the stage from a deformation of the cell.
+/// Follows a set of pixels that move together (the holding pipette) by least squares on their grey values, with gain
+/// and offset free: tells a drift of the stage from a deformation of the cell.
 class RigidMotion {
  public:
-  /// Keeps the look of the pixels `points` (px) of `image` as the reference. 
-  /// False when, with pixel noise of standard deviation `noise`, they could not tell a motion in every direction to 0.1 px.
+  /// Keeps the look of the pixels `points` (px) of `image` as the reference.
+  /// False when, with pixel noise of standard deviation `noise`, they could not tell a motion in every direction to 0.1
+  /// px.
   bool learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points, double noise);
 
   /// Motion since `learn`, px; starts from the last one. `reach_px` bounds the step. False when the fit fails.

@@ -12,7 +12,8 @@ namespace pellucida {
 /// with e_i the edge found on normal i: one symmetric positive definite solve of a cyclic band matrix of width 5.
 class Snake {
  public:
-  /// The displacements u (n), px. `points`, `normals` (2 x n), n >= 5; `edges`, `weights`, `rigidity` (n), weights >= 0.
+  /// The displacements u (n), px. `points`, `normals` (2 x n), n >= 5; `edges`, `weights`, `rigidity` (n), weights >=
+  /// 0.
   const Eigen::VectorXd& relax(const Eigen::Matrix2Xd& points, const Eigen::Matrix2Xd& normals,
                                const Eigen::VectorXd& edges, const Eigen::VectorXd& weights,
                                const Eigen::VectorXd& rigidity, double elasticity);

@@ -7,15 +7,15 @@
 namespace pellucida {
 namespace {
 
-constexpr int kAngleCount = 240;       // 1.5 degrees a bin
+constexpr int kAngleCount = 240;  // 1.5 degrees a bin
 constexpr double kBinAngle = 2.0 * std::numbers::pi / kAngleCount;
 
 struct EdgeLine {
   double angle, offset, votes;
 };
 
-// How wide a tool is, and where its middle runs: the extent of what differs from the medium in the median cross-section.
-// Half resolution.
+// How wide a tool is, and where its middle runs: the extent of what differs from the medium in the median
+// cross-section. Half resolution.
 void measure_width(const GrayImage& half, const Eigen::Vector2d& center, double radius, FoundTool& tool) {
   const Eigen::Vector2d across(-tool.direction.y(), tool.direction.x());
   const int reach = static_cast<int>(std::ceil(0.95 * radius));

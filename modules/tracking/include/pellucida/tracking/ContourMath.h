@@ -8,12 +8,16 @@
 
 namespace pellucida::contour {
 
-/// Arithmetic of closed polygons. Points are columns (2 x n), the first is not repeated at the end, any one length unit.
+/// Arithmetic of closed polygons. Points are columns (2 x n), the first is not repeated at the end, any one length
+/// unit.
 
 /// Index i of a closed contour with n points, wrapped into 0..n-1.
-inline Eigen::Index wrap(Eigen::Index i, Eigen::Index n) noexcept { return ((i % n) + n) % n; }
+inline Eigen::Index wrap(Eigen::Index i, Eigen::Index n) noexcept {
+  return ((i % n) + n) % n;
+}
 
-/// Shoelace area, sum of (x_i y_{i+1} - x_{i+1} y_i) / 2: positive when the angle grows from +x to +y. 0 below 3 points.
+/// Shoelace area, sum of (x_i y_{i+1} - x_{i+1} y_i) / 2: positive when the angle grows from +x to +y. 0 below 3
+/// points.
 inline double signed_area(const Eigen::Matrix2Xd& points) noexcept {
   const Eigen::Index n = points.cols();
   double twice = 0.0;
@@ -96,8 +100,8 @@ inline Eigen::Matrix2Xd outward_normals(const Eigen::Matrix2Xd& points) {
   return normals;
 }
 
-/// Arc length of the crossing of the contour with the ray from `origin` along unit `direction`: of the crossing farthest
-/// out. -1 where the ray meets nothing.
+/// Arc length of the crossing of the contour with the ray from `origin` along unit `direction`: of the crossing
+/// farthest out. -1 where the ray meets nothing.
 inline double ray_crossing_arc(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& origin,
                                const Eigen::Vector2d& direction) {
   const Eigen::Index n = points.cols();
@@ -127,8 +131,9 @@ inline bool contains(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& poin
   bool inside = false;
   for (Eigen::Index i = 0, j = n - 1; i < n; j = i++) {
     const bool crosses = (points(1, i) > point.y()) != (points(1, j) > point.y());
-    if (crosses && point.x() < (points(0, j) - points(0, i)) * (point.y() - points(1, i)) /
-                                       (points(1, j) - points(1, i)) + points(0, i)) {
+    if (crosses &&
+        point.x() <
+            (points(0, j) - points(0, i)) * (point.y() - points(1, i)) / (points(1, j) - points(1, i)) + points(0, i)) {
       inside = !inside;
     }
   }
@@ -176,8 +181,8 @@ struct Circle {
   double residual = 0.0;      ///< RMS distance of those points from the circle
 };
 
-/// Robust circle through points (2 x n), by repeated least squares (Coope: |p|^2 = 2 c.p + k) with weights that fall off
-/// beyond `tolerance`. `weights` (n) may be empty. Fewer than 3 points give radius 0.
+/// Robust circle through points (2 x n), by repeated least squares (Coope: |p|^2 = 2 c.p + k) with weights that fall
+/// off beyond `tolerance`. `weights` (n) may be empty. Fewer than 3 points give radius 0.
 inline Circle fit_circle(const Eigen::Matrix2Xd& points, double tolerance, const Eigen::VectorXd& weights = {}) {
   Circle circle;
   const Eigen::Index n = points.cols();

@@ -40,22 +40,23 @@ class EdgeFilter {
 
 /// A local maximum of a feature, sub-sample.
 struct Peak {
-  double position = 0.0;   ///< in samples
+  double position = 0.0;  ///< in samples
   double height = 0.0;
   double curvature = 0.0;  ///< second derivative per sample^2, negative at a maximum
 };
 
-/// Climbs from sample `start` to the nearest local maximum within `reach` samples, and fits a parabola through it and its
-/// neighbours. When the climb ends at the border or at `reach`, the position is that sample and the curvature 0.
+/// Climbs from sample `start` to the nearest local maximum within `reach` samples, and fits a parabola through it and
+/// its neighbours. When the climb ends at the border or at `reach`, the position is that sample and the curvature 0.
 Peak climb_to_peak(const float* feature, int count, int start, int reach);
 
-/// Most rewarding closed path through a strip: one column j(i) for each row i of `reward` (rows x columns), going round,
-/// with |j(i+1) - j(i)| <= max_slope and a cost of slope_penalty * |j(i+1) - j(i)|. Viterbi over one and a half turns, so
-/// that the ends meet. Cost rows * columns * (2 max_slope + 1).
+/// Most rewarding closed path through a strip: one column j(i) for each row i of `reward` (rows x columns), going
+/// round, with |j(i+1) - j(i)| <= max_slope and a cost of slope_penalty * |j(i+1) - j(i)|. Viterbi over one and a half
+/// turns, so that the ends meet. Cost rows * columns * (2 max_slope + 1).
 std::vector<int> best_closed_path(const Eigen::MatrixXf& reward, int max_slope, float slope_penalty);
 
-/// Two coupled closed paths on the same strip: `outer` at j(i), `inner` at j(i) - t(i) with min_gap(i) <= t(i) <= max_gap(i)
-/// samples. Rewards: reward_outer(i, j) + reward_inner(i, j - t) - slope_penalty |dj| - gap_penalty |dt|; |dj|, |dt| <= 1.
+/// Two coupled closed paths on the same strip: `outer` at j(i), `inner` at j(i) - t(i) with min_gap(i) <= t(i) <=
+/// max_gap(i) samples. Rewards: reward_outer(i, j) + reward_inner(i, j - t) - slope_penalty |dj| - gap_penalty |dt|;
+/// |dj|, |dt| <= 1.
 struct PathPair {
   std::vector<int> outer;
   std::vector<int> inner;

@@ -7,9 +7,9 @@
 
 namespace pellucida {
 
-/// Follows both membranes of a cell, the needle and the holding pipette from frame to frame: active contours (snakes), as in
-/// the paper, started by a detection that needs no click. Method and equations: modules/tracking/README.md.
-/// Has memory: feed it the frames of one sequence in order; `reset` starts anew. One thread at a time.
+/// Follows both membranes of a cell, the needle and the holding pipette from frame to frame: active contours (snakes),
+/// as in the paper, started by a detection that needs no click. Method and equations: modules/tracking/README.md. Has
+/// memory: feed it the frames of one sequence in order; `reset` starts anew. One thread at a time.
 class MembraneTracker {
  public:
   /// Throws UsageError when an option is out of its range; the text names it.
@@ -19,8 +19,8 @@ class MembraneTracker {
   MembraneTracker& operator=(MembraneTracker&&) noexcept;
 
   /// What one frame says. `time_s` since the session began. The image is read during the call only.
-  /// Throws UsageError for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that is
-  /// not above 0. An image that shows nothing is no error: the state says `no_cell` or `lost`.
+  /// Throws UsageError for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that
+  /// is not above 0. An image that shows nothing is no error: the state says `no_cell` or `lost`.
   Observation process(const ImageView& image, double time_s, long frame_index);
 
   /// Forgets the cell, the needle, the holder and all that was learnt of them.

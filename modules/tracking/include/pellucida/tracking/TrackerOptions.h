@@ -2,31 +2,31 @@
 
 namespace pellucida {
 
-/// The tracker's tunable numbers. Lengths are in pixels (`_px`) because they follow the optics and the sampling, not the
-/// cell; what follows the cell is a ratio of its radius.
+/// The tracker's tunable numbers. Lengths are in pixels (`_px`) because they follow the optics and the sampling, not
+/// the cell; what follows the cell is a ratio of its radius.
 struct TrackerOptions {
   // Detection.
-  double min_cell_diameter_px = 36.0;   ///< of the outer membrane
+  double min_cell_diameter_px = 36.0;  ///< of the outer membrane
   double max_cell_diameter_px = 460.0;
-  double min_detection_score = 0.50;    ///< 0..1: below this, no cell is reported
-  int redetect_interval_frames = 5;     ///< while lost: how often the whole image is searched
+  double min_detection_score = 0.50;  ///< 0..1: below this, no cell is reported
+  int redetect_interval_frames = 5;   ///< while lost: how often the whole image is searched
 
   // Contours.
-  int contour_point_count = 192;        ///< 64..512, points of a reported contour
-  double edge_scale_px = 1.3;           ///< standard deviation of the edge filter along the normal
-  double search_px = 9.0;               ///< half width of the band searched round the predicted contour
-  double wide_search_px = 38.0;         ///< the same when the narrow search found too little
-  double elasticity = 0.02;             ///< snake, alpha, relative to an edge's weight of 1
-  double rigidity = 60.0;               ///< snake, beta: smooths over about beta^(1/4) points
-  double tip_rigidity = 3.0;            ///< beta at the needle's tip, where the dimple is sharp
-  int snake_iterations = 3;             ///< a frame and membrane
+  int contour_point_count = 192;  ///< 64..512, points of a reported contour
+  double edge_scale_px = 1.3;     ///< standard deviation of the edge filter along the normal
+  double search_px = 9.0;         ///< half width of the band searched round the predicted contour
+  double wide_search_px = 38.0;   ///< the same when the narrow search found too little
+  double elasticity = 0.02;       ///< snake, alpha, relative to an edge's weight of 1
+  double rigidity = 60.0;         ///< snake, beta: smooths over about beta^(1/4) points
+  double tip_rigidity = 3.0;      ///< beta at the needle's tip, where the dimple is sharp
+  int snake_iterations = 3;       ///< a frame and membrane
 
   // State.
-  double min_tracking_score = 0.35;     ///< 0..1: below this, a frame does not count as tracked
-  int lost_after_frames = 3;            ///< untracked frames in a row before the state is `lost`
-  double contact_px = 1.2;              ///< indentation that counts as contact; released below half of it
-  int contact_confirm_frames = 2;       ///< frames in a row that must agree before contact or release is said
-  double puncture_drop_ratio = 0.35;    ///< share of the dimple's depth that must vanish at once to call it a puncture
+  double min_tracking_score = 0.35;   ///< 0..1: below this, a frame does not count as tracked
+  int lost_after_frames = 3;          ///< untracked frames in a row before the state is `lost`
+  double contact_px = 1.2;            ///< indentation that counts as contact; released below half of it
+  int contact_confirm_frames = 2;     ///< frames in a row that must agree before contact or release is said
+  double puncture_drop_ratio = 0.35;  ///< share of the dimple's depth that must vanish at once to call it a puncture
 };
 
 }  // namespace pellucida

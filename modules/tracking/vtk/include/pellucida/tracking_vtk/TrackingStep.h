@@ -7,9 +7,9 @@
 
 namespace pellucida {
 
-/// The tracker as a step: a scene with a frame becomes a scene with contours, tools, the tracker's part of the measurement
-/// and the events of this frame: `contact`, `release`, `puncture`, `lost`, `found`.
-/// Has memory: frames in order, one thread at a time.
+/// The tracker as a step: a scene with a frame becomes a scene with contours, tools, the tracker's part of the
+/// measurement and the events of this frame: `contact`, `release`, `puncture`, `lost`, `found`. Has memory: frames in
+/// order, one thread at a time.
 class TrackingStep {
  public:
   using Input = Scene;
@@ -30,7 +30,8 @@ class TrackingStep {
 
 static_assert(Step<TrackingStep>);
 
-/// The event that a change of state brings about: nothing where none is due (`state_before` empty: before the first frame).
+/// The event that a change of state brings about: nothing where none is due (`state_before` empty: before the first
+/// frame).
 std::optional<Event> event_of_change(std::optional<CellState> state_before, const Observation& now);
 
 }  // namespace pellucida

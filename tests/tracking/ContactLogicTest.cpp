@@ -1,0 +1,58 @@
+#include "ContactLogic.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace pellucida {
+namespace {
+
+ContactLogic fresh() {
+  ContactLogic logic{TrackerOptions{}};
+  logic.reset(CellState::kFree);
+  return logic;
+}
+
+TEST(ContactLogic, NoiseOfAQuarterPixelRaisesNoAlarm) {
+  ContactLogic logic = fresh();
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0.0, 0.25);
+  for (int k = 0; k < 10000; ++k)
+    EXPECT_EQ(logic.update({1.0 + noise(random), noise(random), true}), CellState::kFree) << "frame " << k;
+}
+
+TEST(ContactLogic, OneFrameAloneDoesNotDecide) {
+  ContactLogic logic = fresh();
+  EXPECT_EQ(logic.update({5.0, 5.0, true}), CellState::kFree);
+  EXPECT_EQ(logic.update({0.0, 0.0, true}), CellState::kFree);
+  EXPECT_EQ(logic.update({5.0, 5.0, true}), CellState::kFree);
+  EXPECT_EQ(logic.update({5.0, 5.0, true}), CellState::kContact);
+}
+
+TEST(ContactLogic, PressingHoldingAndDrawingBackIsNoPuncture) {
+  ContactLogic logic = fresh();
+  for (double depth = 0.0; depth < 50.0; depth += 0.5) logic.update({depth, depth, true});
+  EXPECT_EQ(logic.state(), CellState::kContact);
+  for (double depth = 50.0; depth > -3.0; depth -= 1.0) {
+    logic.update({depth, std::max(0.0, depth), true});
+    EXPECT_NE(logic.state(), CellState::kPunctured);
+  }
+  EXPECT_EQ(logic.state(), CellState::kFree);
+}
+
+TEST(ContactLogic, MembraneLeavingTheTipIsAPunctureUntilTheTipIsOut) {
+  ContactLogic logic = fresh();
+  for (double depth = 0.0; depth < 50.0; depth += 0.5) logic.update({depth, depth, true});
+  EXPECT_EQ(logic.update({50.0, 15.0, true}), CellState::kPunctured);
+  for (double depth = 50.0; depth > 0.5; depth -= 1.0)
+    EXPECT_EQ(logic.update({depth, 2.0, true}), CellState::kPunctured);
+  EXPECT_EQ(logic.update({-1.0, 0.0, true}), CellState::kFree);
+}
+
+TEST(ContactLogic, WithoutANeedleNothingChanges) {
+  ContactLogic logic = fresh();
+  for (int k = 0; k < 10; ++k) EXPECT_EQ(logic.update({-1e3, 20.0, false}), CellState::kFree);
+}
+
+}  // namespace
+}  // namespace pellucida

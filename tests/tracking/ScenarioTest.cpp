@@ -1,0 +1,127 @@
+// The tracker against the virtual microscope's truth, scenario by scenario. Limits are the product's promise with a
+// margin; the measured figures stand in modules/tracking/README.md.
+#include <gtest/gtest.h>
+
+#include "tracking/ScenarioRun.h"
+
+namespace pellucida {
+namespace {
+
+struct Promise {
+  const char* scenario;
+  double outer_rms_px, outer_max_px, inner_rms_px, tip_rms_px, indentation_rms_um;
+};
+
+class ScenarioTest : public testing::TestWithParam<Promise> {};
+
+TEST_P(ScenarioTest, BothMembranesAndTheNeedleAreFollowedThroughout) {
+  const Promise& promise = GetParam();
+  MembraneTracker tracker;
+  const std::vector<test::FrameError> errors = test::run_scenario(load_scenario(promise.scenario), tracker);
+  ASSERT_GT(errors.size(), 100U);
+  const test::ErrorSummary outer = summarize(errors, &test::FrameError::outer_px);
+  const test::ErrorSummary inner = summarize(errors, &test::FrameError::inner_px);
+  const test::ErrorSummary tip = summarize(errors, &test::FrameError::tip_px);
+  const test::ErrorSummary depth = summarize_indentation(errors);
+  EXPECT_EQ(outer.missing, 0);
+  EXPECT_EQ(inner.missing, 0);
+  EXPECT_EQ(tip.missing, 0);
+  EXPECT_LT(outer.rms, promise.outer_rms_px);
+  EXPECT_LT(outer.largest, promise.outer_max_px);
+  EXPECT_LT(inner.rms, promise.inner_rms_px);
+  EXPECT_LT(tip.rms, promise.tip_rms_px);
+  EXPECT_LT(depth.rms, promise.indentation_rms_um);
+
+  // Never wrong and sure of itself; the state right but for the few frames a decision takes.
+  int differing = 0;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const test::FrameError& e = errors[k];
+    if (e.confidence > 0.8) {
+      EXPECT_LT(e.outer_px, 2.0) << "frame " << k;
+    }
+    EXPECT_NE(e.state, CellState::kLost) << "frame " << k;
+    differing += e.state != e.true_state ? 1 : 0;
+  }
+  EXPECT_LE(differing, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, ScenarioTest,
+                         testing::Values(Promise{"default", 0.3, 1.0, 0.3, 0.7, 0.5},
+                                         Promise{"configuration-2", 0.3, 1.0, 0.3, 0.7, 0.5},
+                                         Promise{"configuration-3", 0.3, 1.0, 0.3, 0.7, 0.5},
+                                         Promise{"configuration-3-mirrored", 0.3, 1.0, 0.3, 0.7, 0.5},
+                                         Promise{"puncture", 0.4, 2.5, 0.4, 1.0, 0.6},
+                                         Promise{"embryo", 0.5, 1.0, 0.4, 1.0, 1.4},
+                                         Promise{"noisy", 0.5, 1.0, 0.6, 1.5, 0.9},
+                                         Promise{"needle-from-left-above", 0.3, 1.0, 0.3, 0.9, 0.6}),
+                         [](const testing::TestParamInfo<Promise>& chosen) {
+                           std::string name = chosen.param.scenario;
+                           for (char& c : name)
+                             if (c == '-') c = '_';
+                           return name;
+                         });
+
+TEST(ScenarioContract, EveryFrameOfTheDefaultStaysWithinTheLimits) {
+  // Contour below 1 px, tip below 2 px, in each frame, not on average.
+  MembraneTracker tracker;
+  const std::vector<test::FrameError> errors = test::run_scenario(load_scenario("default"), tracker);
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    EXPECT_LT(errors[k].outer_px, 1.0) << "frame " << k;
+    EXPECT_LT(errors[k].inner_px, 1.0) << "frame " << k;
+    EXPECT_LT(errors[k].tip_px, 2.0) << "frame " << k;
+    EXPECT_GE(errors[k].tip_px, 0.0) << "frame " << k;
+  }
+}
+
+TEST(ScenarioContract, ContoursAreOrderedEvenAndStable) {
+  MembraneTracker tracker;
+  Eigen::Vector2d start_before = Eigen::Vector2d::Zero();
+  test::run_scenario(load_scenario("default"), tracker, 1,
+                     [&](const Frame&, const Observation& seen, const Truth&, const test::FrameError&) {
+                       ASSERT_TRUE(seen.outer && seen.inner);
+                       for (const MembraneContour* contour : {&*seen.outer, &*seen.inner}) {
+                         const Contour_um& p = contour->points_um;
+                         ASSERT_EQ(p.cols(), 192);
+                         ASSERT_EQ(contour->sigma_um.size(), p.cols());
+                         ASSERT_EQ(contour->confidence.size(), p.cols());
+                         double area = 0.0;
+                         for (Eigen::Index i = 0; i < p.cols(); ++i) {
+                           const Eigen::Index j = (i + 1) % p.cols();
+                           area += 0.5 * (p(0, i) * p(1, j) - p(0, j) * p(1, i));
+                         }
+                         EXPECT_GT(area, 0.0);
+                         EXPECT_GT(contour->sigma_um.minCoeff(), 0.0);
+                         EXPECT_LE(contour->confidence.maxCoeff(), 1.0);
+                         EXPECT_GE(contour->confidence.minCoeff(), 0.0);
+                       }
+                       // The start follows the needle's axis: it does not wander round the cell.
+                       const Eigen::Vector2d start = seen.outer->points_um.col(0);
+                       if (seen.frame_index > 0) {
+                         EXPECT_LT((start - start_before).norm(), 3.0);
+                       }
+                       start_before = start;
+                     });
+}
+
+TEST(ScenarioContract, TheSameFramesGiveTheSameNumbers) {
+  Scenario scenario = load_scenario("default");
+  scenario.image.duration_s = 1.0;
+  MembraneTracker first, second;
+  std::vector<Eigen::Matrix2Xd> contours;
+  test::run_scenario(scenario, first, 1,
+                     [&](const Frame&, const Observation& seen, const Truth&, const test::FrameError&) {
+                       contours.push_back(seen.outer->points_um);
+                     });
+  // A used tracker, after reset, must not remember.
+  test::run_scenario(load_scenario("noisy"), second, 20);
+  second.reset();
+  std::size_t k = 0;
+  test::run_scenario(scenario, second, 1,
+                     [&](const Frame&, const Observation& seen, const Truth&, const test::FrameError&) {
+                       ASSERT_TRUE(seen.outer.has_value());
+                       EXPECT_TRUE(seen.outer->points_um == contours.at(k++));
+                     });
+}
+
+}  // namespace
+}  // namespace pellucida
