@@ -3,21 +3,37 @@
 #include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 
+#include <cctype>
 #include <cstdio>
-#include <regex>
+#include <string_view>
 
 namespace pellucida {
 namespace {
 
 // VTK's text is "ERROR: In file.cxx, line 12\nvtkThing (0x55..): what\n\n": keeps "vtkThing: what" on one line.
 std::string one_line(const char* text) {
-  static const std::regex place(R"(^(ERROR|Warning|Generic Warning): In [^\n]*, line \d+\n?)");
-  static const std::regex address(R"( ?\(0x[0-9a-f]+\))");
-  static const std::regex breaks(R"(\s*\n\s*)");
-  std::string line = std::regex_replace(std::string(text ? text : ""), place, "");
-  line = std::regex_replace(line, address, "");
-  line = std::regex_replace(line, breaks, " ");
-  line.erase(line.find_last_not_of(' ') + 1);
+  std::string_view rest = text ? text : "";
+  for (const std::string_view kind : {"ERROR: In ", "Warning: In ", "Generic Warning: In "}) {
+    const std::size_t end = rest.find('\n');
+    if (rest.substr(0, kind.size()) == kind && end != std::string_view::npos) rest.remove_prefix(end + 1);
+  }
+
+  // Addresses differ from run to run; line ends and rows of spaces become one space.
+  std::string line;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (rest.substr(i, 3) == "(0x") {
+      const std::size_t end = rest.find(')', i);
+      if (end != std::string_view::npos) {
+        if (!line.empty() && line.back() == ' ') line.pop_back();
+        i = end;
+        continue;
+      }
+    }
+    const bool space = std::isspace(static_cast<unsigned char>(rest[i])) != 0;
+    if (space && (line.empty() || line.back() == ' ')) continue;
+    line += space ? ' ' : rest[i];
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
   return line;
 }
 
