@@ -16,7 +16,7 @@ struct RegionConstants {
 
 /// The error of the model against a reference curve, as it was found when the profile was made.
 struct ProfileError {
-  int configuration = 0;               ///< 1..4, see `IndentationConfiguration`
+  int configuration = 0;               ///< 1..4, see `setup_for_configuration`
   std::string reference;               ///< what it was compared with
   double largest_ratio = 0.0;          ///< largest |model - reference| / reference over the depths compared
   double largest_of_peak_ratio = 0.0;  ///< largest |model - reference| / force at the deepest point
