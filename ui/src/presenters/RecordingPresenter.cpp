@@ -12,7 +12,8 @@ std::filesystem::path RecordingPresenter::next_folder(const std::string& stamp) 
   if (wanted_.empty()) return home_ / "Pellucida" / stamp;
   if (count_ == 1) return wanted_;
   std::filesystem::path numbered = wanted_;
-  numbered += "-" + std::to_string(count_);
+  numbered += "-";
+  numbered += std::to_string(count_);
   return numbered;
 }
 
