@@ -253,15 +253,26 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   }
   if (best.score < options.min_detection_score) return std::nullopt;
 
-  // The same edge at full resolution, in a narrow ring.
+  // Down the pyramid: each level centres the ring for the next.
   const double scale = 1 << best_level;
-  const Eigen::Vector2d center = best.circle.center * scale;
-  const double radius = best.circle.radius * scale;
+  Eigen::Vector2d center = best.circle.center * scale;
+  double radius = best.circle.radius * scale;
+  for (int level = best_level - 1; level >= 1; --level) {
+    const double here = 1 << level;
+    const RingEdge found =
+        best_in_ring(pyramid[static_cast<std::size_t>(level)], center / here, 0.72 * radius / here, 1.3 * radius / here,
+                     {1.3}, noises[static_cast<std::size_t>(level)], {best.edge.kind, {1.0, 0.0}});
+    if (found.score < 0.3) continue;
+    center = found.circle.center * here;
+    radius = found.circle.radius * here;
+  }
+
+  // The same edge at full resolution, in a narrow ring; a dark line where there is one.
   const GrayImage& fine = pyramid.front();
   const double fine_noise = noises.front();
   const double sigma_fine = std::clamp(0.02 * radius, 1.2, 2.5);
   RingEdge first = best_in_ring(fine, center, 0.75 * radius, 1.25 * radius, {sigma_fine, 2.0 * sigma_fine}, fine_noise,
-                                {best.edge.kind});
+                                {best.edge.kind, {1.0, 0.0}});
   if (first.score < 0.5 * best.score) {
     first = best;
     first.edge.points *= scale;
@@ -292,7 +303,13 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   DetectedCell cell;
   cell.score = best.score * first.edge.coverage;
   if (same.line > 0.0) {
-    if (const auto pair = pair_in_ring(fine, c, r, sigma_fine, fine_noise)) {
+    // Found once, the pair centres its own ring for a second look.
+    auto pair = pair_in_ring(fine, c, r, sigma_fine, fine_noise);
+    if (pair) {
+      const contour::Circle& better = pair->first.circle;
+      if (auto again = pair_in_ring(fine, better.center, better.radius, sigma_fine, fine_noise)) pair = again;
+    }
+    if (pair) {
       cell.outer = pair->first.edge;
       cell.inner = pair->second.edge;
       cell.circle = pair->first.circle;

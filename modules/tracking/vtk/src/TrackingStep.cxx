@@ -36,6 +36,10 @@ std::optional<Event> event_of_change(std::optional<CellState> state_before, cons
 
 expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
   if (!scene.frame) return unexpected<StepFailure>(StepFailure{"the scene has no frame to track"});
+  if (scene.run_index != run_index_) {
+    run_index_ = scene.run_index;
+    reset();
+  }
   auto observation = std::make_shared<const Observation>(tracker_.process(
       view_of(scene.frame.get()), stamped_time_s(scene.frame.get()), stamped_frame_index(scene.frame.get())));
 

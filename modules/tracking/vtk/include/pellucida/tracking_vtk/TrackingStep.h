@@ -26,6 +26,7 @@ class TrackingStep {
  private:
   MembraneTracker tracker_;
   std::optional<CellState> state_;
+  long run_index_ = 0;
 };
 
 static_assert(Step<TrackingStep>);
