@@ -1,12 +1,17 @@
 #include "commands/ExportCommand.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "commands/Progress.h"
 #include "pellucida/session/SessionExport.h"
+#include "pellucida/session/SessionReader.h"
+#include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 namespace {
@@ -15,7 +20,27 @@ struct ExportArguments {
   std::string session;
   std::string output;
   std::string frames = "peak";
+  bool no_picture = false;
 };
+
+// The step of the largest contact force; without one, the step seen best.
+std::size_t telling_step(const std::vector<Measurement>& rows) {
+  const auto score = [](const Measurement& m) {
+    return m.contact_force_uN > 0.0 ? 1.0 + m.contact_force_uN : m.confidence;
+  };
+  const auto best =
+      std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });
+  return static_cast<std::size_t>(best - rows.begin());
+}
+
+// One picture of the whole session: the scene at the largest force, above the curves of all rows.
+void export_picture(const ExportArguments& arguments) {
+  const SessionReader session(arguments.session);
+  if (session.measurements().empty()) return;
+  const auto picture = std::filesystem::path(arguments.output) / "session.png";
+  render_picture(session.load(telling_step(session.measurements())), session.measurements(), picture);
+  std::cout << picture.string() << '\n';
+}
 
 void export_files(const ExportArguments& arguments) {
   ExportReport report;
@@ -29,13 +54,14 @@ void export_files(const ExportArguments& arguments) {
   }
   for (const auto& file : report.files) std::cout << file.string() << '\n';
   for (const std::string& note : report.notes) std::cerr << "pellucida: " << note << '\n';
+  if (!arguments.no_picture) export_picture(arguments);
 }
 
 }  // namespace
 
 void add_export_command(CLI::App& app) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = app.add_subcommand("export", "write a session as flat CSV files for other tools");
+  CLI::App* command = app.add_subcommand("export", "write a session as flat CSV files and a picture, for other tools");
   command->add_option("SESSION", arguments->session, "folder of the session")->required();
   command->add_option("--output", arguments->output, "folder for the files; made when it isn't there")->required();
   command
@@ -43,6 +69,7 @@ void add_export_command(CLI::App& app) {
                    "frames whose surface nodes go to nodes.csv: first, last, peak (largest force) or frame numbers, "
                    "comma separated")
       ->capture_default_str();
+  command->add_flag("--no-picture", arguments->no_picture, "leave out session.png, which needs an X server or Xvfb");
   command->callback([arguments] { export_files(*arguments); });
 }
 

@@ -47,6 +47,9 @@ TEST_F(MainJob, AllThreeCommandsSucceed) {
   EXPECT_EQ(analyzed_.exit_code, 0) << analyzed_.err;
   EXPECT_EQ(exported_.exit_code, 0) << exported_.err;
   EXPECT_EQ(header_, measurement_header());
+  for (const char* file : {"contours.csv", "nodes.csv", "events.csv", "session.png"}) {
+    EXPECT_GT(std::filesystem::file_size(folder_ / "x" / file), 100U) << file;
+  }
   EXPECT_EQ(static_cast<Eigen::Index>(rows_.size()), truth().rows());
 }
 

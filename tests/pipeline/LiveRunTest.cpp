@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -100,6 +101,25 @@ TEST(LiveRun, PauseHoldsAndRestartBeginsAnew) {
   EXPECT_EQ(run.status().frame_count, 60U);
   run.set_paused(false);
   EXPECT_TRUE(wait_until([&] { return run.status().frame_count == 90U; }));
+}
+
+// A scenario shown twice is the same experiment twice: nothing of the first run's indented cell stays in any step's memory.
+TEST(LiveRun, ARestartForgetsTheCell) {
+  auto scenario = load_scenario("default");
+  scenario.image.duration_s = 2.0;
+  scenario.image.frame_rate_hz = 10.0;
+  LiveRun run(std::make_unique<VirtualMicroscope>(scenario), {});
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
+  ASSERT_EQ(run.measurements_since(0).back().state, CellState::kContact);
+  ASSERT_TRUE(run.restart());
+  ASSERT_TRUE(wait_until([&] { return run.status().frame_count == 40U && run.status().finished; }));
+  const auto rows = run.measurements_since(0);
+  const auto first_again = std::find_if(rows.begin(), rows.end(), [](const Measurement& m) { return m.frame >= 20; });
+  ASSERT_NE(first_again, rows.end());
+  EXPECT_EQ(first_again->state, CellState::kFree);
+  EXPECT_DOUBLE_EQ(first_again->contact_force_uN, 0.0);
+  for (const Event& event : run.events_since(0)) EXPECT_NE(event.kind, "puncture");
 }
 
 // The live threads and the batch loop are the same steps: a measured frame has the same numbers either way.

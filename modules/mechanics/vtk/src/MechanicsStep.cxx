@@ -85,6 +85,11 @@ class MechanicsStep::Impl {
 
   expected<Scene, StepFailure> process(const Scene& scene) {
     if (!scene.observation) return unexpected<StepFailure>({"mechanics: the scene has no observation"});
+    if (scene.run_index != run_index_) {
+      run_index_ = scene.run_index;
+      observer_.reset();
+      said_.clear();
+    }
     Scene out = scene;
     const ForceEstimate e = observer_.process(*scene.observation);
 
@@ -147,6 +152,7 @@ class MechanicsStep::Impl {
 
   ForceObserver observer_;
   std::string said_;  // the last reason given
+  long run_index_ = 0;
   std::optional<ForceTransfer> transfer_;
   Eigen::Matrix3Xd directions_;  // the surface's, as the transfer was made for
   Eigen::Index nodes_ = 0;       // the model's, likewise
