@@ -210,19 +210,20 @@ class MembraneTracker::Impl {
   }
 
   void follow() {
-    // Rigid motion of the whole: by the holder where there is one, else later by the far side.
-    const Eigen::Vector2d shift_before = rigid_shift_;
-    if (rigid_.valid() && rigid_.track(image_, 34.0)) rigid_shift_ = rigid_.motion();
-    const Eigen::Vector2d shift = rigid_shift_ - shift_before;
-
     // The needle.
     if (needle_.valid()) {
       const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
       if (!needle_.track(image_, noise_, 34.0, clear) && needle_.estimate().confidence < 0.1) needle_.reset();
-    } else if (frames_since_detection_ % 3 == 0) {
+    } else if (frames_since_detection_ % 3 == 0 || frames_since_detection_ < 10) {
       find_needle({center_now(), rest_.outer_radius, 1.0, 0.0},
                   find_tools(image_, {center_now(), rest_.outer_radius, 1.0, 0.0}));
     }
+    // Rigid motion of the whole: by the holder where there is one, else later by the far side.
+    const Eigen::Vector2d shift_before = rigid_shift_;
+    if (rigid_.valid() && rigid_.track(image_, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
+      rigid_shift_ = rigid_.motion();
+    const Eigen::Vector2d shift = rigid_shift_ - shift_before;
+
     const bool punctured = contact_.state() == CellState::kPunctured;
     touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
     const NeedleZone needle_zone = zone();

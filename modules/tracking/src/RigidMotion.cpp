@@ -40,7 +40,8 @@ bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double
     const double scale = std::max(3.0 * noise_, (round < 4 ? 0.5 : 0.12) * spread_);
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    double weight = 0.0, squares = 0.0;
+    double weight = 0.0, rest = 0.0;
+    int seen = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
       const Eigen::Vector2d p = points_[k] + motion;
       if (!image.inside(p, 2.0)) continue;
@@ -53,10 +54,11 @@ bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double
       normal += w * row * row.transpose();
       right -= w * off * row;
       weight += w;
-      squares += w * off * off;
+      rest += std::min(std::abs(off + gain * values_[k] + offset), spread_);
+      ++seen;
     }
     if (weight < 40.0) return false;
-    residual = std::sqrt(squares / weight);
+    residual = rest / seen;
     const Eigen::Vector4d step = normal.ldlt().solve(right);
     if (!step.allFinite()) return false;
     const Eigen::Vector2d move = step.head<2>().cwiseMin(2.0).cwiseMax(-2.0);
@@ -68,23 +70,27 @@ bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double
   return residual < 0.6 * spread_;
 }
 
-bool RigidMotion::track(const GrayImage& image, double reach_px) {
+bool RigidMotion::track(const GrayImage& image, double reach_px, const Eigen::Vector2d& hint) {
   if (!valid()) return false;
   Eigen::Vector2d best = motion_;
-  double residual = 1e9;
-  bool found = refine(image, best, residual) && (best - motion_).norm() <= reach_px;
-  // A jump: try starts round about.
-  if (!found) {
-    for (double radius = 6.0; radius <= reach_px && !found; radius += 6.0) {
-      for (int k = 0; k < 12 && !found; ++k) {
-        Eigen::Vector2d trial = motion_ + radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6));
-        double error = 1e9;
-        if (refine(image, trial, error) && (trial - motion_).norm() <= reach_px + 4.0 && error < 0.35 * spread_) {
-          best = trial;
-          found = true;
-        }
-      }
-    }
+  double least = 0.35 * spread_;
+  bool found = false;
+  const auto attempt = [&](const Eigen::Vector2d& start) {
+    Eigen::Vector2d trial = start;
+    double residual = 1e9;
+    if (!refine(image, trial, residual) || (trial - motion_).norm() > reach_px || residual >= least) return;
+    best = trial;
+    least = residual;
+    found = true;
+  };
+  attempt(motion_);
+  // The long walls fit anywhere along themselves: a jump shows at the rim only, so the better of the two starts is
+  // taken.
+  if (hint.norm() > 4.0) attempt(motion_ + hint);
+  // Nothing near: starts round about.
+  for (double radius = 6.0; radius <= reach_px && !found; radius += 6.0) {
+    for (int k = 0; k < 12; ++k)
+      attempt(motion_ + radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6)));
   }
   if (found) motion_ = best;
   return found;

@@ -15,8 +15,9 @@ class RigidMotion {
   /// px.
   bool learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points, double noise);
 
-  /// Motion since `learn`, px; starts from the last one. `reach_px` bounds the step. False when the fit fails.
-  bool track(const GrayImage& image, double reach_px);
+  /// Finds the motion since `learn`, px; starts from the last one, and from the last one plus `hint` (a motion
+  /// something else made, which the holder may share). `reach_px` bounds the step. False when the fit fails.
+  bool track(const GrayImage& image, double reach_px, const Eigen::Vector2d& hint);
 
   const Eigen::Vector2d& motion() const noexcept { return motion_; }
   bool valid() const noexcept { return !points_.empty(); }
