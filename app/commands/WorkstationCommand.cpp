@@ -24,6 +24,8 @@ struct WorkstationArguments {
   std::string session;
   std::string screenshot;
   double after_s = 8.0;
+  int width_px = 1400;
+  int height_px = 900;
 };
 
 // No display: the same run, every frame measured, a session and a picture left behind.
@@ -59,6 +61,10 @@ void run_workstation_command(const WorkstationArguments& arguments) {
   options.session_folder = arguments.session;
   options.screenshot = arguments.screenshot;
   options.screenshot_after_s = arguments.after_s;
+  // A microscope does not end: the virtual one shows its scenario again and again.
+  options.repeat = is_virtual_source(arguments.source);
+  options.width_px = arguments.width_px;
+  options.height_px = arguments.height_px;
   if (run_workstation(std::move(run), options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
 }
 
@@ -78,6 +84,12 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");
   command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then leave");
   command->add_option("--after", arguments->after_s, "seconds before the screenshot")->capture_default_str();
+  command->add_option("--width-px", arguments->width_px, "width of the window at the start, px")
+      ->check(CLI::Range(800, 8000))
+      ->capture_default_str();
+  command->add_option("--height-px", arguments->height_px, "height of the window at the start, px")
+      ->check(CLI::Range(500, 8000))
+      ->capture_default_str();
   command->callback([arguments] { run_workstation_command(*arguments); });
 }
 

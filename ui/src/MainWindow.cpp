@@ -35,6 +35,7 @@ namespace {
 constexpr int kTick_ms = 33;
 constexpr double kChartPeriod_s = 0.1;
 constexpr double kStatusPeriod_s = 0.1;
+constexpr double kRepeatPause_s = 2.0;
 constexpr double kNotice_s = 6.0;
 constexpr double kTimeWindow_s = 60.0;
 constexpr int kChartSamples = 4;
@@ -160,6 +161,11 @@ QWidget* MainWindow::build_top_bar() {
   pause_ = add_top_button(row, "Pause", "Hold the newest frame (Space)");
   pause_->setIcon(make_icon(Pictogram::kPause));
   connect(pause_, &QPushButton::clicked, this, [this] { toggle_pause(); });
+  if (run_->can_restart()) {
+    auto* restart = add_top_button(row, "Restart", "Show the source from its first frame again (Home)");
+    restart->setIcon(make_icon(Pictogram::kRestart));
+    connect(restart, &QPushButton::clicked, this, [this] { restart_source(); });
+  }
   auto* note = add_top_button(row, "Note", "Write a remark into the session's events (N)");
   note->setIcon(make_icon(Pictogram::kNote));
   connect(note, &QPushButton::clicked, this, [this] { ask_for_note(); });
@@ -293,6 +299,7 @@ void MainWindow::add_shortcuts() {
   };
   add(Qt::Key_R, &MainWindow::toggle_recording);
   add(Qt::Key_Space, &MainWindow::toggle_pause);
+  add(Qt::Key_Home, &MainWindow::restart_source);
   add(Qt::Key_N, &MainWindow::ask_for_note);
   add(QKeySequence::Save, &MainWindow::save_picture);
   connect(new QShortcut(QKeySequence::Quit, this), &QShortcut::activated, this, [this] { close(); });
@@ -349,6 +356,7 @@ void MainWindow::poll_rows() {
 void MainWindow::show_status() {
   const LiveStatus status = run_->status();
   const double now_s = 1e-3 * static_cast<double>(clock_.elapsed());
+  repeat_when_ended(status, now_s);
   std::optional<Measurement> row;
   if (scene_seen_) row = source_->GetScene().measurement;
   const StatusTexts texts = status_.update(status, row, run_->paused(), now_s);
@@ -364,6 +372,18 @@ void MainWindow::show_status() {
   record_->setIcon(make_icon(status.recording ? Pictogram::kStop : Pictogram::kRecord));
   pause_->setText(run_->paused() ? "Resume" : "Pause");
   pause_->setIcon(make_icon(run_->paused() ? Pictogram::kPlay : Pictogram::kPause));
+}
+
+// A source that repeats begins anew after its end has been seen for a moment.
+void MainWindow::repeat_when_ended(const LiveStatus& status, double now_s) {
+  if (!options_.repeat || !status.finished || run_->paused()) {
+    ended_s_.reset();
+    return;
+  }
+  if (!ended_s_) ended_s_ = now_s;
+  if (now_s - *ended_s_ < kRepeatPause_s) return;
+  ended_s_.reset();
+  run_->restart();
 }
 
 void MainWindow::notify(const QString& text, bool problem) {
@@ -386,6 +406,12 @@ void MainWindow::toggle_recording() {
 
 void MainWindow::toggle_pause() {
   run_->set_paused(!run_->paused());
+  show_status();
+}
+
+void MainWindow::restart_source() {
+  run_->set_paused(false);
+  run_->restart();
   show_status();
 }
 

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <exception>
 #include <memory>
+#include <optional>
 
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/ui/Workstation.h"
@@ -53,6 +54,8 @@ class MainWindow : public QMainWindow {
   void show_status();
   void toggle_recording();
   void toggle_pause();
+  void restart_source();
+  void repeat_when_ended(const LiveStatus& status, double now_s);
   void ask_for_note();
   void save_picture();
   void finish_with_screenshot();
@@ -87,6 +90,7 @@ class MainWindow : public QMainWindow {
   double charts_shown_s_ = -1.0;
   double status_shown_s_ = -1.0;
   double notice_until_s_ = 0.0;
+  std::optional<double> ended_s_;  // when the source was first seen at its end
   std::size_t row_count_ = 0;
   bool rows_new_ = false;
   bool scene_seen_ = false;

@@ -351,6 +351,10 @@ bool LiveRun::restart() {
   return true;
 }
 
+bool LiveRun::can_restart() const noexcept {
+  return impl_->can_restart_;
+}
+
 const SourceInfo& LiveRun::source_info() const noexcept {
   return impl_->info_;
 }

@@ -54,6 +54,11 @@ void draw(QPainter& painter, Pictogram pictogram) {
       painter.drawEllipse(QPointF(8, 9), 2.8, 2.8);
       break;
     }
+    case Pictogram::kRestart:
+      // To the first frame: a bar, and a triangle pointing at it.
+      painter.drawRect(QRectF(3, 3, 2.4, 10));
+      painter.drawPolygon(QPolygonF({{13.5, 2.5}, {6.2, 8}, {13.5, 13.5}}));
+      break;
     case Pictogram::kNote:
       painter.drawRect(QRectF(3, 3, 10, 1.6));
       painter.drawRect(QRectF(3, 7, 10, 1.6));

@@ -4,7 +4,7 @@
 namespace pellucida {
 
 /// The window's pictograms, drawn in the palette's colours at any size.
-enum class Pictogram { kProgram, kRecord, kStop, kPause, kPlay, kCamera, kNote };
+enum class Pictogram { kProgram, kRecord, kStop, kPause, kPlay, kCamera, kNote, kRestart };
 QIcon make_icon(Pictogram pictogram);
 
 }  // namespace pellucida

@@ -11,6 +11,7 @@ struct WindowOptions {
   std::string session_folder;       ///< where Record writes; empty: a new folder in ~/Pellucida each time
   std::string screenshot;           ///< save the window as this PNG file, then leave; empty: stay open
   double screenshot_after_s = 8.0;  ///< time from the window's opening to the screenshot, > 0
+  bool repeat = false;              ///< begin anew a moment after the source's end, where it can
   int width_px = 1400;              ///< size at the start
   int height_px = 900;
 };

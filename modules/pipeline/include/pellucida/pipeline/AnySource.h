@@ -12,4 +12,7 @@ namespace pellucida {
 /// that name others are a UsageError.
 std::unique_ptr<FrameSource> open_any_source(const std::string& source, const SourceOptions& options);
 
+/// True for `virtual` and `virtual:SCENARIO`.
+bool is_virtual_source(const std::string& source) noexcept;
+
 }  // namespace pellucida

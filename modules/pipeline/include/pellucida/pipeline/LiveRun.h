@@ -51,6 +51,7 @@ class LiveRun {
   /// Begins anew from the source's first frame, where the source can; false where it can't. Frame numbers and times go
   /// on rising; rows and events so far are kept.
   bool restart();
+  bool can_restart() const noexcept;
 
   const SourceInfo& source_info() const noexcept;
 
