@@ -17,6 +17,9 @@
 namespace pellucida {
 namespace {
 
+// The share of the tip in the indentation; the rest is the contour, which rounds a steep dimple a little.
+constexpr double kTipShare = 0.8;
+
 void require(bool holds, const char* name, const char* range, double value) {
   if (!holds)
     throw UsageError(std::string("tracker option ") + name + " is " + std::to_string(value) + "; give a value " +
@@ -116,7 +119,8 @@ class MembraneTracker::Impl {
     contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
     touching_ = entered && !through;
     if (!entered) learn_rest();
-    quality_ = usual_quality_ = quality_now();
+    quality_ = usual_quality_ = first_quality_ = quality_now();
+    poor_frames_ = 0;
   }
 
   static contour::Circle fit(const Eigen::Matrix2Xd& points) {
@@ -265,16 +269,14 @@ class MembraneTracker::Impl {
     bad_frames_ = good ? 0 : bad_frames_ + 1;
     if (!good) {
       snakes_.restore(outer_before, inner_before);
-      if (bad_frames_ >= options_.lost_after_frames) {
-        has_cell_ = false;
-        needle_.reset();
-        frames_since_detection_ = options_.redetect_interval_frames;
-        detect();
-      }
+      if (bad_frames_ >= options_.lost_after_frames) start_afresh();
       return;
     }
 
     usual_quality_ += 0.1 * (quality_ - usual_quality_);
+    // Far worse than when the cell was found, frame after frame: something else is followed. Look afresh.
+    poor_frames_ = quality_ < 0.55 * first_quality_ ? poor_frames_ + 1 : 0;
+    if (poor_frames_ >= 2 * options_.lost_after_frames) return start_afresh();
 
     // Without a holder the side away from the needle tells the rigid motion.
     if (!rigid_.valid()) rigid_shift_ = far_side_center() - rest_.center;
@@ -282,6 +284,14 @@ class MembraneTracker::Impl {
     contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid()});
     const bool away = !needle_.valid() || tip_depth() < -2.0;
     if (contact_.state() == CellState::kFree && away) learn_rest();
+  }
+
+  // The cell is lost; perhaps it is somewhere else.
+  void start_afresh() {
+    has_cell_ = false;
+    needle_.reset();
+    frames_since_detection_ = options_.redetect_interval_frames;
+    detect();
   }
 
   SnakeContour at_rest(const SnakeContour& like, double radius) const {
@@ -398,9 +408,12 @@ class MembraneTracker::Impl {
     pose.outline_um = outline * pixel_size_um;
     out.needle = pose;
 
+    // Under the tip the membrane is where the tip is: two measures of one depth, averaged as long as they agree.
     const bool contact = contact_.state() == CellState::kContact;
-    out.indentation_um = contact ? std::max(0.0, membrane_depth_) * pixel_size_um : 0.0;
-    if (contact_.state() == CellState::kPunctured) out.indentation_um = std::max(0.0, membrane_depth_) * pixel_size_um;
+    const double apart_px = std::abs(tip_depth() - membrane_depth_);
+    const double depth_px =
+        contact && apart_px < 4.0 ? kTipShare * tip_depth() + (1.0 - kTipShare) * membrane_depth_ : membrane_depth_;
+    out.indentation_um = contact_.state() == CellState::kFree ? 0.0 : std::max(0.0, depth_px) * pixel_size_um;
     out.indentation_sigma_um = (rest_.seen_free ? 0.35 : 1.5) * pixel_size_um;
     if (!contact) return;
     const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction);
@@ -438,9 +451,10 @@ class MembraneTracker::Impl {
   ContactLogic contact_;
   Holder holder_;
   Eigen::Vector2d rigid_shift_ = Eigen::Vector2d::Zero();
-  double detection_score_ = 0.0, score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, membrane_depth_ = 0.0;
+  double detection_score_ = 0.0, score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0,
+         membrane_depth_ = 0.0;
   bool has_cell_ = false, ever_ = false, touching_ = false;
-  int bad_frames_ = 0;
+  int bad_frames_ = 0, poor_frames_ = 0;
   int frames_since_detection_ = 1 << 20;
 };
 
