@@ -18,6 +18,8 @@ struct Which {
   int configuration;
 };
 
+void PrintTo(const Which& which, std::ostream* out) { *out << which.cell << ' ' << which.configuration; }
+
 class EveryReference : public testing::TestWithParam<Which> {
  protected:
   CellReference reference_ = CellReference::load(GetParam().cell, GetParam().configuration);

@@ -138,6 +138,8 @@ struct Scene {
   const char* json;
 };
 
+void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.name; }
+
 class ImageAndTruth : public testing::TestWithParam<Scene> {};
 
 TEST_P(ImageAndTruth, DarkestLineLiesAtTheTrueContour) {
