@@ -40,8 +40,8 @@ std::string cell_line(const BatchResult& result) {
   if (!result.peak || !result.peak->observation || !result.peak->observation->outer) return "no cell seen";
   const Observation& o = *result.peak->observation;
   std::string line = format("outer radius %.1f um at rest", o.rest_outer_radius_um);
-  line +=
-      o.rest_inner_radius_um > 0.0 ? format(", inner %.1f um", o.rest_inner_radius_um) : ", inner membrane not seen";
+  line += o.rest_inner_radius_um > 0.0 ? format(", inner %.1f um", o.rest_inner_radius_um)
+                                       : "; one membrane only: no second edge was seen beside it";
   line += format(", confidence %.2f", o.confidence);
   line += o.needle ? "" : ", no needle seen";
   line += o.holder ? "" : ", no holding pipette seen";

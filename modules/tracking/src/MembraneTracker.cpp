@@ -394,17 +394,16 @@ class MembraneTracker::Impl {
     pose.direction = n.direction;
     pose.tip_radius_um = n.tip_half_width * pixel_size_um;
     pose.confidence = n.confidence;
-    // Tip, one side back to the shaft, the other side and its way forward again.
+    // Tip, one side as far as it was fitted and forward again, then the other side: no line crosses the open shaft.
     const Eigen::Vector2d across(-n.direction.y(), n.direction.x());
     const double length = 80.0;
-    Eigen::Matrix2Xd outline(2, 6);
-    outline.col(0) = n.tip;
-    outline.col(1) = n.tip - n.tip_half_width * n.direction + n.tip_half_width * across;
+    const Eigen::Vector2d front = n.tip - n.tip_half_width * n.direction;
     const Eigen::Vector2d back = n.tip - length * n.direction;
-    outline.col(2) = back + (n.tip_half_width + n.widening * length) * across;
-    outline.col(3) = back - (n.tip_half_width + n.widening * length) * across;
-    outline.col(4) = n.tip - n.tip_half_width * n.direction - n.tip_half_width * across;
-    outline.col(5) = n.tip;
+    const double back_half_width = n.tip_half_width + n.widening * length;
+    Eigen::Matrix2Xd outline(2, 9);
+    outline << n.tip, front + n.tip_half_width * across, back + back_half_width * across,
+        front + n.tip_half_width * across, n.tip, front - n.tip_half_width * across, back - back_half_width * across,
+        front - n.tip_half_width * across, n.tip;
     pose.outline_um = outline * pixel_size_um;
     out.needle = pose;
 

@@ -1,37 +1,49 @@
 #include "pellucida/tracking_vtk/TrackingStep.h"
 
 #include <cstdio>
+#include <string>
+#include <utility>
 
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida {
+namespace {
+
+template <class... Numbers>
+std::string format(const char* pattern, Numbers... numbers) {
+  char text[192];
+  std::snprintf(text, sizeof text, pattern, numbers...);
+  return text;
+}
+
+// Where the cell is, and, where only one of the zona's edges was seen, that the other was not.
+std::string what_was_found(const Observation& now) {
+  std::string detail = format("cell at %.1f %.1f um, radius %.1f um, confidence %.2f", now.center_um.x(),
+                              now.center_um.y(), now.rest_outer_radius_um, now.confidence);
+  if (!now.inner) detail += "; one membrane only, taken as the outer: no second edge was seen beside it";
+  if (now.state != CellState::kFree) detail += "; seen first as " + std::string(to_string(now.state));
+  return detail;
+}
+
+}  // namespace
 
 std::optional<Event> event_of_change(std::optional<CellState> state_before, const Observation& now) {
   const CellState before = state_before.value_or(CellState::kNoCell);
   if (before == now.state) return std::nullopt;
-  const bool had_cell = before != CellState::kNoCell && before != CellState::kLost;
-  char detail[160] = "";
-  const auto event = [&](const char* kind) { return Event{now.time_s, kind, detail}; };
+  const auto event = [&](const char* kind, std::string detail) { return Event{now.time_s, kind, std::move(detail)}; };
+  if (now.state == CellState::kNoCell) return std::nullopt;
+  if (now.state == CellState::kLost) return event("lost", "");
+  if (before == CellState::kNoCell || before == CellState::kLost) return event("found", what_was_found(now));
   switch (now.state) {
-    case CellState::kLost:
-      return event("lost");
-    case CellState::kNoCell:
-      return std::nullopt;
     case CellState::kContact:
-      if (now.needle)
-        std::snprintf(detail, sizeof detail, "tip at %.1f %.1f um, confidence %.2f", now.needle->tip_um.x(),
-                      now.needle->tip_um.y(), now.confidence);
-      return event(had_cell ? "contact" : "found");
+      return event("contact", now.needle ? format("tip at %.1f %.1f um, confidence %.2f", now.needle->tip_um.x(),
+                                                  now.needle->tip_um.y(), now.confidence)
+                                         : "");
     case CellState::kPunctured:
-      std::snprintf(detail, sizeof detail, "membrane left at %.1f um", now.indentation_um);
-      return event("puncture");
-    case CellState::kFree:
-      if (had_cell) return event("release");
-      std::snprintf(detail, sizeof detail, "cell at %.1f %.1f um, radius %.1f um, confidence %.2f", now.center_um.x(),
-                    now.center_um.y(), now.rest_outer_radius_um, now.confidence);
-      return event("found");
+      return event("puncture", format("membrane left at %.1f um", now.indentation_um));
+    default:
+      return event("release", "");
   }
-  return std::nullopt;
 }
 
 expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
