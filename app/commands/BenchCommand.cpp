@@ -10,6 +10,7 @@
 #include "commands/Progress.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionReader.h"
@@ -27,26 +28,6 @@ struct BenchArguments {
   std::string source = "virtual";
   double seconds = 10.0;
   PipelineOptions pipeline;
-};
-
-// A folder that goes away with its owner.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "pellucida-bench-XXXXXX").string();
-    if (!mkdtemp(pattern.data())) throw OutputError(pattern + ": no temporary folder can be made there; check TMPDIR");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const noexcept { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 Json to_json(const Distribution& distribution) {

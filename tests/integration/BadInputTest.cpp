@@ -25,7 +25,8 @@ class BadInput : public testing::Test {
     const auto outcome = test::run_program(arguments, folder_ / "run");
     EXPECT_EQ(outcome.exit_code, exit_code) << arguments << '\n' << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    for (const auto& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in: " << outcome.err;
+    for (const auto& word : words)
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in: " << outcome.err;
   }
 
   fs::path at(const std::string& name) const { return folder_ / name; }
@@ -34,7 +35,9 @@ class BadInput : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(BadInput, MissingFile) { expect("analyze /no/such/video.avi --output " + quoted("s"), 3, {"/no/such/video.avi"}); }
+TEST_F(BadInput, MissingFile) {
+  expect("analyze /no/such/video.avi --output " + quoted("s"), 3, {"/no/such/video.avi"});
+}
 
 TEST_F(BadInput, EmptyFile) {
   std::ofstream(at("empty.avi")).close();
@@ -91,7 +94,7 @@ TEST_F(BadInputOnAVideo, TruncatedVideoKeepsWhatCameBefore) {
   const auto size = fs::file_size(at("v.avi"));
   fs::resize_file(at("v.avi"), size * 6 / 10);
   expect("analyze " + quoted("v.avi") + " --pixel-size-um 0.825 --output " + quoted("s"), 3, {"v.avi"});
-  const std::string rows = test::read_text(at("s") / "measurements.csv");
+  const std::string rows = test::text_of(at("s") / "measurements.csv");
   EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 5);
   EXPECT_EQ(test::run_program("check " + quoted("s"), folder_ / "check").exit_code, 0);
 }

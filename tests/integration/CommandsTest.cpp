@@ -15,8 +15,7 @@ namespace fs = std::filesystem;
 
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
-  for (const char* command :
-       {"workstation", "simulate", "analyze", "force", "check", "export", "bench", "profiles"}) {
+  for (const char* command : {"workstation", "simulate", "analyze", "force", "check", "export", "bench", "profiles"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
@@ -35,7 +34,8 @@ TEST(Commands, ForcePassesTheMeasuredPuncturePoint) {
   const auto folder = test::fresh_folder("commands_force", testing::TempDir());
   const auto file = folder / "f.csv";
   const auto outcome = test::run_program(
-      "force mouse-oocyte --configuration 1 --max-indentation-um 44 --step-um 2 --output '" + file.string() + "'", folder);
+      "force mouse-oocyte --configuration 1 --max-indentation-um 44 --step-um 2 --output '" + file.string() + "'",
+      folder);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Table table = Table::read(file);
   const auto force_uN = table.column("force_uN");
@@ -65,7 +65,7 @@ TEST(Commands, BenchWritesItsFigures) {
   const auto file = folder / "b.json";
   const auto outcome = test::run_program("bench pipeline --seconds 0.1 --json '" + file.string() + "'", folder);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto report = nlohmann::json::parse(test::read_text(file));
+  const auto report = nlohmann::json::parse(test::text_of(file));
   for (const char* key : {"p50", "p99", "p99_9", "max", "count"}) {
     EXPECT_GT(report["pipeline"]["frame_to_force_us"][key].get<double>(), 0.0) << key;
   }

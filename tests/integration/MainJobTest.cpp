@@ -7,7 +7,8 @@
 #include "support/ContourCompare.h"
 #include "support/RunProgram.h"
 
-// The chain end to end, as a user types it: simulate, analyze, export; the export held against the microscope's own truth.
+// The chain end to end, as a user types it: simulate, analyze, export; the export held against the microscope's own
+// truth.
 
 namespace pellucida {
 namespace {

@@ -103,7 +103,8 @@ TEST(LiveRun, PauseHoldsAndRestartBeginsAnew) {
   EXPECT_TRUE(wait_until([&] { return run.status().frame_count == 90U; }));
 }
 
-// A scenario shown twice is the same experiment twice: nothing of the first run's indented cell stays in any step's memory.
+// A scenario shown twice is the same experiment twice: nothing of the first run's indented cell stays in any step's
+// memory.
 TEST(LiveRun, ARestartForgetsTheCell) {
   auto scenario = load_scenario("default");
   scenario.image.duration_s = 2.0;

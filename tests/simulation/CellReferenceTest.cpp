@@ -18,7 +18,9 @@ struct Which {
   int configuration;
 };
 
-void PrintTo(const Which& which, std::ostream* out) { *out << which.cell << ' ' << which.configuration; }
+void PrintTo(const Which& which, std::ostream* out) {
+  *out << which.cell << ' ' << which.configuration;
+}
 
 class EveryReference : public testing::TestWithParam<Which> {
  protected:

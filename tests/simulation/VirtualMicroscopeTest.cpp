@@ -138,7 +138,9 @@ struct Scene {
   const char* json;
 };
 
-void PrintTo(const Scene& scene, std::ostream* out) { *out << scene.name; }
+void PrintTo(const Scene& scene, std::ostream* out) {
+  *out << scene.name;
+}
 
 class ImageAndTruth : public testing::TestWithParam<Scene> {};
 

@@ -27,8 +27,8 @@ inline double distance_um(const Eigen::Vector2d& point, const Contour_um& contou
   return best;
 }
 
-/// Root mean square of the distances from the points of one contour to the other curve, the larger of both ways, um: a contour
-/// that cuts a dimple's corner is caught by the way back.
+/// Root mean square of the distances from the points of one contour to the other curve, the larger of both ways, um: a
+/// contour that cuts a dimple's corner is caught by the way back.
 inline double rms_distance_um(const Contour_um& one, const Contour_um& other) {
   const auto one_way = [](const Contour_um& from, const Contour_um& to) {
     double sum = 0.0;

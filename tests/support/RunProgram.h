@@ -3,9 +3,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
+
+#include "support/Files.h"
 
 namespace pellucida::test {
 
@@ -16,15 +16,8 @@ struct Outcome {
   std::string err;
 };
 
-inline std::string read_text(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-/// Runs `pellucida ARGUMENTS` (PELLUCIDA_PROGRAM, set by the build) through the shell, without a display unless the arguments
-/// bring one. `folder` takes its two output files.
+/// Runs `pellucida ARGUMENTS` (PELLUCIDA_PROGRAM, set by the build) through the shell, without a display unless the
+/// arguments bring one. `folder` takes its two output files.
 inline Outcome run_program(const std::string& arguments, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const auto out = folder / "stdout.txt";
@@ -32,7 +25,7 @@ inline Outcome run_program(const std::string& arguments, const std::filesystem::
   const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY '" PELLUCIDA_PROGRAM "' " + arguments + " >'" +
                               out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
 }
 
 /// A fresh, empty folder of this name below the test's temporary folder.

@@ -12,7 +12,9 @@ struct Promise {
   double outer_rms_px, outer_max_px, inner_rms_px, tip_rms_px, indentation_rms_um;
 };
 
-void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.scenario; }
+void PrintTo(const Promise& promise, std::ostream* out) {
+  *out << promise.scenario;
+}
 
 class ScenarioTest : public testing::TestWithParam<Promise> {};
 

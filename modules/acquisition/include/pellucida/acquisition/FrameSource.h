@@ -10,24 +10,24 @@ namespace pellucida {
 
 /// What is known of a source before its first frame.
 struct SourceInfo {
-  std::string name;                        ///< file, folder, camera or scenario, as the user wrote it
+  std::string name;  ///< file, folder, camera or scenario, as the user wrote it
   int width_px = 0;
   int height_px = 0;
-  int bit_depth = 8;                       ///< 8 or 16
-  double pixel_size_um = 0.0;              ///< > 0
-  std::string pixel_size_origin;           ///< "option", "metadata", "scenario"
-  double frame_rate_hz = 0.0;              ///< > 0; of a still: 1
-  std::string frame_rate_origin;           ///< "option", "metadata", "scenario", "still"
-  std::optional<long> frame_count;         ///< where known beforehand
-  bool live = false;                       ///< a camera: frames come when they come
+  int bit_depth = 8;                ///< 8 or 16
+  double pixel_size_um = 0.0;       ///< > 0
+  std::string pixel_size_origin;    ///< "option", "metadata", "scenario"
+  double frame_rate_hz = 0.0;       ///< > 0; of a still: 1
+  std::string frame_rate_origin;    ///< "option", "metadata", "scenario", "still"
+  std::optional<long> frame_count;  ///< where known beforehand
+  bool live = false;                ///< a camera: frames come when they come
 };
 
 /// One frame as it came from a source.
 struct Frame {
-  Frozen<vtkImageData> image;   ///< 1 component, 8 or 16 bit unsigned, spacing in um, stamped
-  double time_s = 0.0;          ///< since the source's first frame, from the source's own clock or frame rate
-  long frame_index = 0;         ///< counts the source's frames, lost ones included
-  long gap_count = 0;           ///< frames lost between the one before and this one
+  Frozen<vtkImageData> image;  ///< 1 component, 8 or 16 bit unsigned, spacing in um, stamped
+  double time_s = 0.0;         ///< since the source's first frame, from the source's own clock or frame rate
+  long frame_index = 0;        ///< counts the source's frames, lost ones included
+  long gap_count = 0;          ///< frames lost between the one before and this one
 };
 
 /// Anything that gives frames: video, folder, multi-page TIFF, still, camera, virtual microscope.
@@ -38,8 +38,8 @@ class FrameSource {
 
   virtual const SourceInfo& info() const noexcept = 0;
 
-  /// The next frame; blocks for it. Nothing at the end. Throws InputError when the input turns out broken (what came before
-  /// stays valid), DeviceError when a camera is lost.
+  /// The next frame; blocks for it. Nothing at the end. Throws InputError when the input turns out broken (what came
+  /// before stays valid), DeviceError when a camera is lost.
   virtual std::optional<Frame> next() = 0;
 
   /// Begins anew: `next()` gives the first frame again. False when this kind of source can't.

@@ -30,9 +30,9 @@ class SessionWriter {
   SessionWriter& operator=(const SessionWriter&) = delete;
 
   /// Adds one step: the parts the scene has, its events, and always its row. `scene.measurement.frame` numbers the
-  /// files and must rise from step to step. Parts are stamped with `measurement.time_s` and `frame` where they aren't already.
-  /// Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the writer may be
-  /// used again (to close it, for example).
+  /// files and must rise from step to step. Parts are stamped with `measurement.time_s` and `frame` where they aren't
+  /// already. Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the
+  /// writer may be used again (to close it, for example).
   void write(const Scene& scene);
 
   /// Adds one event. An event of kind `dropped` also counts a lost frame. Throws OutputError.
