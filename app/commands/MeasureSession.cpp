@@ -73,12 +73,12 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
 }
 
 std::string summary(const BatchResult& result, const std::filesystem::path& folder) {
-  const Distribution& age_us = result.frame_to_force_us;
   std::string text = "frames   " + state_line(result) + '\n';
   text += "force    " + force_line(result) + '\n';
   text += "cell     " + cell_line(result) + '\n';
-  text += format("speed    frame to force %.1f ms (median), %.1f ms (99 %%); %.0f frames/s in all\n",
-                 1e-3 * age_us.quantile(0.5), 1e-3 * age_us.quantile(0.99),
+  const auto median_ms = [&](const char* step) { return 1e-3 * result.step_us.at(step).quantile(0.5); };
+  text += format("speed    tracking %.1f, surface %.1f, mechanics %.1f ms a frame (median); %.0f frames/s in all\n",
+                 median_ms("tracking"), median_ms("reconstruction"), median_ms("mechanics"),
                  static_cast<double>(result.rows.size()) / result.elapsed_s);
   text += "session  " + folder.string() + '\n';
   return text;
