@@ -13,8 +13,6 @@
 
 namespace pellucida {
 
-class Chain;
-
 struct BatchOptions {
   PipelineOptions pipeline;
   int job_count = 1;  ///< 1: one loop; more: tracking, mechanics, writing side by side
