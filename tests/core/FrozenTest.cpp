@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "pellucida/core/SharedLatest.h"
+
 namespace pellucida {
 namespace {
 
@@ -58,6 +60,23 @@ TEST(Frozen, ManyThreadsReadAtOnce) {
     }
   }
   for (const double value : longest) EXPECT_DOUBLE_EQ(value, 999.0 + 999.0);
+}
+
+// Handles come and go in many threads at once, as scenes do between stages: no thread may walk into another's deletion.
+TEST(Frozen, HandlesMayBeDroppedInAnyThread) {
+  SharedLatest<Frozen<vtkPolyData>> newest;
+  std::vector<std::jthread> readers;
+  for (int reader = 0; reader < 3; ++reader) {
+    readers.emplace_back([&newest] {
+      while (auto frozen = newest.wait({})) {
+        auto second = *frozen;
+        frozen.reset();
+        second.shallow_copy();
+      }
+    });
+  }
+  for (int i = 0; i < 20000; ++i) newest.publish(frozen_points(2));
+  newest.close();
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #pragma once
 #include <vtkSmartPointer.h>
 
+#include <memory>
+#include <utility>
+
 class vtkDataObject;
 
 namespace pellucida {
@@ -10,32 +13,37 @@ void prepare_for_sharing(vtkDataObject* data);
 
 /// A VTK data object that nobody writes again. It crosses threads freely; who wants to use it in a pipeline takes a
 /// shallow copy of its own. An empty handle (the default) stands for "not there".
+///
+/// The handles share one reference to the object, counted beside VTK. Were each handle a reference of its own, letting
+/// go of one that is not the last would send VTK's garbage collector through the object, and it may meet another
+/// thread's deletion there.
 template <class T>
 class Frozen {
  public:
   Frozen() = default;
 
   /// Freezes `data`: the caller gives it up and writes to it no more.
-  explicit Frozen(vtkSmartPointer<T> data) : data_(std::move(data)) {
-    if (data_) prepare_for_sharing(data_);
+  explicit Frozen(vtkSmartPointer<T> data) {
+    if (!data) return;
+    prepare_for_sharing(data);
+    data_ = std::make_shared<const vtkSmartPointer<T>>(std::move(data));
   }
 
   explicit operator bool() const noexcept { return data_ != nullptr; }
 
-  /// Read access, any thread; valid while this handle lives.
-  const T* get() const noexcept { return data_; }
+  /// Read access, any thread; valid while this handle lives. Don't take references (smart pointers) to it.
+  const T* get() const noexcept { return data_ ? data_->GetPointer() : nullptr; }
 
   /// A data object of the caller's own that shares the frozen arrays; nullptr for an empty handle.
   vtkSmartPointer<T> shallow_copy() const {
     if (!data_) return nullptr;
     auto copy = vtkSmartPointer<T>::New();
-    copy->ShallowCopy(data_);
+    copy->ShallowCopy(data_->GetPointer());
     return copy;
   }
 
  private:
-  // VTK's readers are not const-correct: the pointer is kept mutable here and handed out as const or as a copy only.
-  vtkSmartPointer<T> data_;
+  std::shared_ptr<const vtkSmartPointer<T>> data_;
 };
 
 }  // namespace pellucida
