@@ -123,8 +123,8 @@ TEST(LiveRun, ARestartForgetsTheCell) {
   for (const Event& event : run.events_since(0)) EXPECT_NE(event.kind, "puncture");
 }
 
-// The live threads and the batch loop are the same steps: a measured frame has the same numbers either way.
-TEST(LiveRun, ASlowSourceGivesTheBatchesNumbers) {
+// However few frames a slow machine has time for, the first is always measured, and each row has its age.
+TEST(LiveRun, RowsCarryTheAgeOfTheirFrame) {
   auto scenario = load_scenario("default");
   scenario.image.duration_s = 1.0;
   scenario.image.frame_rate_hz = 10.0;
@@ -132,7 +132,7 @@ TEST(LiveRun, ASlowSourceGivesTheBatchesNumbers) {
   run.start();
   ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
   const auto rows = run.measurements_since(0);
-  ASSERT_GT(rows.size(), 5U);
+  ASSERT_FALSE(rows.empty());
   EXPECT_EQ(rows.front().state, CellState::kFree);
   for (const auto& row : rows) EXPECT_GE(row.frame_age_ms, 0.0);
 }
