@@ -30,4 +30,19 @@ std::optional<CellState> cell_state_from_string(std::string_view name) noexcept 
   return std::nullopt;
 }
 
+std::string to_string(NeedleEvidence evidence) {
+  constexpr std::array<std::pair<NeedleEvidence, std::string_view>, 5> kNames{{{kShaftEdges, "shaft"},
+                                                                               {kTipEnd, "tip"},
+                                                                               {kKnownCone, "cone"},
+                                                                               {kCommandedMotion, "commanded"},
+                                                                               {kDimple, "dimple"}}};
+  std::string text;
+  for (const auto& [bit, name] : kNames) {
+    if ((evidence & bit) == 0U) continue;
+    if (!text.empty()) text += '+';
+    text += name;
+  }
+  return text.empty() ? "none" : text;
+}
+
 }  // namespace pellucida

@@ -214,7 +214,7 @@ std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image
 
 }  // namespace
 
-std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options) {
+std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options, const DetectionHint*) {
   // A pyramid of halves, as far as the largest cell needs.
   std::vector<GrayImage> pyramid;
   pyramid.push_back(reduced(image, 1.0, 1));

@@ -27,10 +27,17 @@ struct DetectedCell {
   double score = 0.0;      ///< 0..1
 };
 
+/// A person's hint in px: `inside` is a point in the cell; `outline`, (2 x n), may be empty.
+struct DetectionHint {
+  Eigen::Vector2d inside = Eigen::Vector2d::Zero();
+  Eigen::Matrix2Xd outline;
+};
+
 /// Finds the roundest, most completely closed edge of an image: gradient voting over a pyramid for centres, then a
 /// closed shortest path in the unrolled ring, then a search for the second membrane beside it. Nothing when no
 /// candidate reaches `options.min_detection_score`.
-std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options);
+std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
+                                        const DetectionHint* hint = nullptr);
 
 /// A centre the voting proposes (full image px).
 struct CellCandidate {

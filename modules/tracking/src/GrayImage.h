@@ -31,6 +31,11 @@ struct GrayImage {
   }
   float sample(const Eigen::Vector2d& p) const noexcept { return sample(p.x(), p.y()); }
 
+  /// `count` bilinear samples at from, from + step, ... into `out`.
+  void sample_line(const Eigen::Vector2d& from, const Eigen::Vector2d& step, int count, float* out) const noexcept {
+    for (int k = 0; k < count; ++k) out[k] = sample(from.x() + k * step.x(), from.y() + k * step.y());
+  }
+
   bool inside(const Eigen::Vector2d& p, double margin = 0.0) const noexcept {
     return p.x() >= margin && p.y() >= margin && p.x() <= width - 1 - margin && p.y() <= height - 1 - margin;
   }

@@ -27,7 +27,7 @@ Eigen::MatrixXf as_reward(const Eigen::MatrixXf& feature, double strength) {
 
 }  // namespace
 
-void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake, const NeedleZone* needle) {
+void MembraneSnakes::learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle) {
   const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
   strip_.sample(image, snake.points, normals, 6.0 * snake.scale_px, 6.0 * snake.scale_px, kStep);
   const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
@@ -99,7 +99,8 @@ void MembraneSnakes::learn_strength(const GrayImage& image, SnakeContour& snake,
   snake.strength = snake.strength > 0.0 ? 0.9 * snake.strength + 0.1 * now : now;
 }
 
-bool MembraneSnakes::start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle) {
+bool MembraneSnakes::start(const FrameSampler& image, const DetectedCell& cell, double noise,
+                           const NeedleZone* needle) {
   const auto take = [&](const FoundEdge& edge, SnakeContour& snake) {
     snake = {};
     snake.kind = edge.kind;
@@ -151,7 +152,7 @@ double MembraneSnakes::median_gap() const {
   return median_of(std::move(gaps));
 }
 
-void MembraneSnakes::search_pair(const GrayImage& image, const NeedleZone* needle, double search_px) {
+void MembraneSnakes::search_pair(const FrameSampler& image, const NeedleZone* needle, double search_px) {
   const Eigen::Matrix2Xd normals = contour::outward_normals(outer_.points);
   const double reach_in = search_px + (has_inner() ? 1.6 * thickness_ : 0.0);
   strip_.sample(image, outer_.points, normals, reach_in + 3.0, search_px + 3.0, kSearchStep);
@@ -204,7 +205,7 @@ void MembraneSnakes::search_pair(const GrayImage& image, const NeedleZone* needl
   if (has_inner()) inner_.points = contour::resample(inner, options_.contour_point_count);
 }
 
-void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& snake, const NeedleZone* needle,
+void MembraneSnakes::refine(const FrameSampler& image, double noise, SnakeContour& snake, const NeedleZone* needle,
                             bool is_outer, double reach_px) {
   const Eigen::Index n = snake.points.cols();
   const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
@@ -283,7 +284,7 @@ void MembraneSnakes::refine(const GrayImage& image, double noise, SnakeContour& 
   for (Eigen::Index i = 0; i < n; ++i) snake.points.col(i) += std::clamp(u[i], -reach_px, reach_px) * normals.col(i);
 }
 
-double MembraneSnakes::track(const GrayImage& image, double noise, const Eigen::Vector2d& shift,
+double MembraneSnakes::track(const FrameSampler& image, double noise, const Eigen::Vector2d& shift,
                              const Eigen::Vector2d& push, const NeedleZone* needle, double search_px) {
   // Predict: the cell moves with its holder, the dimple with the needle.
   const auto predict = [&](Eigen::Matrix2Xd& points) {

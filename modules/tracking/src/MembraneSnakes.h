@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "CellDetector.h"
-#include "GrayImage.h"
+#include "FrameSampler.h"
 #include "NormalStrip.h"
 #include "Snake.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -50,11 +50,11 @@ class MembraneSnakes {
 
   /// Starts from a detection, and learns the edges' look on `image`. False when the edges found do not look like a
   /// membrane's.
-  bool start(const GrayImage& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
+  bool start(const FrameSampler& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
 
   /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's
   /// own motion, near its tip). Returns the outer contour's score.
-  double track(const GrayImage& image, double noise, const Eigen::Vector2d& shift, const Eigen::Vector2d& push,
+  double track(const FrameSampler& image, double noise, const Eigen::Vector2d& shift, const Eigen::Vector2d& push,
                const NeedleZone* needle, double search_px);
 
   const SnakeContour& outer() const noexcept { return outer_; }
@@ -72,10 +72,10 @@ class MembraneSnakes {
 
  private:
   double median_gap() const;
-  void search_pair(const GrayImage& image, const NeedleZone* needle, double search_px);
-  void refine(const GrayImage& image, double noise, SnakeContour& snake, const NeedleZone* needle, bool is_outer,
+  void search_pair(const FrameSampler& image, const NeedleZone* needle, double search_px);
+  void refine(const FrameSampler& image, double noise, SnakeContour& snake, const NeedleZone* needle, bool is_outer,
               double reach_px);
-  void learn_strength(const GrayImage& image, SnakeContour& snake, const NeedleZone* needle);
+  void learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle);
 
   TrackerOptions options_;
   SnakeContour outer_, inner_;

@@ -5,6 +5,7 @@
 
 #include "CellDetector.h"
 #include "ContactLogic.h"
+#include "FrameSampler.h"
 #include "GrayImage.h"
 #include "MembraneSnakes.h"
 #include "NeedleTracker.h"
@@ -63,8 +64,9 @@ class MembraneTracker::Impl {
 
   Observation process(const ImageView& view, double time_s, long frame_index) {
     check(view);
-    load(view, image_);
-    noise_ = std::max(noise_level(image_), 1e-4);
+    view_ = view;
+    image_ = FrameSampler(view);
+    noise_ = noise_level(image_);
     ++frames_since_detection_;
     if (!has_cell_) {
       if (frames_since_detection_ >= options_.redetect_interval_frames) detect();
@@ -93,7 +95,8 @@ class MembraneTracker::Impl {
   // Finds cell and tools with no hint from before.
   void detect() {
     frames_since_detection_ = 0;
-    const std::optional<DetectedCell> cell = detect_cell(image_, options_);
+    const GrayImage whole = gray();
+    const std::optional<DetectedCell> cell = detect_cell(whole, options_);
     if (!cell) return;
     touching_ = false;
     needle_.reset();
@@ -123,6 +126,13 @@ class MembraneTracker::Impl {
     poor_frames_ = 0;
   }
 
+  // The whole image in floating point: for searches, not for following.
+  GrayImage gray() const {
+    GrayImage whole;
+    load(view_, whole);
+    return whole;
+  }
+
   static contour::Circle fit(const Eigen::Matrix2Xd& points) {
     contour::Circle circle = contour::fit_circle(points, 3.0);
     return circle;
@@ -130,7 +140,7 @@ class MembraneTracker::Impl {
 
   void find_tools_of(const contour::Circle& circle) {
     holder_.valid = false;
-    std::vector<FoundTool> tools = find_tools(image_, circle);
+    std::vector<FoundTool> tools = find_tools(gray(), circle);
     // The holder is broad, the needle narrow.
     for (const FoundTool& tool : tools) {
       if (tool.half_width() < 0.2 * circle.radius) continue;
@@ -217,10 +227,10 @@ class MembraneTracker::Impl {
     // The needle.
     if (needle_.valid()) {
       const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
-      if (!needle_.track(image_, noise_, 34.0, clear) && needle_.estimate().confidence < 0.1) needle_.reset();
+      if (!needle_.track(image_, noise_, {34.0, clear, {}}) && needle_.estimate().confidence < 0.1) needle_.reset();
     } else if (frames_since_detection_ % 3 == 0 || frames_since_detection_ < 10) {
       find_needle({center_now(), rest_.outer_radius, 1.0, 0.0},
-                  find_tools(image_, {center_now(), rest_.outer_radius, 1.0, 0.0}));
+                  find_tools(gray(), {center_now(), rest_.outer_radius, 1.0, 0.0}));
     }
     // Rigid motion of the whole: by the holder where there is one, else later by the far side.
     const Eigen::Vector2d shift_before = rigid_shift_;
@@ -394,6 +404,8 @@ class MembraneTracker::Impl {
     pose.direction = n.direction;
     pose.tip_radius_um = n.tip_half_width * pixel_size_um;
     pose.confidence = n.confidence;
+    pose.tip_sigma_um = n.tip_sigma * pixel_size_um;
+    pose.evidence = n.evidence;
     // Tip, one side as far as it was fitted and forward again, then the other side: no line crosses the open shaft.
     const Eigen::Vector2d across(-n.direction.y(), n.direction.x());
     const double length = 80.0;
@@ -441,7 +453,8 @@ class MembraneTracker::Impl {
   }
 
   TrackerOptions options_;
-  GrayImage image_;
+  ImageView view_;  // of this frame, as image_
+  FrameSampler image_;
   double noise_ = 0.0;
   MembraneSnakes snakes_;
   NeedleTracker needle_;
@@ -465,9 +478,10 @@ MembraneTracker::~MembraneTracker() = default;
 MembraneTracker::MembraneTracker(MembraneTracker&&) noexcept = default;
 MembraneTracker& MembraneTracker::operator=(MembraneTracker&&) noexcept = default;
 
-Observation MembraneTracker::process(const ImageView& image, double time_s, long frame_index) {
+Observation MembraneTracker::process(const ImageView& image, double time_s, long frame_index, const FrameHints&) {
   return impl_->process(image, time_s, frame_index);
 }
+void MembraneTracker::expect_cell(const CellHint&) {}
 void MembraneTracker::reset() {
   impl_ = std::make_unique<Impl>(impl_->options());
 }

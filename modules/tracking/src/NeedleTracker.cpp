@@ -49,7 +49,7 @@ struct NeedleTracker::Straightened {
   std::vector<bool> inside;
   double from = 0.0, half_across = 0.0;
 
-  void sample(const GrayImage& image, const NeedleEstimate& needle, double ahead, double behind, double half) {
+  void sample(const FrameSampler& image, const NeedleEstimate& needle, double ahead, double behind, double half) {
     const int stations = static_cast<int>(std::floor(ahead + behind)) + 1;
     const int columns = 2 * static_cast<int>(std::ceil(half / kAcrossStep)) + 1;
     from = -ahead;
@@ -88,7 +88,7 @@ struct NeedleTracker::Straightened {
   }
 };
 
-bool NeedleTracker::start(const GrayImage& image, const FoundTool& tool, const contour::Circle& cell, double noise) {
+bool NeedleTracker::start(const FrameSampler& image, const FoundTool& tool, const contour::Circle& cell, double noise) {
   valid_ = false;
   cone_frames_ = 0;
   // Look along the tool from the border to beyond the cell's centre.
@@ -154,11 +154,11 @@ bool NeedleTracker::start(const GrayImage& image, const FoundTool& tool, const c
   return valid_;
 }
 
-bool NeedleTracker::track(const GrayImage& image, double noise, double reach_px, bool in_the_clear) {
+bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleCue& cue) {
   if (!valid_) return false;
   const NeedleEstimate before = now_;
   now_.tip += motion_;
-  bool seen = measure(image, noise, reach_px, kBehind, 3.0);
+  bool seen = measure(image, noise, cue.reach_px, kBehind, 3.0);
   if (seen) seen = measure(image, noise, 8.0, kBehind, 2.5);
   if (!seen) {
     now_ = before;
@@ -167,9 +167,11 @@ bool NeedleTracker::track(const GrayImage& image, double noise, double reach_px,
     return false;
   }
   motion_ = now_.tip - before.tip;
-  if (in_the_clear) learn_cone();
+  if (cue.in_the_clear) learn_cone();
   return true;
 }
+
+void NeedleTracker::take_dimple(const Eigen::Vector2d&, double) {}
 
 void NeedleTracker::learn_cone() {
   cone_frames_ = std::min(cone_frames_ + 1, 30);
@@ -177,7 +179,7 @@ void NeedleTracker::learn_cone() {
   cone_widening_ += (now_.widening - cone_widening_) / cone_frames_;
 }
 
-bool NeedleTracker::measure(const GrayImage& image, double noise, double ahead_px, double behind_px,
+bool NeedleTracker::measure(const FrameSampler& image, double noise, double ahead_px, double behind_px,
                             double edge_reach_px) {
   Straightened strip;
   const double widest = now_.tip_half_width + now_.widening * behind_px;
@@ -281,6 +283,7 @@ bool NeedleTracker::measure(const GrayImage& image, double noise, double ahead_p
   const double clear = std::clamp(reference / (6.0 * std::max(noise, 1e-6)), 0.0, 1.0);
   const double supported = std::clamp(static_cast<double>(std::min(left.size(), right.size())) / 40.0, 0.0, 1.0);
   now_.confidence = clear * supported * (by_cone ? 0.7 : 1.0);
+  now_.evidence = kShaftEdges | (by_cone ? kKnownCone : kTipEnd);
   return true;
 }
 

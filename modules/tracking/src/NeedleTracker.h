@@ -3,9 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "GrayImage.h"
+#include "FrameSampler.h"
 #include "MembraneSnakes.h"
 #include "ToolFinder.h"
+#include "pellucida/core/Observation.h"
 
 namespace pellucida {
 
@@ -16,6 +17,15 @@ struct NeedleEstimate {
   double tip_half_width = 2.0;
   double widening = 0.0;  ///< half width gained per px behind the tip
   double confidence = 0.0;
+  double tip_sigma = 0.0;  ///< px along the direction
+  NeedleEvidence evidence = kNoNeedleEvidence;
+};
+
+/// What is known of a frame before its needle is looked for.
+struct NeedleCue {
+  double reach_px = 34.0;                       ///< how far the tip may be from where it is expected
+  bool in_the_clear = false;                    ///< nothing touches or covers the tip, so its cone may be learnt
+  std::optional<Eigen::Vector2d> commanded_px;  ///< the motion commanded since the last frame
 };
 
 /// Follows the injection needle by its shaft's two edges, and the tip by where they end; where a dimple hides that end,
@@ -23,11 +33,14 @@ struct NeedleEstimate {
 class NeedleTracker {
  public:
   /// Looks for the tip along a tool found by voting. False when the tool's edges can't be followed.
-  bool start(const GrayImage& image, const FoundTool& tool, const contour::Circle& cell, double noise);
+  bool start(const FrameSampler& image, const FoundTool& tool, const contour::Circle& cell, double noise);
 
-  /// Follows it from the last frame. `shift` is the motion expected besides the needle's own. False when it isn't seen.
-  /// `in_the_clear`: nothing touches or covers the tip, so its cone may be learnt.
-  bool track(const GrayImage& image, double noise, double reach_px, bool in_the_clear);
+  /// Follows it from the last frame. False when it isn't seen.
+  bool track(const FrameSampler& image, double noise, const NeedleCue& cue);
+
+  /// This frame's contour says that the membrane's apex, which rests on the tip, is at `apex` (px, standard deviation
+  /// `sigma_px` along the needle): one more piece of evidence for the tip. For frames in contact only.
+  void take_dimple(const Eigen::Vector2d& apex, double sigma_px);
 
   const NeedleEstimate& estimate() const noexcept { return now_; }
   bool valid() const noexcept { return valid_; }
@@ -37,7 +50,7 @@ class NeedleTracker {
 
  private:
   struct Straightened;
-  bool measure(const GrayImage& image, double noise, double ahead_px, double behind_px, double edge_reach_px);
+  bool measure(const FrameSampler& image, double noise, double ahead_px, double behind_px, double edge_reach_px);
   void learn_cone();
 
   NeedleEstimate now_;

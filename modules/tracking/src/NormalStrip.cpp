@@ -2,24 +2,6 @@
 
 namespace pellucida {
 
-void NormalStrip::sample(const GrayImage& image, const Eigen::Matrix2Xd& points, const Eigen::Matrix2Xd& normals,
-                         double inward_px, double outward_px, double step_px) {
-  inward_px_ = inward_px;
-  step_px_ = step_px;
-  const int columns = static_cast<int>(std::floor((inward_px + outward_px) / step_px)) + 1;
-  values_.resize(columns, points.cols());
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const double nx = normals(0, i), ny = normals(1, i);
-    double x = points(0, i) - inward_px * nx, y = points(1, i) - inward_px * ny;
-    float* out = values_.col(i).data();
-    for (int j = 0; j < columns; ++j) {
-      out[j] = image.sample(x, y);
-      x += step_px * nx;
-      y += step_px * ny;
-    }
-  }
-}
-
 void NormalStrip::features(const EdgeFilter& filter, int smoothing, Eigen::MatrixXf& out) const {
   const int n = rows(), m = columns();
   out.resize(n, m);

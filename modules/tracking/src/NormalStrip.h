@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 
-#include "GrayImage.h"
 #include "pellucida/tracking/EdgeProfile.h"
 
 namespace pellucida {
@@ -10,9 +10,19 @@ namespace pellucida {
 /// Row i belongs to point i, column j to the offset (j * step_px - inward_px) along the outward normal.
 class NormalStrip {
  public:
-  /// Samples `image` along the outward normals of `points` (px, closed, positive area) from -inward_px to +outward_px.
-  void sample(const GrayImage& image, const Eigen::Matrix2Xd& points, const Eigen::Matrix2Xd& normals, double inward_px,
-              double outward_px, double step_px);
+  /// Samples `image` (FrameSampler or GrayImage) along the outward normals of `points` (px, closed, positive area) from
+  /// -inward_px to +outward_px.
+  template <class Image>
+  void sample(const Image& image, const Eigen::Matrix2Xd& points, const Eigen::Matrix2Xd& normals, double inward_px,
+              double outward_px, double step_px) {
+    inward_px_ = inward_px;
+    step_px_ = step_px;
+    const int columns = static_cast<int>(std::floor((inward_px + outward_px) / step_px)) + 1;
+    values_.resize(columns, points.cols());
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+      image.sample_line(points.col(i) - inward_px * normals.col(i), step_px * normals.col(i), columns,
+                        values_.col(i).data());
+  }
 
   /// The edge feature of every row, smoothed over neighbouring rows by (1 2 1) / 4 `smoothing` times, (rows x columns).
   void features(const EdgeFilter& filter, int smoothing, Eigen::MatrixXf& out) const;

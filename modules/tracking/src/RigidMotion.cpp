@@ -4,7 +4,7 @@
 
 namespace pellucida {
 
-bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points, double noise) {
+bool RigidMotion::learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& points, double noise) {
   reset();
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   double sum = 0.0, squares = 0.0;
@@ -32,7 +32,7 @@ bool RigidMotion::learn(const GrayImage& image, const std::vector<Eigen::Vector2
   return spread_ > 0.0;
 }
 
-bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double& residual) const {
+bool RigidMotion::refine(const FrameSampler& image, Eigen::Vector2d& motion, double& residual) const {
   double gain = 0.0, offset = 0.0;
   for (int round = 0; round < 14; ++round) {
     // Pixels that something else covers now (a membrane that bulges beside the rim) must not pull: tolerant at first,
@@ -70,7 +70,7 @@ bool RigidMotion::refine(const GrayImage& image, Eigen::Vector2d& motion, double
   return residual < 0.6 * spread_;
 }
 
-bool RigidMotion::track(const GrayImage& image, double reach_px, const Eigen::Vector2d& hint) {
+bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& hint) {
   if (!valid()) return false;
   Eigen::Vector2d best = motion_;
   double least = 0.35 * spread_;

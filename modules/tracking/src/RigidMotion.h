@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "GrayImage.h"
+#include "FrameSampler.h"
 
 namespace pellucida {
 
@@ -13,18 +13,18 @@ class RigidMotion {
   /// Keeps the look of the pixels `points` (px) of `image` as the reference.
   /// False when, with pixel noise of standard deviation `noise`, they could not tell a motion in every direction to 0.1
   /// px.
-  bool learn(const GrayImage& image, const std::vector<Eigen::Vector2d>& points, double noise);
+  bool learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& points, double noise);
 
   /// Finds the motion since `learn`, px; starts from the last one, and from the last one plus `hint` (a motion
   /// something else made, which the holder may share). `reach_px` bounds the step. False when the fit fails.
-  bool track(const GrayImage& image, double reach_px, const Eigen::Vector2d& hint);
+  bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& hint);
 
   const Eigen::Vector2d& motion() const noexcept { return motion_; }
   bool valid() const noexcept { return !points_.empty(); }
   void reset() noexcept { *this = RigidMotion(); }
 
  private:
-  bool refine(const GrayImage& image, Eigen::Vector2d& motion, double& residual) const;
+  bool refine(const FrameSampler& image, Eigen::Vector2d& motion, double& residual) const;
 
   std::vector<Eigen::Vector2d> points_;
   std::vector<double> values_;

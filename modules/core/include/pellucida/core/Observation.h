@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,13 +30,30 @@ struct MembraneContour {
   Eigen::VectorXd confidence;  ///< (n) in 0..1
 };
 
+/// What told where the needle's tip is; one or more of these, combined with |.
+enum NeedleEvidence : unsigned {
+  kNoNeedleEvidence = 0,
+  kShaftEdges = 1,       ///< both edges of the shaft: the axis
+  kTipEnd = 2,           ///< the place where the edges end
+  kKnownCone = 4,        ///< the shaft's width, on the cone learnt while the tip was in the clear
+  kCommandedMotion = 8,  ///< the motion the manipulator was commanded
+  kDimple = 16           ///< the membrane's apex under the tip
+};
+constexpr NeedleEvidence operator|(NeedleEvidence a, NeedleEvidence b) noexcept {
+  return static_cast<NeedleEvidence>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+/// Names in that order, joined by "+": "shaft+tip"; "none".
+std::string to_string(NeedleEvidence evidence);
+
 /// The injection needle (micropipette) in the image plane.
 struct NeedlePose {
   Eigen::Vector2d tip_um = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit vector from the shaft to the tip: the way it pushes
   double tip_radius_um = 0.0;                            ///< half the width at the tip
   double confidence = 0.0;                               ///< 0..1
-  Contour_um outline_um;                                 ///< open polyline; its first point is the tip
+  double tip_sigma_um = 0.0;                    ///< standard deviation of the tip along `direction`; 0: unknown
+  NeedleEvidence evidence = kNoNeedleEvidence;  ///< what told where the tip is
+  Contour_um outline_um;                        ///< open polyline; its first point is the tip
 };
 
 /// The holding pipette in the image plane.
@@ -62,8 +80,9 @@ struct Observation {
 
   // Valid when `outer` is there.
   Eigen::Vector2d center_um = Eigen::Vector2d::Zero();  ///< centre of the outer membrane at rest, moving with the cell
-  double rest_outer_radius_um = 0.0;                    ///< radius of the outer membrane at rest
-  double rest_inner_radius_um = 0.0;                    ///< of the inner one; 0 when it was not seen at rest
+  double rotation_rad = 0.0;          ///< rigid rotation of cell and holder since the cell was found, +x towards +y
+  double rest_outer_radius_um = 0.0;  ///< radius of the outer membrane at rest
+  double rest_inner_radius_um = 0.0;  ///< of the inner one; 0 when it was not seen at rest
 
   // Valid when `outer` and `needle` are there.
   Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit vector from the cell centre to the needle

@@ -4,6 +4,7 @@
 #include "pellucida/core/ImageView.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/tracking/TrackerOptions.h"
+#include "pellucida/tracking/TrackingHints.h"
 
 namespace pellucida {
 
@@ -21,7 +22,12 @@ class MembraneTracker {
   /// What one frame says. `time_s` since the session began. The image is read during the call only.
   /// Throws UsageError for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that
   /// is not above 0. An image that shows nothing is no error: the state says `no_cell` or `lost`.
-  Observation process(const ImageView& image, double time_s, long frame_index);
+  Observation process(const ImageView& image, double time_s, long frame_index, const FrameHints& hints = {});
+
+  /// Forgets the cell and looks for it where a person says it is, with the next frame. A hint that leads nowhere is
+  /// dropped after that frame, and the usual search goes on. Throws UsageError for a hint without point or outline, an
+  /// outline of fewer than 3 points, or numbers that are not finite.
+  void expect_cell(const CellHint& hint);
 
   /// Forgets the cell, the needle, the holder and all that was learnt of them.
   void reset();

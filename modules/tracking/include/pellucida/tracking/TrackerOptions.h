@@ -5,6 +5,11 @@ namespace pellucida {
 /// The tracker's tunable numbers. Lengths are in pixels (`_px`) because they follow the optics and the sampling, not
 /// the cell; what follows the cell is a ratio of its radius.
 struct TrackerOptions {
+  /// kLive: as fast as the camera. kHigh: for recordings, where time does not count: detection always by level sets,
+  /// more rounds for each contour.
+  enum class Quality { kLive, kHigh };
+  Quality quality = Quality::kLive;
+
   // Detection.
   double min_cell_diameter_px = 36.0;  ///< of the outer membrane
   double max_cell_diameter_px = 460.0;
