@@ -17,8 +17,8 @@ class Terms : public ::testing::TestWithParam<unsigned> {
  protected:
   Terms()
       : model_(coarse_profile(), setup_for_configuration(coarse_profile(), 2)),
-        hessian_(static_cast<int>(model_.rest().points_um.cols()), model_.coupled_nodes()) {
-    model_.bind(hessian_);
+        hessian_(model_.energy().node_count(), model_.energy().coupled_nodes()) {
+    model_.energy().bind(&hessian_);
     model_.set_depth(5.0);
     x_um_ = shaken(model_.rest().points_um, 1.2, GetParam());
   }

@@ -1,6 +1,9 @@
 #include "pellucida/mechanics/BlockMatrix.h"
 
 #include <algorithm>
+#include <string>
+
+#include "pellucida/core/Error.h"
 
 namespace pellucida {
 
@@ -31,7 +34,12 @@ BlockSlot BlockMatrix::slot(int row, int column) const {
   const bool transposed = row < column;
   if (transposed) std::swap(row, column);
   const auto& rows = rows_[static_cast<std::size_t>(column)];
-  const auto place = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
+  const auto found = std::lower_bound(rows.begin(), rows.end(), row);
+  if (found == rows.end() || *found != row) {
+    throw Error(ExitCode::kOurFault, "block matrix: nodes " + std::to_string(row) + " and " + std::to_string(column) +
+                                         " aren't coupled in its pattern; name all terms before the solver is made");
+  }
+  const auto place = found - rows.begin();
   return {values_.outerIndexPtr()[3 * column] + 3 * static_cast<int>(place), 3 * static_cast<int>(rows.size()),
           transposed};
 }

@@ -1,6 +1,8 @@
 #include "pellucida/mechanics/EquilibriumSolver.h"
 
+#include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
+#include <chrono>
 #include <cmath>
 
 namespace pellucida {
@@ -28,6 +30,10 @@ std::string_view to_string(SolveStatus status) noexcept {
       return "converged";
     case SolveStatus::kIterationBudget:
       return "iteration budget spent";
+    case SolveStatus::kTimeBudget:
+      return "time budget spent";
+    case SolveStatus::kNotPositiveDefinite:
+      return "Hessian not positive definite, and no shift helps";
     case SolveStatus::kNoDescent:
       return "no descent";
     case SolveStatus::kNotFinite:
@@ -38,23 +44,27 @@ std::string_view to_string(SolveStatus status) noexcept {
 
 class EquilibriumSolver::Impl {
  public:
-  explicit Impl(MembraneModel& model)
-      : hessian_(static_cast<int>(model.rest().points_um.cols()), model.coupled_nodes()) {
-    model.bind(hessian_);
+  explicit Impl(EnergySum& energy)
+      : energy_(energy), hessian_(energy.node_count(), energy.coupled_nodes()), gradient_(3, energy.node_count()) {
+    energy_.bind(&hessian_);
     factor_.analyzePattern(hessian_.sparse());
   }
+  ~Impl() { energy_.bind(nullptr); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
+  EnergySum& energy() noexcept { return energy_; }
   bool has_factor() const noexcept { return has_factor_; }
 
   /// The sparse part of the Hessian at `x_um`.
-  void assemble(const MembraneModel& model, const Eigen::Matrix3Xd& x_um) {
+  void assemble(const Eigen::Matrix3Xd& x_um) {
     hessian_.set_zero();
-    model.add(x_um, nullptr, &hessian_);
+    energy_.add(x_um, nullptr, &hessian_);
   }
 
-  /// A positive definite factorisation of the assembled Hessian, the volume's slope being that of `x_um`. Returns the
-  /// number of shifts it took, -1 when none helps.
-  int factorize(const MembraneModel& model, const Eigen::Matrix3Xd& x_um) {
+  /// A positive definite factorisation of the assembled Hessian, with the rank-one parts of `x_um`. Returns the number
+  /// of shifts it took, -1 when none helps.
+  int factorize(const Eigen::Matrix3Xd& x_um) {
     has_factor_ = false;
     double shift = 0.0;
     for (int shifts = 0; shifts < 24; ++shifts) {
@@ -62,41 +72,54 @@ class EquilibriumSolver::Impl {
       factor_.factorize(hessian_.sparse());
       if (factor_.info() == Eigen::Success) {
         const auto pivots = factor_.vectorD();
-        negative_count_ = static_cast<int>((pivots.array() > 0.0).size() - (pivots.array() > 0.0).count());
-        if (negative_count_ <= 1 && refresh_slope(model, x_um)) {
+        negative_count_ = static_cast<int>(pivots.size() - (pivots.array() > 0.0).count());
+        if (negative_count_ <= static_cast<int>(energy_.terms().size()) && refresh_rank_ones(x_um)) {
           has_factor_ = true;
           return shifts;
         }
       }
-      shift = shift > 0.0 ? 4.0 * shift : 1e-3 * model.force_scale_uN_per_um();
+      shift = shift > 0.0 ? 4.0 * shift : 1e-3 * energy_.force_scale_uN_per_um();
     }
     return -1;
   }
 
-  /// Takes the volume's slope at `x_um` into the kept factorisation. False when the whole is not positive definite: by
-  /// the signs of the pivots S has that many negative eigenvalues; H has one fewer when 1 + c g.S^-1 g < 0
-  /// (Haynsworth's inertia additivity on the matrix bordered by g).
-  bool refresh_slope(const MembraneModel& model, const Eigen::Matrix3Xd& x_um) {
-    const Eigen::Matrix3Xd slope = model.volume().gradient_of_volume(x_um);
-    rank_one_factor_ = model.volume().rank_one_factor();
-    volume_slope_ = flat(slope);
-    factor_of_slope_ = factor_.solve(volume_slope_);
-    slope_product_ = volume_slope_.dot(factor_of_slope_);
-    const double along = 1.0 + rank_one_factor_ * slope_product_;
-    return negative_count_ == 0 ? along > 0.0 : along < 0.0;
+  /// Takes the rank-one parts G C G^T at `x_um` into the kept factorisation of S. False when H = S + G C G^T is not
+  /// positive definite: S has as many negative eigenvalues as negative pivots, and H has fewer by those that
+  /// C^-1 + G^T S^-1 G has (Haynsworth's inertia additivity on the matrix bordered by G).
+  bool refresh_rank_ones(const Eigen::Matrix3Xd& x_um) {
+    Eigen::Index count = 0;
+    for (const EnergyTerm* term : energy_.terms()) count += term->has_rank_one() ? 1 : 0;
+    directions_.resize(x_um.size(), count);
+    solved_directions_.resize(x_um.size(), count);
+    factors_.resize(count);
+    Eigen::Index k = 0;
+    for (const EnergyTerm* term : energy_.terms()) {
+      if (!term->has_rank_one()) continue;
+      factors_[k] = term->rank_one(x_um, gradient_);
+      directions_.col(k) = flat(gradient_);
+      solved_directions_.col(k) = factor_.solve(directions_.col(k));
+      ++k;
+    }
+    Eigen::MatrixXd capacitance = directions_.transpose() * solved_directions_;
+    capacitance.diagonal() += factors_.cwiseInverse();
+    capacitance_inverse_ = capacitance.inverse();
+    if (count == 0) return negative_count_ == 0;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(capacitance, Eigen::EigenvaluesOnly);
+    return negative_count_ == (spectrum.eigenvalues().array() < 0.0).count();
   }
 
-  /// M^-1 b with M = S + c g g^T, S as last factorised: S^-1 b - c S^-1 g (g.S^-1 b) / (1 + c g.S^-1 g).
+  /// M^-1 b with M = S + G C G^T, S as last factorised (Sherman, Morrison, Woodbury):
+  /// S^-1 b - S^-1 G (C^-1 + G^T S^-1 G)^-1 G^T S^-1 b.
   Eigen::VectorXd apply_inverse(const Eigen::VectorXd& b) const {
-    const Eigen::VectorXd direct = factor_.solve(b);
-    return direct - factor_of_slope_ *
-                        (rank_one_factor_ * volume_slope_.dot(direct) / (1.0 + rank_one_factor_ * slope_product_));
+    Eigen::VectorXd x = factor_.solve(b);
+    if (factors_.size() > 0) x -= solved_directions_ * (capacitance_inverse_ * (directions_.transpose() * x));
+    return x;
   }
 
   /// H v with the assembled Hessian.
   Eigen::VectorXd multiply(const Eigen::VectorXd& v) const {
     Eigen::VectorXd product = hessian_.sparse().selfadjointView<Eigen::Lower>() * v;
-    product += volume_slope_ * (rank_one_factor_ * volume_slope_.dot(v));
+    if (factors_.size() > 0) product += directions_ * factors_.cwiseProduct(directions_.transpose() * v);
     return product;
   }
 
@@ -123,20 +146,24 @@ class EquilibriumSolver::Impl {
   }
 
  private:
+  EnergySum& energy_;
   BlockMatrix hessian_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
   bool has_factor_ = false;
-  int negative_count_ = 0;           // pivots of the factorisation that aren't positive
-  Eigen::VectorXd volume_slope_;     // g = grad V
-  Eigen::VectorXd factor_of_slope_;  // S^-1 g
-  double slope_product_ = 0.0;       // g . S^-1 g
-  double rank_one_factor_ = 0.0;     // c
+  int negative_count_ = 0;  // pivots of the factorisation that aren't positive
+  Eigen::Matrix3Xd gradient_;
+  Eigen::MatrixXd directions_;           // G, (3n x k)
+  Eigen::MatrixXd solved_directions_;    // S^-1 G
+  Eigen::VectorXd factors_;              // C, (k)
+  Eigen::MatrixXd capacitance_inverse_;  // (C^-1 + G^T S^-1 G)^-1
 };
 
-EquilibriumSolver::EquilibriumSolver(MembraneModel& model) : impl_(std::make_unique<Impl>(model)) {}
+EquilibriumSolver::EquilibriumSolver(EnergySum& energy) : impl_(std::make_unique<Impl>(energy)) {}
 EquilibriumSolver::~EquilibriumSolver() = default;
 
-SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3Xd& x_um, const SolveOptions& options) {
+SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const EnergySum& model = impl_->energy();
   SolveReport report;
   const double tolerance_uN = options.tolerance_um * model.force_scale_uN_per_um();
   Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x_um.cols());
@@ -159,6 +186,10 @@ SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3X
       report.status = SolveStatus::kIterationBudget;
       return report;
     }
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.time_budget_s) {
+      report.status = SolveStatus::kTimeBudget;
+      return report;
+    }
 
     // The direction down: by the kept factorisation while that serves alone; by conjugate gradients on the Hessian of
     // this shape, with the kept factorisation as preconditioner, while that is quick; else by a factorisation made
@@ -167,21 +198,21 @@ SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3X
     bool is_exact = false;
     bool has_step = false;
     Eigen::VectorXd step = Eigen::VectorXd::Zero(x_um.size());
-    if (impl_->has_factor() && impl_->refresh_slope(model, x_um)) {
+    if (impl_->has_factor() && impl_->refresh_rank_ones(x_um)) {
       if (factor_is_good) {
         step = -impl_->apply_inverse(flat(gradient));
         has_step = true;
       } else if (!conjugate_gradients_failed) {
-        impl_->assemble(model, x_um);
+        impl_->assemble(x_um);
         has_step = impl_->conjugate_gradients(-flat(gradient), kStepAccuracy, kMostStepIterations, step);
       }
     }
     if (!has_step) {
-      impl_->assemble(model, x_um);
-      const int shifts = impl_->factorize(model, x_um);
+      impl_->assemble(x_um);
+      const int shifts = impl_->factorize(x_um);
       ++report.factorizations;
       if (shifts < 0) {
-        report.status = SolveStatus::kNoDescent;
+        report.status = SolveStatus::kNotPositiveDefinite;
         return report;
       }
       report.shifts += shifts;
@@ -229,18 +260,34 @@ SolveReport EquilibriumSolver::solve(const MembraneModel& model, Eigen::Matrix3X
   }
 }
 
-Eigen::Matrix3Xd EquilibriumSolver::apply_inverse_hessian(const MembraneModel& model, const Eigen::Matrix3Xd& x_um,
-                                                          const Eigen::Matrix3Xd& b, const Eigen::Matrix3Xd& guess) {
+Eigen::Matrix3Xd EquilibriumSolver::apply_inverse_hessian(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& b,
+                                                          const Eigen::Matrix3Xd& guess) {
   const Eigen::VectorXd right = flat(b);
   Eigen::VectorXd solution = flat(guess);
-  impl_->assemble(model, x_um);
-  const bool kept_serves = impl_->has_factor() && impl_->refresh_slope(model, x_um) &&
+  impl_->assemble(x_um);
+  const bool kept_serves = impl_->has_factor() && impl_->refresh_rank_ones(x_um) &&
                            impl_->conjugate_gradients(right, kTangentAccuracy, kMostTangentIterations, solution);
   if (!kept_serves) {
-    if (impl_->factorize(model, x_um) < 0) return Eigen::Matrix3Xd::Zero(3, x_um.cols());
+    if (impl_->factorize(x_um) < 0) return Eigen::Matrix3Xd::Zero(3, x_um.cols());
     solution = impl_->apply_inverse(right);
   }
   return Eigen::Map<const Eigen::Matrix3Xd>(solution.data(), 3, x_um.cols());
+}
+
+Eigen::Matrix3d EquilibriumSolver::tool_stiffness_uN_per_um(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_um) {
+  // F = sum_i w_i (X_i + u - x_i), and H dx/du = w_i I: dF/du = sum_i w_i (I - dx_i/du).
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::Matrix3Xd pull = Eigen::Matrix3Xd::Zero(3, x_um.cols());
+    for (std::size_t k = 0; k < tool.nodes().size(); ++k) {
+      pull(axis, tool.nodes()[k]) = tool.weights_uN_per_um()[k];
+    }
+    const Eigen::Matrix3Xd tangent = apply_inverse_hessian(x_um, pull, Eigen::Matrix3Xd::Zero(3, x_um.cols()));
+    for (std::size_t k = 0; k < tool.nodes().size(); ++k) {
+      stiffness.col(axis) += tool.weights_uN_per_um()[k] * (Eigen::Vector3d::Unit(axis) - tangent.col(tool.nodes()[k]));
+    }
+  }
+  return stiffness;
 }
 
 }  // namespace pellucida

@@ -86,6 +86,14 @@ void HingeTerm::set_rigidity(const Eigen::VectorXd& rigidity_uN_um) {
   }
 }
 
+void HingeTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  for (const auto& hinge : hinges_) {
+    for (int r = 1; r < 4; ++r) {
+      for (int c = 0; c < r; ++c) pairs.emplace_back(hinge.nodes[r], hinge.nodes[c]);
+    }
+  }
+}
+
 void HingeTerm::bind(const BlockMatrix& matrix) {
   slots_.clear();
   for (const auto& hinge : hinges_) {

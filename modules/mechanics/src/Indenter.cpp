@@ -17,7 +17,8 @@ constexpr int kMostIterations = 400;
 
 }  // namespace
 
-Indenter::Indenter(const CellProfile& profile, const MembraneSetup& setup) : model_(profile, setup), solver_(model_) {
+Indenter::Indenter(const CellProfile& profile, const MembraneSetup& setup)
+    : model_(profile, setup), solver_(model_.energy()) {
   reset();
 }
 
@@ -32,7 +33,7 @@ SolveReport Indenter::step_to(double depth_um) {
   const Eigen::Matrix3Xd before = x_um_;
   x_um_ += (depth_um - depth_um_) * tangent_;
   model_.set_depth(depth_um);
-  SolveReport report = solver_.solve(model_, x_um_, options_);
+  SolveReport report = solver_.solve(x_um_, options_);
   if (report.status != SolveStatus::kConverged) {
     x_um_ = before;
     model_.set_depth(depth_um_);
@@ -45,7 +46,7 @@ SolveReport Indenter::step_to(double depth_um) {
   for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
     pull.col(model_.tip().nodes()[k]) = model_.tip().weights_uN_per_um()[k] * model_.setup().push;
   }
-  tangent_ = solver_.apply_inverse_hessian(model_, x_um_, pull, tangent_);
+  tangent_ = solver_.apply_inverse_hessian(x_um_, pull, tangent_);
   return report;
 }
 

@@ -94,20 +94,18 @@ MembraneModel::MembraneModel(const CellProfile& profile, const MembraneSetup& se
       setup_(setup),
       rest_(make_sphere_mesh(setup.mid_radius_um, {profile.mesh_frequency, profile.mesh_grading})),
       pairs_(triangle_pairs(rest_.triangles)),
-      force_scale_uN_per_um_(1e-3 * profile.effective_young_modulus_kPa * setup.thickness_um),
       springs_(rest_, pairs_, spring_constants(rest_, profile, setup)),
       hinges_(rest_, pairs_, hinge_rigidity(rest_, profile, setup)),
       volume_(rest_, 1e-3 * profile.effective_young_modulus_kPa * profile.volume_stiffness_ratio),
       tip_(tip_attachment(rest_, profile)),
-      holder_(holder_attachment(rest_, profile, setup.holder)) {}
-
-std::vector<std::pair<int, int>> MembraneModel::coupled_nodes() const {
-  // A hinge couples all four nodes of a triangle pair; no other term couples more.
-  std::vector<std::pair<int, int>> coupled;
-  for (const auto& p : pairs_) {
-    coupled.insert(coupled.end(), {{p.a, p.b}, {p.a, p.c}, {p.a, p.d}, {p.b, p.c}, {p.b, p.d}, {p.c, p.d}});
-  }
-  return coupled;
+      holder_(holder_attachment(rest_, profile, setup.holder)),
+      energy_(static_cast<int>(rest_.points_um.cols()),
+              1e-3 * profile.effective_young_modulus_kPa * setup.thickness_um) {
+  energy_.add_term(springs_);
+  energy_.add_term(hinges_);
+  energy_.add_term(volume_);
+  energy_.add_term(tip_);
+  energy_.add_term(holder_);
 }
 
 void MembraneModel::set_holder(const Eigen::Vector3d& direction) {
@@ -115,22 +113,7 @@ void MembraneModel::set_holder(const Eigen::Vector3d& direction) {
   springs_.set_constants(spring_constants(rest_, profile_, setup_));
   hinges_.set_rigidity(hinge_rigidity(rest_, profile_, setup_));
   holder_ = holder_attachment(rest_, profile_, direction);
-  if (bound_) holder_.bind(*bound_);
-}
-
-void MembraneModel::bind(const BlockMatrix& matrix) {
-  bound_ = &matrix;
-  springs_.bind(matrix);
-  hinges_.bind(matrix);
-  volume_.bind(matrix);
-  tip_.bind(matrix);
-  holder_.bind(matrix);
-}
-
-double MembraneModel::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const {
-  return springs_.add(x_um, gradient_uN, hessian) + hinges_.add(x_um, gradient_uN, hessian) +
-         volume_.add(x_um, gradient_uN, hessian) + tip_.add(x_um, gradient_uN, hessian) +
-         holder_.add(x_um, gradient_uN, hessian);
+  energy_.rebind(holder_);
 }
 
 Eigen::Matrix3Xd MembraneModel::elastic_force_uN(const Eigen::Matrix3Xd& x_um) const {

@@ -25,6 +25,10 @@ void SpringTerm::set_constants(const SpringConstants& constants) {
   }
 }
 
+void SpringTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  for (const auto& s : springs_) pairs.emplace_back(s.i, s.j);
+}
+
 void SpringTerm::bind(const BlockMatrix& matrix) {
   slots_.clear();
   for (const auto& s : springs_)

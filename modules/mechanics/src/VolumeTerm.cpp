@@ -9,6 +9,19 @@ VolumeTerm::VolumeTerm(const TriangleMesh& rest, double stiffness_uN_per_um2)
       stiffness_uN_per_um2_(stiffness_uN_per_um2),
       rest_volume_um3_(enclosed_volume_um3(rest.points_um, rest.triangles)) {}
 
+void VolumeTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {
+    for (int corner = 0; corner < 3; ++corner) {
+      pairs.emplace_back(triangles_(corner, t), triangles_((corner + 1) % 3, t));
+    }
+  }
+}
+
+double VolumeTerm::rank_one(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd& direction) const {
+  direction = gradient_of_volume(x_um);
+  return rank_one_factor();
+}
+
 void VolumeTerm::bind(const BlockMatrix& matrix) {
   slots_.clear();
   for (Eigen::Index t = 0; t < triangles_.cols(); ++t) {

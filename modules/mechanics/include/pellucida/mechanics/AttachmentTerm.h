@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "pellucida/mechanics/BlockMatrix.h"
+#include "pellucida/mechanics/EnergyTerm.h"
 #include "pellucida/mechanics/TriangleMesh.h"
 
 namespace pellucida {
@@ -10,7 +10,7 @@ namespace pellucida {
 /// A tool bonded elastically to a patch of the membrane: U = 1/2 sum_i w_i |x_i - X_i - u|^2, X_i the node at rest, u
 /// the tool's displacement. Read-out of the tool's force on the membrane: F = sum_i w_i (X_i + u - x_i), exact at
 /// equilibrium.
-class AttachmentTerm {
+class AttachmentTerm final : public EnergyTerm {
  public:
   /// `weights_uN_per_um` (n): integral of the bond's density times each node's shape function.
   AttachmentTerm(const Eigen::Matrix3Xd& rest_um, const Eigen::VectorXd& weights_uN_per_um);
@@ -18,8 +18,8 @@ class AttachmentTerm {
   void set_displacement(const Eigen::Vector3d& displacement_um) { displacement_um_ = displacement_um; }
   const Eigen::Vector3d& displacement_um() const noexcept { return displacement_um_; }
 
-  void bind(const BlockMatrix& matrix);
-  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const;
+  void bind(const BlockMatrix& matrix) override;
+  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const override;
 
   /// Force of the tool on the membrane, uN.
   Eigen::Vector3d force_uN(const Eigen::Matrix3Xd& x_um) const;

@@ -23,7 +23,8 @@ class BlockMatrix {
 
   int node_count() const noexcept { return node_count_; }
 
-  /// The slot of block (row, column). Precondition: the pair was named at construction, or row == column.
+  /// The slot of block (row, column). Throws Error (our fault) unless the pair was named at construction, or
+  /// row == column.
   BlockSlot slot(int row, int column) const;
 
   void set_zero() { values_.coeffs().setZero(); }

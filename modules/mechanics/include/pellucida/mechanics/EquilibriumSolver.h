@@ -1,18 +1,22 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <string_view>
 
-#include "pellucida/mechanics/MembraneModel.h"
+#include "pellucida/mechanics/AttachmentTerm.h"
+#include "pellucida/mechanics/EnergyTerm.h"
 
 namespace pellucida {
 
 /// How a solution ended.
 enum class SolveStatus {
   kConverged,
-  kIterationBudget,  ///< ran out of iterations
-  kNoDescent,        ///< the line search found no lower energy
-  kNotFinite,        ///< a number overflowed
+  kIterationBudget,      ///< ran out of iterations
+  kTimeBudget,           ///< ran out of time
+  kNotPositiveDefinite,  ///< no shift made the Hessian positive definite
+  kNoDescent,            ///< the line search found no lower energy
+  kNotFinite,            ///< a number overflowed
 };
 std::string_view to_string(SolveStatus status) noexcept;
 
@@ -20,6 +24,8 @@ struct SolveOptions {
   int max_iterations = 40;
   double tolerance_um = 1e-5;  ///< converged when every node's residual force is below this times E h
   double max_step_um = 4.0;    ///< no node moves farther in one iteration
+  /// No iteration begins later than this after the start. What a result holds then depends on the machine's speed.
+  double time_budget_s = std::numeric_limits<double>::infinity();
 };
 
 struct SolveReport {
@@ -30,27 +36,33 @@ struct SolveReport {
   double residual_uN = 0.0;  ///< largest residual force on a node
 };
 
-/// Finds the membrane's equilibrium as a minimum of its energy: Newton's method with a sparse LDL^T factorisation whose
-/// symbolic part is kept, the volume's rank-one part by the Sherman-Morrison formula, a pivot-sign test with a diagonal
-/// shift until the whole Hessian is positive definite (without it Newton follows unstable branches), and an Armijo line
-/// search. The factorisation, which costs nearly all of the time, is kept from one solution to the next for as long as
-/// it shrinks the residual fourfold an iteration. One thread at a time. Works on a model of the node coupling it was
-/// made for.
+/// Finds an equilibrium as a minimum of a sum of energies: Newton's method with a sparse LDL^T factorisation whose
+/// symbolic part is kept, rank-one parts (the volume's) by the Sherman-Morrison-Woodbury formula, a pivot-sign test
+/// with a diagonal shift until the whole Hessian is positive definite (without it Newton follows unstable branches),
+/// and an Armijo line search. The factorisation, which costs nearly all of the time, is kept from one solution to the
+/// next for as long as it shrinks the residual fourfold an iteration. One thread at a time.
 class EquilibriumSolver {
  public:
-  explicit EquilibriumSolver(MembraneModel& model);
+  /// Lays down the pattern of what the sum's terms couple now and binds them to it. `energy` must outlive the solver;
+  /// one solver at a time works on a sum.
+  explicit EquilibriumSolver(EnergySum& energy);
   ~EquilibriumSolver();
   EquilibriumSolver(const EquilibriumSolver&) = delete;
   EquilibriumSolver& operator=(const EquilibriumSolver&) = delete;
 
-  /// Moves `x_um` to a minimum of `model`'s energy nearby. `x_um` always holds finite numbers afterwards.
-  SolveReport solve(const MembraneModel& model, Eigen::Matrix3Xd& x_um, const SolveOptions& options);
+  /// Moves `x_um` to a minimum of the energy nearby. `x_um` always holds finite numbers afterwards, and no higher
+  /// energy than before.
+  SolveReport solve(Eigen::Matrix3Xd& x_um, const SolveOptions& options);
 
   /// H^-1 b with the Hessian at `x_um` (3 x n), by conjugate gradients preconditioned with the kept factorisation, to a
   /// relative residual of 1e-4; starts from `guess`. Where the Hessian turns out not to be positive definite, the
   /// shifted one is used.
-  Eigen::Matrix3Xd apply_inverse_hessian(const MembraneModel& model, const Eigen::Matrix3Xd& x_um,
-                                         const Eigen::Matrix3Xd& b, const Eigen::Matrix3Xd& guess);
+  Eigen::Matrix3Xd apply_inverse_hessian(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& b,
+                                         const Eigen::Matrix3Xd& guess);
+
+  /// How the force of `tool`, a term of the sum, on the membrane follows the tool's displacement: dF/du at the
+  /// equilibrium `x_um`, uN/um (3 x 3). Along a direction d: d . (dF/du) d.
+  Eigen::Matrix3d tool_stiffness_uN_per_um(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_um);
 
  private:
   class Impl;

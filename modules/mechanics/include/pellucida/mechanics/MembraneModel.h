@@ -1,10 +1,10 @@
 #pragma once
 #include <Eigen/Core>
-#include <utility>
 #include <vector>
 
 #include "pellucida/mechanics/AttachmentTerm.h"
 #include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/mechanics/EnergyTerm.h"
 #include "pellucida/mechanics/HingeTerm.h"
 #include "pellucida/mechanics/SpringTerm.h"
 #include "pellucida/mechanics/TriangleMesh.h"
@@ -31,21 +31,19 @@ class MembraneModel {
  public:
   MembraneModel(const CellProfile& profile, const MembraneSetup& setup);
 
+  MembraneModel(const MembraneModel&) = delete;
+  MembraneModel& operator=(const MembraneModel&) = delete;
+
   const TriangleMesh& rest() const noexcept { return rest_; }
   const MembraneSetup& setup() const noexcept { return setup_; }
-  /// Node pairs that a Hessian couples.
-  std::vector<std::pair<int, int>> coupled_nodes() const;
+  /// The sum of this model's terms, for a solver. Further terms may be added to it.
+  EnergySum& energy() noexcept { return energy_; }
+  const EnergySum& energy() const noexcept { return energy_; }
 
   /// Moves the holder; regions and holder weights follow.
   void set_holder(const Eigen::Vector3d& direction);
   /// Moves the needle `depth_um` along its push.
   void set_depth(double depth_um) { tip_.set_displacement(depth_um * setup_.push); }
-
-  /// Finds all terms' blocks in `matrix`; needed before a Hessian is asked for.
-  void bind(const BlockMatrix& matrix);
-
-  /// Energy (uN um); adds gradient (3 x n, uN) and the sparse part of the Hessian where asked for.
-  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const;
 
   /// The membrane's own elastic force on each node, uN (3 x n): that of springs and hinges.
   Eigen::Matrix3Xd elastic_force_uN(const Eigen::Matrix3Xd& x_um) const;
@@ -57,20 +55,19 @@ class MembraneModel {
   const AttachmentTerm& holder() const noexcept { return holder_; }
 
   /// E h, uN/um: the scale of all forces.
-  double force_scale_uN_per_um() const noexcept { return force_scale_uN_per_um_; }
+  double force_scale_uN_per_um() const noexcept { return energy_.force_scale_uN_per_um(); }
 
  private:
   CellProfile profile_;
   MembraneSetup setup_;
   TriangleMesh rest_;
   std::vector<TrianglePair> pairs_;
-  double force_scale_uN_per_um_ = 0.0;
   SpringTerm springs_;
   HingeTerm hinges_;
   VolumeTerm volume_;
   AttachmentTerm tip_;
   AttachmentTerm holder_;
-  const BlockMatrix* bound_ = nullptr;
+  EnergySum energy_;
 };
 
 }  // namespace pellucida

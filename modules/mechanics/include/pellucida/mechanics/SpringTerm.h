@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "pellucida/mechanics/BlockMatrix.h"
+#include "pellucida/mechanics/EnergyTerm.h"
 #include "pellucida/mechanics/TriangleMesh.h"
 
 namespace pellucida {
@@ -21,19 +21,16 @@ struct SpringConstants {
 /// with X-shaped connectors: each pair of triangles carries a spring along the shared edge and one between the two
 /// opposite vertices, each with A_ij = (area1 + area2) / 6, half of the pair's share of the surface. Energy of a
 /// connector: U = A_ij (K2 e^2 / 2 + K1 e^4 / 4). A connector softens to nothing at e^2 = -K2 / (3 K1) when K1 < 0.
-class SpringTerm {
+class SpringTerm final : public EnergyTerm {
  public:
   SpringTerm(const TriangleMesh& rest, const std::vector<TrianglePair>& pairs, const SpringConstants& constants);
 
   /// Lays `constants` over the same connectors.
   void set_constants(const SpringConstants& constants);
 
-  /// Finds this term's blocks in `matrix`, which must hold them.
-  void bind(const BlockMatrix& matrix);
-
-  /// Adds gradient and Hessian where asked for; returns the energy (uN um). `hessian` needs a `bind` to a matrix of its
-  /// pattern.
-  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const;
+  void append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const override;
+  void bind(const BlockMatrix& matrix) override;
+  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const override;
 
   /// Adds the dampers' forces -b (v.p)/(p.p) p (uN) on each node. Their power, -b (v.p)^2/(p.p) a connector, is never
   /// positive.

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pellucida/mechanics/BlockMatrix.h"
+#include "pellucida/mechanics/EnergyTerm.h"
 #include "pellucida/mechanics/TriangleMesh.h"
 
 namespace pellucida {
@@ -11,15 +11,16 @@ namespace pellucida {
 /// The liquid inside: nearly constant volume, one hydrostatic pressure.
 /// U = 1/2 kv (V - V0)^2 / V0,  P = -kv (V - V0) / V0.
 /// The Hessian is -P grad grad V (sparse, added here) plus kv / V0 (grad V)(grad V)^T, of rank one and full: the solver
-/// treats that part apart, from `gradient_of_volume` and `rank_one_factor`.
-class VolumeTerm {
+/// treats that part apart.
+class VolumeTerm final : public EnergyTerm {
  public:
   VolumeTerm(const TriangleMesh& rest, double stiffness_uN_per_um2);
 
-  void bind(const BlockMatrix& matrix);
-
-  /// Adds gradient and the sparse part of the Hessian where asked for; returns the energy (uN um).
-  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const;
+  void append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const override;
+  void bind(const BlockMatrix& matrix) override;
+  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const override;
+  bool has_rank_one() const noexcept override { return true; }
+  double rank_one(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd& direction) const override;
 
   /// grad V, um^2 (3 x n).
   Eigen::Matrix3Xd gradient_of_volume(const Eigen::Matrix3Xd& x_um) const;
