@@ -1,0 +1,268 @@
+#include "CellFollower.h"
+
+#include <cmath>
+
+#include "pellucida/tracking/ContourMath.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kCircleTolerance_px = 3.0;
+
+contour::Circle fit(const Eigen::Matrix2Xd& points) {
+  return contour::fit_circle(points, kCircleTolerance_px);
+}
+
+// The whole image in floating point: for searches, not for following.
+GrayImage gray(const ImageView& view) {
+  GrayImage whole;
+  load(view, whole);
+  return whole;
+}
+
+}  // namespace
+
+NeedleZone CellFollower::zone() const {
+  const NeedleEstimate& n = needle_.estimate();
+  return {n.tip, n.direction, n.tip_half_width, n.widening, touching_};
+}
+
+void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
+  holder_.valid = false;
+  std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
+  // The holder is broad, the needle narrow.
+  for (const FoundTool& tool : tools) {
+    if (tool.half_width() < 0.2 * circle.radius) continue;
+    holder_ = {true, tool.direction, tool.offset(), tool.half_width(),
+               std::clamp(tool.strength / (3.0 * circle.radius), 0.0, 1.0)};
+    break;
+  }
+  find_needle(frame, circle, tools);
+}
+
+void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
+                               const std::vector<FoundTool>& tools) {
+  for (const FoundTool& tool : tools) {
+    if (tool.half_width() >= 0.2 * circle.radius) continue;
+    if (holder_.valid && tool.direction.dot(holder_.direction) > 0.8) continue;
+    if (needle_.start(frame.image, tool, circle, frame.noise)) return;
+  }
+  needle_.reset();
+}
+
+// The pixels of the holder, outside the cell: what tells the cell's rigid motion. Its rim is what shows a motion
+// along the pipette, so the pixels go close to the membrane and not far up the shaft.
+void CellFollower::learn_holder_motion(const FrameInput& frame) {
+  rigid_.reset();
+  if (!holder_.valid) return;
+  const Eigen::Vector2d across(-holder_.direction.y(), holder_.direction.x());
+  std::vector<Eigen::Vector2d> points;
+  const double half = holder_.half_width + 6.0;
+  for (double s = 0.7 * rest_.outer_radius; s < 1.6 * rest_.outer_radius; s += 1.0) {
+    for (double v = holder_.offset - half; v <= holder_.offset + half; v += 1.0) {
+      if (std::hypot(s, v) < rest_.outer_radius + 3.0) continue;
+      points.push_back(rest_.center + s * holder_.direction + v * across);
+    }
+  }
+  rigid_.learn(frame.image, points, frame.noise);
+}
+
+// How far the tip is past the resting membrane, px.
+double CellFollower::tip_depth() const {
+  const NeedleEstimate& n = needle_.estimate();
+  return (n.tip - rest_.entry_point(center_now(), n.tip, n.direction)).dot(n.direction);
+}
+
+double CellFollower::measure_membrane_depth() const {
+  if (!needle_.valid()) return 0.0;
+  const NeedleEstimate& n = needle_.estimate();
+  const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction);
+  return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
+}
+
+void CellFollower::learn_rest() {
+  const contour::Circle outer = fit(snakes_.outer().points);
+  if (outer.inlier_ratio < 0.6) return;
+  rest_.learn(outer.center - rigid_shift_, outer.radius,
+              snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0);
+}
+
+// Mean confidence of the outer contour on the needle's side, where a dimple is or is not.
+double CellFollower::local_score() const {
+  if (!needle_.valid()) return snakes_.outer().score;
+  const NeedleZone needle_zone = zone();
+  double sum = 0.0, count = 0.0;
+  const SnakeContour& outer = snakes_.outer();
+  for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
+    const Eigen::Vector2d d = outer.points.col(i) - needle_zone.tip;
+    const double across = std::abs(needle_zone.direction.x() * d.y() - needle_zone.direction.y() * d.x());
+    if (across > 0.45 * rest_.outer_radius || d.dot(needle_zone.direction) > 0.8 * rest_.outer_radius) continue;
+    if (needle_zone.covers(outer.points.col(i), 2.0)) continue;
+    sum += outer.confidence[i];
+    count += 1.0;
+  }
+  return count > 3.0 ? sum / count : snakes_.outer().score;
+}
+
+// The weakest of what was seen: the whole outer contour, the inner one, and the outer one on the needle's side.
+double CellFollower::quality_now() const {
+  const double both =
+      snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;
+  return std::min(both, local_score());
+}
+
+bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
+  touching_ = false;
+  needle_.reset();
+  find_tools_of(frame, cell.circle);
+  const NeedleZone needle_zone = zone();
+  if (!snakes_.start(frame.image, cell, frame.noise, needle_.valid() ? &needle_zone : nullptr)) return false;
+  detection_score_ = std::min(1.0, snakes_.sureness() / 0.6);
+  bad_frames_ = poor_frames_ = frames_followed_ = 0;
+
+  // The rest shape as far as this one frame shows it: the circle through the undeformed part.
+  const contour::Circle circle = fit(snakes_.outer().points);
+  rest_ = {};
+  rest_.center = circle.center;
+  rest_.outer_radius = circle.radius;
+  rest_.inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
+  rigid_shift_.setZero();
+  learn_holder_motion(frame);
+  membrane_depth_ = measure_membrane_depth();
+  const bool entered = needle_.valid() && tip_depth() > 2.0 * options_.contact_px;
+  const bool through = entered && tip_depth() > 8.0 * options_.contact_px && membrane_depth_ < 0.5 * tip_depth();
+  contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
+  touching_ = entered && !through;
+  if (!entered) learn_rest();
+  quality_ = usual_quality_ = first_quality_ = quality_now();
+  return true;
+}
+
+void CellFollower::follow_needle(const FrameInput& frame) {
+  if (needle_.valid()) {
+    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
+    const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px});
+    if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
+  } else if (frames_followed_ % 3 == 0 || frames_followed_ < 10) {
+    const contour::Circle circle{center_now(), rest_.outer_radius, 1.0, 0.0};
+    find_needle(frame, circle, find_tools(gray(frame.view), circle));
+  }
+}
+
+// The narrow band first; where that fails, wider, and with the membrane sprung back.
+void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift) {
+  const NeedleZone needle_zone = zone();
+  const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
+  outer_before_ = snakes_.outer();
+  inner_before_ = snakes_.inner();
+  snakes_.track(frame.image, frame.noise, shift, needle_.motion(), known, options_.search_px);
+  quality_ = quality_now();
+  if (quality_ >= std::max(0.6, 0.88 * usual_quality_)) return;
+
+  SnakeContour best_outer = snakes_.outer(), best_inner = snakes_.inner();
+  const auto attempt = [&](const NeedleZone* with, bool from_rest, double reach) {
+    snakes_.restore(outer_before_, inner_before_);
+    if (from_rest)
+      snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
+    snakes_.track(frame.image, frame.noise, from_rest ? Eigen::Vector2d::Zero() : shift, needle_.motion(), with, reach);
+    const double now = quality_now();
+    if (now > quality_ + 0.05) {
+      quality_ = now;
+      best_outer = snakes_.outer();
+      best_inner = snakes_.inner();
+    }
+  };
+  attempt(known, false, options_.wide_search_px);
+  NeedleZone loose = needle_zone;
+  loose.touching = false;
+  if (known && touching_) {
+    attempt(&loose, false, options_.wide_search_px);
+    attempt(&loose, true, 2.0 * options_.search_px);
+    attempt(&loose, true, options_.wide_search_px);
+  } else {
+    attempt(known, true, options_.wide_search_px);
+  }
+  snakes_.restore(best_outer, best_inner);
+}
+
+bool CellFollower::follow(const FrameInput& frame) {
+  ++frames_followed_;
+  follow_needle(frame);
+  // Rigid motion of the whole: by the holder where there is one, else later by the far side.
+  const Eigen::Vector2d shift_before = rigid_shift_;
+  if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
+    rigid_shift_ = rigid_.motion();
+
+  const bool punctured = contact_.state() == CellState::kPunctured;
+  touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
+  follow_contours(frame, rigid_shift_ - shift_before);
+  const bool good = snakes_.outer().score >= options_.min_tracking_score && plausible();
+  bad_frames_ = good ? 0 : bad_frames_ + 1;
+  if (!good) {
+    snakes_.restore(outer_before_, inner_before_);
+    return bad_frames_ < options_.lost_after_frames;
+  }
+
+  usual_quality_ += 0.1 * (quality_ - usual_quality_);
+  // Far worse than when the cell was found, frame after frame: something else is followed.
+  poor_frames_ = quality_ < 0.55 * first_quality_ ? poor_frames_ + 1 : 0;
+  if (poor_frames_ >= 2 * options_.lost_after_frames) return false;
+
+  // Without a holder the side away from the needle tells the rigid motion.
+  if (!rigid_.valid()) rigid_shift_ = far_side_center() - rest_.center;
+  membrane_depth_ = measure_membrane_depth();
+  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid()});
+  const bool away = !needle_.valid() || tip_depth() < -2.0;
+  if (contact_.state() == CellState::kFree && away) learn_rest();
+  return true;
+}
+
+double CellFollower::confidence() const {
+  const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
+  const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
+  const double first_sight = rest_.seen_free ? 1.0 : 0.7;
+  const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, 1.0);
+  return bad_frames_ > 0 ? 0.3 * all : all;
+}
+
+SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius) const {
+  SnakeContour result = like;
+  if (like.points.cols() == 0 || radius <= 0.0) return result;
+  const Eigen::Index n = like.points.cols();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(n);
+    result.points.col(i) = center_now() + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+  return result;
+}
+
+// Centre of the resting circle through the part of the contour away from the needle, radius fixed.
+Eigen::Vector2d CellFollower::far_side_center() const {
+  Eigen::Vector2d center = center_now();
+  const Eigen::Vector2d away = needle_.valid() ? needle_.estimate().direction : Eigen::Vector2d::Zero();
+  for (int round = 0; round < 10; ++round) {
+    Eigen::Matrix2d normal = 1e-6 * Eigen::Matrix2d::Identity();
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    const Eigen::Matrix2Xd& points = snakes_.outer().points;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      const Eigen::Vector2d d = points.col(i) - center;
+      const Eigen::Vector2d n = d.normalized();
+      if (contact_.state() != CellState::kFree && n.dot(away) < 0.2) continue;
+      const double off = d.norm() - rest_.outer_radius;
+      const double w = 1.0 / (1.0 + off * off / 4.0);
+      normal += w * n * n.transpose();
+      right += w * off * n;
+    }
+    center += normal.inverse() * right;
+  }
+  return center;
+}
+
+// A contour that encloses far too little or too much, or crosses itself, is none.
+bool CellFollower::plausible() const {
+  const Eigen::Matrix2Xd& points = snakes_.outer().points;
+  const double area = contour::signed_area(points), rest = M_PI * rest_.outer_radius * rest_.outer_radius;
+  return area > 0.5 * rest && area < 1.4 * rest && !contour::self_intersects(points);
+}
+
+}  // namespace pellucida

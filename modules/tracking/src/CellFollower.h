@@ -1,0 +1,92 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "CellDetector.h"
+#include "ContactLogic.h"
+#include "FrameSampler.h"
+#include "GrayImage.h"
+#include "MembraneSnakes.h"
+#include "NeedleTracker.h"
+#include "RestGeometry.h"
+#include "RigidMotion.h"
+#include "ToolFinder.h"
+#include "pellucida/tracking/TrackerOptions.h"
+#include "pellucida/tracking/TrackingHints.h"
+
+namespace pellucida {
+
+/// One frame as the follower gets it.
+struct FrameInput {
+  ImageView view;
+  FrameSampler image;                               ///< of `view`
+  double noise = 0.0;                               ///< standard deviation of a pixel, 0..1 of the range
+  std::optional<Eigen::Vector2d> needle_motion_px;  ///< commanded since the frame before
+};
+
+/// The holding pipette as found with the cell, in the frame that moves with it.
+struct HolderLine {
+  bool valid = false;
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, from the cell's centre along the pipette
+  double offset = 0.0;                                   ///< px, its axis beside the centre, across `direction`
+  double half_width = 0.0;                               ///< px
+  double confidence = 0.0;
+};
+
+/// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together
+/// here, in px. What is not found, or lost for good, is the caller's to look for anew.
+class CellFollower {
+ public:
+  explicit CellFollower(const TrackerOptions& options) : options_(options), snakes_(options), contact_(options) {}
+
+  /// Begins with a detected cell. False when its edges, looked at closely, are no membrane's; the follower then holds
+  /// nothing.
+  bool start(const FrameInput& frame, const DetectedCell& cell);
+
+  /// Follows into the next frame. False when the cell has been out of sight for too long.
+  bool follow(const FrameInput& frame);
+
+  const MembraneSnakes& snakes() const noexcept { return snakes_; }
+  const NeedleTracker& needle() const noexcept { return needle_; }
+  const HolderLine& holder() const noexcept { return holder_; }
+  const RestGeometry& rest() const noexcept { return rest_; }
+  CellState state() const noexcept { return contact_.state(); }
+  Eigen::Vector2d center_now() const { return rest_.center + rigid_shift_; }
+
+  /// How far tip and membrane are past the resting membrane along the needle's axis, px; needle needed.
+  double tip_depth() const;
+  double membrane_depth() const noexcept { return membrane_depth_; }
+
+  /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
+  double confidence() const;
+
+ private:
+  NeedleZone zone() const;
+  void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
+  void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
+  void follow_needle(const FrameInput& frame);
+  void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  void learn_holder_motion(const FrameInput& frame);
+  void learn_rest();
+  double measure_membrane_depth() const;
+  double local_score() const;
+  double quality_now() const;
+  bool plausible() const;
+  SnakeContour at_rest(const SnakeContour& like, double radius) const;
+  Eigen::Vector2d far_side_center() const;
+
+  TrackerOptions options_;
+  MembraneSnakes snakes_;
+  NeedleTracker needle_;
+  RigidMotion rigid_;
+  RestGeometry rest_;
+  ContactLogic contact_;
+  HolderLine holder_;
+  SnakeContour outer_before_, inner_before_;
+  Eigen::Vector2d rigid_shift_ = Eigen::Vector2d::Zero();
+  double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
+  bool touching_ = false;
+  int bad_frames_ = 0, poor_frames_ = 0, frames_followed_ = 0;
+};
+
+}  // namespace pellucida

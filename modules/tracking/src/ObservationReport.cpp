@@ -1,0 +1,110 @@
+#include "ObservationReport.h"
+
+#include <cmath>
+
+#include "pellucida/tracking/ContourMath.h"
+
+namespace pellucida {
+namespace {
+
+// The share of the tip in the indentation; the rest is the contour, which rounds a steep dimple a little.
+constexpr double kTipShare = 0.8;
+
+MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Membrane which,
+                         const Eigen::Vector2d& start_direction, double pixel_size_um) {
+  // Begin where the ray from the centre towards the needle crosses; carry sigma and confidence along.
+  const Eigen::Index n = snake.points.cols();
+  const double arc = std::max(0.0, contour::ray_crossing_arc(snake.points, cell.center_now(), start_direction));
+  MembraneContour result;
+  result.membrane = which;
+  result.points_um = contour::resample(snake.points, n, arc) * pixel_size_um;
+  result.sigma_um.resize(n);
+  result.confidence.resize(n);
+  const double spacing = contour::arc_length(snake.points) / static_cast<double>(n);
+  const Eigen::Index first = spacing > 0.0 ? static_cast<Eigen::Index>(std::lround(arc / spacing)) : 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index k = contour::wrap(first + i, n);
+    result.sigma_um[i] = snake.sigma_px[k] * pixel_size_um;
+    result.confidence[i] = snake.confidence[k];
+  }
+  return result;
+}
+
+void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_um) {
+  const NeedleEstimate& n = cell.needle().estimate();
+  NeedlePose pose;
+  pose.tip_um = n.tip * pixel_size_um;
+  pose.direction = n.direction;
+  pose.tip_radius_um = n.tip_half_width * pixel_size_um;
+  pose.confidence = n.confidence;
+  pose.tip_sigma_um = n.tip_sigma * pixel_size_um;
+  pose.evidence = n.evidence;
+  // Tip, one side as far as it was fitted and forward again, then the other side: no line crosses the open shaft.
+  const Eigen::Vector2d across(-n.direction.y(), n.direction.x());
+  const double length = 80.0;
+  const Eigen::Vector2d front = n.tip - n.tip_half_width * n.direction;
+  const Eigen::Vector2d back = n.tip - length * n.direction;
+  const double back_half_width = n.tip_half_width + n.widening * length;
+  Eigen::Matrix2Xd outline(2, 9);
+  outline << n.tip, front + n.tip_half_width * across, back + back_half_width * across,
+      front + n.tip_half_width * across, n.tip, front - n.tip_half_width * across, back - back_half_width * across,
+      front - n.tip_half_width * across, n.tip;
+  pose.outline_um = outline * pixel_size_um;
+  out.needle = pose;
+
+  // Under the tip the membrane is where the tip is: two measures of one depth, averaged as long as they agree.
+  const bool contact = cell.state() == CellState::kContact;
+  const double apart_px = std::abs(cell.tip_depth() - cell.membrane_depth());
+  const double depth_px = contact && apart_px < 4.0
+                              ? kTipShare * cell.tip_depth() + (1.0 - kTipShare) * cell.membrane_depth()
+                              : cell.membrane_depth();
+  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth_px) * pixel_size_um;
+  out.indentation_sigma_um = (cell.rest().seen_free ? 0.35 : 1.5) * pixel_size_um;
+  if (!contact) return;
+  const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction);
+  out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
+                                                       entry + cell.membrane_depth() * n.direction, -n.direction);
+}
+
+void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_um) {
+  HolderPose pose;
+  const Eigen::Vector2d across(-cell.holder().direction.y(), cell.holder().direction.x());
+  const double sunk = std::min(0.8 * cell.holder().half_width, 0.95 * cell.rest().outer_radius);
+  const double distance = std::sqrt(cell.rest().outer_radius * cell.rest().outer_radius - sunk * sunk);
+  const Eigen::Vector2d mouth = cell.center_now() + distance * cell.holder().direction + cell.holder().offset * across;
+  pose.mouth_um = mouth * pixel_size_um;
+  pose.direction = cell.holder().direction;
+  pose.outer_radius_um = cell.holder().half_width * pixel_size_um;
+  pose.confidence = cell.holder().confidence;
+  const double length = 1.5 * cell.rest().outer_radius;
+  Eigen::Matrix2Xd outline(2, 4);
+  outline.col(0) = mouth + length * cell.holder().direction + cell.holder().half_width * across;
+  outline.col(1) = mouth + cell.holder().half_width * across;
+  outline.col(2) = mouth - cell.holder().half_width * across;
+  outline.col(3) = mouth + length * cell.holder().direction - cell.holder().half_width * across;
+  pose.outline_um = outline * pixel_size_um;
+  out.holder = pose;
+}
+
+}  // namespace
+
+Observation report(const CellFollower& cell, double pixel_size_um) {
+  Observation out;
+  out.state = cell.state();
+  out.confidence = cell.confidence();
+  const Eigen::Vector2d center = cell.center_now();
+  Eigen::Vector2d axis = cell.holder().valid ? Eigen::Vector2d(-cell.holder().direction) : Eigen::Vector2d::UnitX();
+  if (cell.needle().valid()) axis = -cell.needle().estimate().direction;
+  out.outer = membrane(cell, cell.snakes().outer(), Membrane::kOuter, axis, pixel_size_um);
+  if (cell.snakes().has_inner() && cell.snakes().inner().score > 0.25)
+    out.inner = membrane(cell, cell.snakes().inner(), Membrane::kInner, axis, pixel_size_um);
+  out.center_um = center * pixel_size_um;
+  out.rest_outer_radius_um = cell.rest().outer_radius * pixel_size_um;
+  out.rest_inner_radius_um = cell.rest().inner_radius * pixel_size_um;
+  out.axis = axis;
+  if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);
+  if (cell.holder().valid) fill_holder(cell, out, pixel_size_um);
+  return out;
+}
+
+}  // namespace pellucida
