@@ -91,7 +91,7 @@ TEST(VirtualSpecimen, NeedleTouchesButNeverCrossesTheMembrane) {
     VirtualSpecimen specimen(scenario);
     for (double depth = 0.5; depth <= scenario.motion.indentation_um; depth += 0.5) {
       const auto state = specimen.advance(depth, depth);
-      const Truth truth = make_truth(scenario, specimen, state, Eigen::Vector2d::Zero(), 0, 0);
+      const Truth truth = make_truth(scenario, specimen, state, StagePose{}, 0, 0);
       const auto& outer = truth.observation.outer->points_um;
       const auto& needle = *truth.observation.needle;
       // The tip sits on the membrane.
@@ -114,8 +114,8 @@ TEST(VirtualSpecimen, TurnedSceneIsTheSameSceneTurned) {
       const Scenario straight = scenario_of(R"({"tools": {)" + tools + R"(, "holder_angle_deg": 0}})");
       const Scenario turned = scenario_of(R"({"tools": {)" + tools + R"(, "holder_angle_deg": 73}})");
       VirtualSpecimen a(straight), b(turned);
-      const Truth one = make_truth(straight, a, a.advance(31, 0), {0, 0}, 0, 0);
-      const Truth two = make_truth(turned, b, b.advance(31, 0), {3, -2}, 0, 0);
+      const Truth one = make_truth(straight, a, a.advance(31, 0), StagePose{}, 0, 0);
+      const Truth two = make_truth(turned, b, b.advance(31, 0), StagePose{{3, -2}}, 0, 0);
 
       const double angle = 73 * std::numbers::pi / 180;
       Eigen::Matrix2d turn;
@@ -145,8 +145,8 @@ TEST(VirtualSpecimen, MirroredIsTheMirrorImage) {
   const Scenario plain = scenario_of(R"({"tools": {"configuration": 2, "holder_angle_deg": 180}})");
   const Scenario mirror = scenario_of(R"({"tools": {"configuration": 2, "holder_angle_deg": 180, "mirrored": true}})");
   VirtualSpecimen a(plain), b(mirror);
-  const Truth one = make_truth(plain, a, a.advance(25, 0), {0, 0}, 0, 0);
-  const Truth two = make_truth(mirror, b, b.advance(25, 0), {0, 0}, 0, 0);
+  const Truth one = make_truth(plain, a, a.advance(25, 0), StagePose{}, 0, 0);
+  const Truth two = make_truth(mirror, b, b.advance(25, 0), StagePose{}, 0, 0);
   EXPECT_NEAR(one.observation.axis.x(), two.observation.axis.x(), 1e-12);
   EXPECT_NEAR(one.observation.axis.y(), -two.observation.axis.y(), 1e-12);
   Contour_um flipped = one.observation.outer->points_um;

@@ -10,6 +10,17 @@
 
 namespace pellucida::test {
 
+/// How many of how many errors lie within their standard deviation: 0.68 where the sigmas are honest.
+struct Coverage {
+  int covered = 0, count = 0;
+  double ratio() const { return count > 0 ? static_cast<double>(covered) / count : 0.0; }
+  Coverage& operator+=(const Coverage& other) {
+    covered += other.covered;
+    count += other.count;
+    return *this;
+  }
+};
+
 /// The tracker's errors on one frame of the virtual microscope, px but for the indentation. -1: not measured.
 struct FrameError {
   CellState state = CellState::kNoCell, true_state = CellState::kNoCell;
@@ -21,9 +32,14 @@ struct FrameError {
   double center_px = -1.0;
   double indentation_um = 0.0;  ///< measured minus true
   double true_indentation_um = 0.0;
+  double rotation_rad = 0.0;    ///< measured minus true
   double direction_rad = -1.0;  ///< angle between the needle's directions
-  double covered_ratio = 0.0;   ///< share of the contour points whose error is within their sigma
-  double sharp_ratio = 0.0;     ///< share of contour points with confidence above 0.5
+  Coverage outer_coverage, inner_coverage;
+  Coverage dimple_coverage;  ///< of both contours' points inside the dimple's mouth
+  Coverage tip_coverage;     ///< of the tip's error along the needle; empty when no sigma is given
+  Coverage depth_coverage;   ///< of the indentation's error, in contact
+  double sharp_ratio = 0.0;  ///< share of contour points with confidence above 0.5
+  double covered_ratio() const { return Coverage(outer_coverage).operator+=(inner_coverage).ratio(); }
 };
 
 /// Root of the mean square, and the largest, of one error over frames that have it.

@@ -69,6 +69,15 @@ EdgeProfile make_needle_edge(const Scenario& s) {
           std::max(kBand_um, 6 * sigma), sigma, true};
 }
 
+EdgeProfile make_bubble_edge(const Scenario& s, double radius_um) {
+  const double c = s.optics.contrast, h = c * s.optics.halo, ring = std::max(line_sigma(s, 1.0), 0.12 * radius_um);
+  return {[=](double d) {
+            return 1 - 0.75 * c * gaussian(d + 1.2 * ring, ring) + 0.15 * h * gaussian(d - 1.5 * ring, 0.6 * ring) +
+                   0.20 * h * soft_step(-d - 3.5 * ring, ring);
+          },
+          std::max(kBand_um, 7 * ring), ring, false};
+}
+
 EdgeProfile make_inside_weight() {
   return {[](double d) { return soft_step(-d - 1.8, 0.8); }, kBand_um, 1.0, false};
 }

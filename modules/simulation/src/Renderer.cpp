@@ -48,6 +48,7 @@ Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
     : scenario_(scenario),
       rim_(holder_rim(specimen)),
       rest_pose_(specimen.pose()),
+      pose_(rest_pose_),
       material_angle_rad_(specimen.reference().angle_rad()),
       inner_radius_um_(specimen.inner_radius_um()),
       outer_edge_(make_outer_edge(scenario)),
@@ -56,32 +57,39 @@ Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
       ooplasm_weight_(make_inside_weight()),
       holder_edge_(make_holder_edge(scenario)),
       needle_edge_(make_needle_edge(scenario)),
+      bubble_edge_(make_bubble_edge(scenario, scenario.bystander.bubble_radius_um)),
       granules_(make_granules(specimen.inner_radius_um(), 0.6 * scenario.image.pixel_size_um, scenario.seed)),
       mottling_(1.05 * specimen.outer_radius_um(), scenario.seed),
+      touching_angle_rad_(
+          make_touching_angles(scenario.debris.touching_count, specimen.reference().holder_angle_rad(), scenario.seed)),
+      passing_(make_passing_particles(scenario.debris.passing_count, scenario.debris.max_radius_um, scenario.seed)),
       noise_(scenario.seed),
       background_(make_field_of_light(scenario)),
       frame_(scenario.image.height_px, scenario.image.width_px, scenario.image.bit_depth == 16 ? CV_16U : CV_8U) {}
 
-const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state) {
+const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state, const StagePose& stage) {
+  pose_ = stage.place(rest_pose_);
   background_.copyTo(light_);
+  draw_bystanders(stage);
   draw_cell(truth, state);
+  draw_particles(state, truth.observation.time_s);
   draw_holder(*truth.observation.holder, truth.observation.center_um);
   draw_needle(*truth.observation.needle);
   if (scenario_.optics.defocus_um > 0)
     cv::GaussianBlur(light_, light_, {}, scenario_.optics.defocus_um / scenario_.image.pixel_size_um, 0,
                      cv::BORDER_REPLICATE);
+  const auto lamp = static_cast<float>(lamp_ratio(scenario_.lamp, truth.observation.time_s));
   if (scenario_.image.bit_depth == 16)
-    count_light<std::uint16_t>(truth.observation.frame_index);
+    count_light<std::uint16_t>(truth.observation.frame_index, lamp);
   else
-    count_light<std::uint8_t>(truth.observation.frame_index);
+    count_light<std::uint8_t>(truth.observation.frame_index, lamp);
   return frame_;
 }
 
 void Renderer::draw_grain(const Eigen::Vector2d& map_center_um, const cv::Rect& window) {
   const double pixel_um = scenario_.image.pixel_size_um;
   const Eigen::Vector2f center = (map_center_um / pixel_um - Eigen::Vector2d(window.x, window.y)).cast<float>();
-  const Eigen::Vector2f across = (rest_pose_.across / pixel_um).cast<float>(),
-                        axis = (rest_pose_.axis / pixel_um).cast<float>();
+  const Eigen::Vector2f across = (pose_.across / pixel_um).cast<float>(), axis = (pose_.axis / pixel_um).cast<float>();
   grain_.create(window.size());
   grain_.setTo(0);
   for (const Granule& granule : granules_) {
@@ -110,7 +118,7 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
   flow_.update(state.section.inner_um, material_angle_rad_);
 
   // Pixel to section frame, relative to the map's centre.
-  const Eigen::Vector2d across = rest_pose_.across, axis = rest_pose_.axis;
+  const Eigen::Vector2d across = pose_.across, axis = pose_.axis;
   const Eigen::Vector2d map_center = seen.center_um + flow_.center().x() * across + flow_.center().y() * axis;
   draw_grain(map_center, window);
 
@@ -156,6 +164,66 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
       }
       light[x] *= through;
     }
+  }
+}
+
+// A second cell, round and at rest, and an air bubble; both lie in the dish and move with the stage.
+void Renderer::draw_bystanders(const StagePose& stage) {
+  const double pixel_um = scenario_.image.pixel_size_um;
+  const auto& bystander = scenario_.bystander;
+  const float grain_depth = static_cast<float>(0.15 * scenario_.optics.contrast * scenario_.optics.granularity);
+  auto draw_disc = [&](const Eigen::Vector2d& center_um, double radius_um, double reach_um, auto&& transmittance) {
+    if (radius_um <= 0) return;
+    const Eigen::Vector2d center = stage.place(center_um) / pixel_um;
+    const double reach = (radius_um + reach_um) / pixel_um;
+    for (int y = std::max(0, static_cast<int>(center.y() - reach));
+         y <= std::min(light_.rows - 1, static_cast<int>(center.y() + reach)); ++y)
+      for (int x = std::max(0, static_cast<int>(center.x() - reach));
+           x <= std::min(light_.cols - 1, static_cast<int>(center.x() + reach)); ++x) {
+        const Eigen::Vector2d from = pixel_um * (Eigen::Vector2d(x, y) - center);
+        light_(y, x) *= transmittance(from, static_cast<float>(from.norm() - radius_um));
+      }
+  };
+  // Both membranes as thick as the specimen's own.
+  const auto zona_um = static_cast<float>(rim_.wall_radius_um);
+  draw_disc({bystander.cell_x_um, bystander.cell_y_um}, bystander.cell_radius_um, kBand_um,
+            [&](const Eigen::Vector2d& from, float distance) {
+              const float inner = distance + zona_um, inside = ooplasm_weight_(inner);
+              const auto x = static_cast<float>(from.x()), y = static_cast<float>(from.y());
+              return outer_edge_(distance) * inner_edge_(inner) * (1 + inside * grain_depth * mottling_.at(y, -x));
+            });
+  draw_disc({bystander.bubble_x_um, bystander.bubble_y_um}, bystander.bubble_radius_um,
+            0.5 * bystander.bubble_radius_um + kBand_um,
+            [&](const Eigen::Vector2d&, float distance) { return bubble_edge_(distance); });
+}
+
+// Particles on the membrane, in focus, and those that float across.
+void Renderer::draw_particles(const SpecimenState& state, double time_s) {
+  const double pixel_um = scenario_.image.pixel_size_um;
+  const auto& debris = scenario_.debris;
+  const Contour_um& outer = state.section.outer_um;
+  const Eigen::Index n = outer.cols();
+  for (const double angle : touching_angle_rad_) {
+    const auto* first = material_angle_rad_.data();
+    const Eigen::Index k = std::min<Eigen::Index>(std::lower_bound(first, first + n, angle) - first, n - 1);
+    // Outwards is left of the way round; the particle sinks in by a fifth of its radius.
+    const Eigen::Vector2d tangent = (outer.col((k + 1) % n) - outer.col((k + n - 1) % n)).normalized();
+    const Eigen::Vector2d outwards(-tangent.y(), tangent.x());
+    const Eigen::Vector2d place = pose_.to_image(outer.col(k) + 0.8 * debris.touching_radius_um * outwards) / pixel_um;
+    draw_particle(light_, place.x(), place.y(),
+                  {debris.touching_radius_um, 0.30 * scenario_.optics.contrast,
+                   std::max(0.3 * debris.touching_radius_um, 0.5 * pixel_um)},
+                  pixel_um);
+  }
+  for (const PassingParticle& p : passing_) {
+    // The field has a margin, so that particles come in from outside the picture.
+    const double margin_um = 4 * debris.max_radius_um + 10, way_um = debris.passing_speed_um_per_s * time_s;
+    auto along = [&](double ratio, double direction, int size_px) {
+      const double length = size_px * pixel_um + 2 * margin_um, at = ratio * length + way_um * direction;
+      return (at - length * std::floor(at / length) - margin_um) / pixel_um;
+    };
+    draw_particle(light_, along(p.x_ratio, std::cos(p.angle_rad), light_.cols),
+                  along(p.y_ratio, std::sin(p.angle_rad), light_.rows), p.particle, pixel_um);
   }
 }
 
@@ -205,7 +273,7 @@ void Renderer::draw_needle(const NeedlePose& needle) {
 }
 
 template <class Pixel>
-void Renderer::count_light(long frame_index) {
+void Renderer::count_light(long frame_index, float lamp) {
   constexpr float kFull = std::numeric_limits<Pixel>::max();
   const auto& optics = scenario_.optics;
   const float shot = static_cast<float>(1 / optics.full_well_electrons);
@@ -217,12 +285,13 @@ void Renderer::count_light(long frame_index) {
       // Shot noise has the square root of the light, read noise is the same everywhere.
       const float* noise = noise_.row(frame_index, y);
       for (int x = 0; x < light_.cols; ++x) {
-        const float counted = light[x] + noise[x] * std::sqrt(std::max(0.0f, light[x]) * shot + read);
+        const float lit = lamp * light[x];
+        const float counted = lit + noise[x] * std::sqrt(std::max(0.0f, lit) * shot + read);
         pixel[x] = static_cast<Pixel>(std::min(1.0f, std::max(0.0f, counted)) * kFull + 0.5f);
       }
     } else {
       for (int x = 0; x < light_.cols; ++x)
-        pixel[x] = static_cast<Pixel>(std::min(1.0f, std::max(0.0f, light[x])) * kFull + 0.5f);
+        pixel[x] = static_cast<Pixel>(std::min(1.0f, std::max(0.0f, lamp * light[x])) * kFull + 0.5f);
     }
   }
 }

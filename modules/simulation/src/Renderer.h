@@ -20,26 +20,30 @@ class Renderer {
  public:
   Renderer(const Scenario& scenario, const VirtualSpecimen& specimen);
 
-  /// The frame as 8 or 16 bit grey, valid until the next call. `truth` and `state` belong together.
-  const cv::Mat& render(const Truth& truth, const SpecimenState& state);
+  /// The frame as 8 or 16 bit grey, valid until the next call. `truth`, `state` and `stage` belong together.
+  const cv::Mat& render(const Truth& truth, const SpecimenState& state, const StagePose& stage);
 
  private:
   void draw_cell(const Truth& truth, const SpecimenState& state);
+  void draw_bystanders(const StagePose& stage);
+  void draw_particles(const SpecimenState& state, double time_s);
   void draw_holder(const HolderPose& holder, const Eigen::Vector2d& center_um);
   void draw_needle(const NeedlePose& needle);
   void draw_grain(const Eigen::Vector2d& map_center_um, const cv::Rect& window);
   template <class Pixel>
-  void count_light(long frame_index);
+  void count_light(long frame_index, float lamp);
 
   Scenario scenario_;
   HolderRim rim_;
-  SpecimenPose rest_pose_;
+  SpecimenPose rest_pose_, pose_;       // at rest, and in the frame being drawn
   Eigen::VectorXd material_angle_rad_;  // of the section's points
   double inner_radius_um_;
-  EdgeProfile outer_edge_, inner_edge_, ooplasm_edge_, ooplasm_weight_, holder_edge_, needle_edge_;
+  EdgeProfile outer_edge_, inner_edge_, ooplasm_edge_, ooplasm_weight_, holder_edge_, needle_edge_, bubble_edge_;
   OoplasmFlow flow_;
   std::vector<Granule> granules_;
   Mottling mottling_;
+  std::vector<double> touching_angle_rad_;
+  std::vector<PassingParticle> passing_;
   NoiseBank noise_;
   cv::Mat1f background_;  // ratio of full scale
   cv::Mat1f light_;       // the frame being drawn

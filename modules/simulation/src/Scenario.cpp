@@ -165,15 +165,40 @@ Scenario parse_scenario(std::string_view json_text, std::string_view name) {
   Group drift(json, "drift", name);
   drift.take("x_um_per_s", scenario.drift.x_um_per_s);
   drift.take("y_um_per_s", scenario.drift.y_um_per_s);
+  drift.take("rotation_deg_per_s", scenario.drift.rotation_deg_per_s);
+  drift.take("jump_x_px", scenario.drift.jump_x_px);
+  drift.take("jump_y_px", scenario.drift.jump_y_px);
+  drift.take("jump_period_s", scenario.drift.jump_period_s);
   drift.finish();
+
+  Group lamp(json, "lamp", name);
+  lamp.take("step_time_s", scenario.lamp.step_time_s);
+  lamp.take("step_ratio", scenario.lamp.step_ratio);
+  lamp.take("flicker_ratio", scenario.lamp.flicker_ratio);
+  lamp.take("flicker_hz", scenario.lamp.flicker_hz);
+  lamp.finish();
 
   Group debris(json, "debris", name);
   debris.take("count", scenario.debris.count);
   debris.take("max_radius_um", scenario.debris.max_radius_um);
+  debris.take("touching_count", scenario.debris.touching_count);
+  debris.take("touching_radius_um", scenario.debris.touching_radius_um);
+  debris.take("passing_count", scenario.debris.passing_count);
+  debris.take("passing_speed_um_per_s", scenario.debris.passing_speed_um_per_s);
   debris.finish();
 
+  Group bystander(json, "bystander", name);
+  bystander.take("cell_radius_um", scenario.bystander.cell_radius_um);
+  bystander.take("cell_x_um", scenario.bystander.cell_x_um);
+  bystander.take("cell_y_um", scenario.bystander.cell_y_um);
+  bystander.take("bubble_radius_um", scenario.bystander.bubble_radius_um);
+  bystander.take("bubble_x_um", scenario.bystander.bubble_x_um);
+  bystander.take("bubble_y_um", scenario.bystander.bubble_y_um);
+  bystander.finish();
+
   // The keys outside the groups.
-  const std::set<std::string> groups{"image", "cell", "tools", "motion", "puncture", "optics", "drift", "debris"};
+  const std::set<std::string> groups{"image",  "cell",  "tools", "motion", "puncture",
+                                     "optics", "drift", "lamp",  "debris", "bystander"};
   for (const auto& [key, value] : json.items()) {
     if (groups.contains(key)) continue;
     if (key == "description" && value.is_string()) {
@@ -187,7 +212,7 @@ Scenario parse_scenario(std::string_view json_text, std::string_view name) {
       throw UsageError(
           where(name, key) +
           " is an unknown key; known: description, seed, image, cell, tools, motion, puncture, optics, drift, "
-          "debris");
+          "lamp, debris, bystander");
     }
   }
   validate(scenario);
@@ -249,8 +274,29 @@ void validate(const Scenario& s) {
 
   check("drift.x_um_per_s", s.drift.x_um_per_s, -50, 50);
   check("drift.y_um_per_s", s.drift.y_um_per_s, -50, 50);
+  check("drift.rotation_deg_per_s", s.drift.rotation_deg_per_s, -90, 90);
+  check("drift.jump_x_px", s.drift.jump_x_px, -200, 200);
+  check("drift.jump_y_px", s.drift.jump_y_px, -200, 200);
+  check("drift.jump_period_s", s.drift.jump_period_s, 0.02, 600);
+
+  check("lamp.step_time_s", s.lamp.step_time_s, 0, 3600);
+  check("lamp.step_ratio", s.lamp.step_ratio, 0.2, 1.6);
+  check("lamp.flicker_ratio", s.lamp.flicker_ratio, 0, 0.3);
+  check("lamp.flicker_hz", s.lamp.flicker_hz, 0.01, 100);
+
   check("debris.count", s.debris.count, 0, 500);
   check("debris.max_radius_um", s.debris.max_radius_um, 0.5, 10);
+  check("debris.touching_count", s.debris.touching_count, 0, 60);
+  check("debris.touching_radius_um", s.debris.touching_radius_um, 0.5, 10);
+  check("debris.passing_count", s.debris.passing_count, 0, 60);
+  check("debris.passing_speed_um_per_s", s.debris.passing_speed_um_per_s, 0, 500);
+
+  check("bystander.cell_radius_um", s.bystander.cell_radius_um, 0, 150);
+  check("bystander.cell_x_um", s.bystander.cell_x_um, -1e4, 1e4);
+  check("bystander.cell_y_um", s.bystander.cell_y_um, -1e4, 1e4);
+  check("bystander.bubble_radius_um", s.bystander.bubble_radius_um, 0, 150);
+  check("bystander.bubble_x_um", s.bystander.bubble_x_um, -1e4, 1e4);
+  check("bystander.bubble_y_um", s.bystander.bubble_y_um, -1e4, 1e4);
 }
 
 Scenario load_scenario(std::string_view name_or_file) {

@@ -121,23 +121,59 @@ const float* NoiseBank::row(long frame, int row) const noexcept {
   return numbers_.data() + (place & ((1 << 20) - 1));
 }
 
+void draw_particle(cv::Mat1f& transmittance, double x, double y, const Particle& particle, double pixel_size_um) {
+  const auto [radius_um, depth, blur_um] = particle;
+  const int reach = static_cast<int>(std::ceil((radius_um + 4 * blur_um) / pixel_size_um));
+  for (int j = std::max(0, static_cast<int>(y) - reach);
+       j <= std::min(transmittance.rows - 1, static_cast<int>(y) + reach); ++j)
+    for (int i = std::max(0, static_cast<int>(x) - reach);
+         i <= std::min(transmittance.cols - 1, static_cast<int>(x) + reach); ++i) {
+      const double r = pixel_size_um * std::hypot(i - x, j - y);
+      const double ring = -depth * gaussian(r - 0.6 * radius_um, blur_um) +
+                          0.45 * depth * gaussian(r - radius_um - 1.6 * blur_um, blur_um);
+      transmittance(j, i) *= static_cast<float>(1 + ring);
+    }
+}
+
 void draw_debris(cv::Mat1f& transmittance, int count, double max_radius_um, double pixel_size_um, std::uint64_t seed) {
   std::mt19937_64 engine(mix(seed ^ 0x646562726973ULL));
   for (int k = 0; k < count; ++k) {
     const double x = uniform(engine) * transmittance.cols, y = uniform(engine) * transmittance.rows;
     const double radius_um = 0.5 + (max_radius_um - 0.5) * uniform(engine), depth = 0.05 + 0.17 * uniform(engine);
     const double blur_um = std::max(0.7, 0.35 * radius_um) + 0.8 * uniform(engine);
-    const int reach = static_cast<int>(std::ceil((radius_um + 4 * blur_um) / pixel_size_um));
-    for (int j = std::max(0, static_cast<int>(y) - reach);
-         j <= std::min(transmittance.rows - 1, static_cast<int>(y) + reach); ++j)
-      for (int i = std::max(0, static_cast<int>(x) - reach);
-           i <= std::min(transmittance.cols - 1, static_cast<int>(x) + reach); ++i) {
-        const double r = pixel_size_um * std::hypot(i - x, j - y);
-        const double ring = -depth * gaussian(r - 0.6 * radius_um, blur_um) +
-                            0.45 * depth * gaussian(r - radius_um - 1.6 * blur_um, blur_um);
-        transmittance(j, i) *= static_cast<float>(1 + ring);
-      }
+    draw_particle(transmittance, x, y, {radius_um, depth, blur_um}, pixel_size_um);
   }
+}
+
+std::vector<PassingParticle> make_passing_particles(int count, double max_radius_um, std::uint64_t seed) {
+  std::mt19937_64 engine(mix(seed ^ 0x70617373696e67ULL));
+  std::vector<PassingParticle> particles;
+  for (int k = 0; k < count; ++k) {
+    PassingParticle p{};
+    p.particle.radius_um = 0.5 + (max_radius_um - 0.5) * (0.5 + 0.5 * uniform(engine));
+    p.particle.depth = 0.12 + 0.15 * uniform(engine);
+    p.particle.blur_um = std::max(0.7, 0.35 * p.particle.radius_um);
+    p.x_ratio = uniform(engine);
+    p.y_ratio = uniform(engine);
+    p.angle_rad = 2 * CV_PI * uniform(engine);
+    particles.push_back(p);
+  }
+  return particles;
+}
+
+std::vector<double> make_touching_angles(int count, double holder_angle_rad, std::uint64_t seed) {
+  // The holder lies in the direction (sin, -cos) of (across, axis): at pi - its angle from the apex.
+  constexpr double kClear_rad = 0.5;
+  const double holder_rad = CV_PI - holder_angle_rad;
+  std::mt19937_64 engine(mix(seed ^ 0x746f756368ULL));
+  std::vector<double> angles;
+  while (static_cast<int>(angles.size()) < count) {
+    const double angle = CV_PI * (2 * uniform(engine) - 1);
+    const bool at_needle = std::abs(angle) < kClear_rad;
+    const bool at_holder = std::abs(std::remainder(angle - holder_rad, 2 * CV_PI)) < kClear_rad;
+    if (!at_needle && !at_holder) angles.push_back(angle);
+  }
+  return angles;
 }
 
 }  // namespace pellucida

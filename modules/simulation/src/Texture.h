@@ -41,7 +41,24 @@ class NoiseBank {
   std::uint64_t seed_;
 };
 
-/// Draws seeded debris into a picture of transmittances (CV_32F, 1 = clear): small rings out of focus.
+/// A particle: a small ring, more or less out of focus.
+struct Particle {
+  double radius_um, depth, blur_um;
+};
+/// Multiplies a picture of transmittances (CV_32F, 1 = clear) by a particle at a place in px.
+void draw_particle(cv::Mat1f& transmittance, double x_px, double y_px, const Particle& particle, double pixel_size_um);
+
+/// Draws seeded debris that lies about.
 void draw_debris(cv::Mat1f& transmittance, int count, double max_radius_um, double pixel_size_um, std::uint64_t seed);
+
+/// A particle on its straight way across a field of view; where it leaves it comes in again on the other side.
+struct PassingParticle {
+  Particle particle;
+  double x_ratio, y_ratio, angle_rad;  ///< place at time 0 as shares of the field, and direction
+};
+std::vector<PassingParticle> make_passing_particles(int count, double max_radius_um, std::uint64_t seed);
+
+/// Particles that stick to the membrane: rest angles (rad, from the apex), away from needle and holder. Seeded.
+std::vector<double> make_touching_angles(int count, double holder_angle_rad, std::uint64_t seed);
 
 }  // namespace pellucida

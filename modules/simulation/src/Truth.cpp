@@ -64,10 +64,11 @@ NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, 
   return needle;
 }
 
-HolderPose place_holder(const VirtualSpecimen& specimen, const Eigen::Vector2d& center_um, double length_um) {
+HolderPose place_holder(const VirtualSpecimen& specimen, const Eigen::Vector2d& center_um,
+                        const Eigen::Vector2d& direction, double length_um) {
   const HolderRim rim = holder_rim(specimen);
   HolderPose holder;
-  holder.direction = specimen.holder_direction();
+  holder.direction = direction;
   holder.mouth_um = center_um + (rim.distance_um - rim.wall_radius_um) * holder.direction;
   holder.outer_radius_um = rim.ring_radius_um + rim.wall_radius_um;
   holder.confidence = 1.0;
@@ -115,9 +116,8 @@ HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept {
 }
 
 Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
-                 const Eigen::Vector2d& drift_um, double time_s, long frame_index) {
-  SpecimenPose pose = specimen.pose();
-  pose.center_um += drift_um;
+                 const StagePose& stage, double time_s, long frame_index) {
+  const SpecimenPose pose = stage.place(specimen.pose());
 
   Truth truth;
   Observation& seen = truth.observation;
@@ -134,9 +134,10 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
   const double diagonal_um =
       scenario.image.pixel_size_um * std::hypot(scenario.image.width_px, scenario.image.height_px) + 100.0;
   seen.needle = place_needle(scenario.tools, pose, specimen.outer_radius_um() - state.tip_depth_um, diagonal_um);
-  seen.holder = place_holder(specimen, pose.center_um, diagonal_um);
+  seen.holder = place_holder(specimen, pose.center_um, stage.turn(specimen.holder_direction()), diagonal_um);
 
   seen.center_um = pose.center_um;
+  seen.rotation_rad = stage.rotation_rad;
   seen.rest_outer_radius_um = specimen.outer_radius_um();
   seen.rest_inner_radius_um = specimen.inner_radius_um();
   seen.axis = pose.axis;
@@ -151,7 +152,7 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
 
 TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_(file), contours_(contour_file(file)) {
   rows_ << "frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,"
-           "contact_force_uN,pressure_Pa,volume_um3\n";
+           "contact_force_uN,pressure_Pa,volume_um3,rotation_deg\n";
   contours_ << "frame,membrane,point,x_um,y_um\n";
   check(rows_, file_);
   check(contours_, contour_file(file_));
@@ -160,9 +161,9 @@ TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_
 void TruthWriter::write(const Truth& truth) {
   const Observation& seen = truth.observation;
   rows_ << seen.frame_index << ',' << csv_number(seen.time_s) << ',' << static_cast<int>(seen.state);
-  for (double value :
-       {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(), seen.needle->tip_um.y(),
-        seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3})
+  for (double value : {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(),
+                       seen.needle->tip_um.y(), seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN,
+                       truth.pressure_Pa, truth.volume_um3, seen.rotation_rad * 180 / kPi})
     rows_ << ',' << csv_number(value);
   rows_ << '\n' << std::flush;
 

@@ -33,11 +33,17 @@ class VirtualMicroscope::Impl {
     move_to(0);
   }
 
+  bool skip() {
+    if (next_index_ >= *info_.frame_count) return false;
+    move_to(next_index_++);
+    return true;
+  }
+
   std::optional<Frame> next() {
     if (next_index_ >= *info_.frame_count) return std::nullopt;
     const long index = next_index_++;
     move_to(index);
-    const cv::Mat& pixels = renderer_.render(truth_, state_);
+    const cv::Mat& pixels = renderer_.render(truth_, state_, stage_);
 
     ImageView view;
     view.data = pixels.data;
@@ -62,14 +68,15 @@ class VirtualMicroscope::Impl {
   void move_to(long index) {
     const double time_s = static_cast<double>(index) / scenario_.image.frame_rate_hz;
     state_ = specimen_.advance(script_.depth_um(time_s), time_s);
-    const Eigen::Vector2d drift_um(scenario_.drift.x_um_per_s * time_s, scenario_.drift.y_um_per_s * time_s);
-    truth_ = make_truth(scenario_, specimen_, state_, drift_um, time_s, index);
+    stage_ = stage_pose(scenario_, time_s);
+    truth_ = make_truth(scenario_, specimen_, state_, stage_, time_s, index);
   }
 
   VirtualSpecimen specimen_;
   NeedleScript script_;
   Renderer renderer_;
   SpecimenState state_;
+  StagePose stage_;
   long next_index_ = 0;
 };
 
@@ -84,6 +91,9 @@ const SourceInfo& VirtualMicroscope::info() const noexcept {
 }
 std::optional<Frame> VirtualMicroscope::next() {
   return impl_->next();
+}
+bool VirtualMicroscope::skip() {
+  return impl_->skip();
 }
 bool VirtualMicroscope::restart() {
   impl_->restart();

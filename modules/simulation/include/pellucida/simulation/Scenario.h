@@ -73,15 +73,39 @@ struct Scenario {
     bool noise = true;                    ///< false: a clean image
   } optics;
 
-  struct Drift {
-    double x_um_per_s = 0.0;  ///< -50..50: cell, holder and needle together
+  struct Drift {              ///< cell, holder and needle together, as a stage or a camera moves
+    double x_um_per_s = 0.0;  ///< -50..50
     double y_um_per_s = 0.0;
+    double rotation_deg_per_s = 0.0;  ///< -90..90: about the image's centre, +x towards +y
+    double jump_x_px = 0.0;           ///< -200..200: a knock moves all of it so far at once, the next one back
+    double jump_y_px = 0.0;
+    double jump_period_s = 0.7;  ///< 0.02..600: from knock to knock
   } drift;
 
+  struct Lamp {
+    double step_time_s = 1.0;    ///< 0..3600: when the light changes
+    double step_ratio = 1.0;     ///< 0.2..1.6: the light after it, relative to before
+    double flicker_ratio = 0.0;  ///< 0..0.3: amplitude of a slow sine
+    double flicker_hz = 1.0;     ///< 0.01..100
+  } lamp;
+
   struct Debris {
-    int count = 5;               ///< 0..500 particles
-    double max_radius_um = 2.5;  ///< 0.5..10
+    int count = 5;                         ///< 0..500 particles that lie on the glass
+    double max_radius_um = 2.5;            ///< 0.5..10: of these and of the passing ones
+    int touching_count = 0;                ///< 0..60 particles that stick to the outer membrane and move with it
+    double touching_radius_um = 2.5;       ///< 0.5..10
+    int passing_count = 0;                 ///< 0..60 particles that float across the picture
+    double passing_speed_um_per_s = 60.0;  ///< 0..500
   } debris;
+
+  struct Bystander {            ///< what else lies in the dish and looks like a cell
+    double cell_radius_um = 0;  ///< 0..150: outer radius of a second cell, untouched; 0: none
+    double cell_x_um = 480.0;
+    double cell_y_um = 60.0;
+    double bubble_radius_um = 0;  ///< 0..150: of an air bubble; 0: none
+    double bubble_x_um = 100.0;
+    double bubble_y_um = 60.0;
+  } bystander;
 
   std::uint64_t seed = 1;
 };

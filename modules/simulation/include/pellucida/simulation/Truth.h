@@ -4,6 +4,7 @@
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/simulation/Scenario.h"
+#include "pellucida/simulation/StageMotion.h"
 #include "pellucida/simulation/VirtualSpecimen.h"
 
 namespace pellucida {
@@ -12,7 +13,8 @@ namespace pellucida {
 /// - contours: the centre lines of the dark edges, 400 points each, the same material points in every frame, denser
 /// under
 ///   the tip (positive signed area in (x, y));
-/// - `center_um`: rest centre plus drift; `axis`: towards the needle; `indentation_um`: the outer apex's way from rest;
+/// - `center_um`: rest centre, moved with the stage; `rotation_rad`: the stage's since the first frame; `axis`: towards
+///   the needle; `indentation_um`: the outer apex's way from rest;
 /// - `needle.outline_um`: tip first, then one side, then the other back to the tip's rear; the holder's outline
 /// likewise.
 struct Truth {
@@ -22,9 +24,9 @@ struct Truth {
   double volume_um3 = 0.0;        ///< inside the outer membrane's section, revolved (see revolved_volume_um3)
 };
 
-/// Puts a specimen's state and the tools into the image frame. `drift_um` moves all of it.
+/// Puts a specimen's state and the tools into the image frame. `stage` moves all of it.
 Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
-                 const Eigen::Vector2d& drift_um, double time_s, long frame_index);
+                 const StagePose& stage, double time_s, long frame_index);
 
 /// The needle's half-width `back_um` behind its tip (>= 0): a round tip, then a cone that eases into the shaft.
 double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept;
@@ -39,9 +41,9 @@ HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept;
 
 /// Writes truth as two CSV files, a frame at a time, flushed with each frame. `t.csv`:
 /// `frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,contact_force_uN,
-/// pressure_Pa,volume_um3`, all numbers: state 0 no_cell, 1 free, 2 contact, 3 punctured, 4 lost; and beside it
-/// `t_contours.csv`: `frame,membrane,point,x_um,y_um` with membrane 0 outer, 1 inner, 2 oolemma (when the gap is seen),
-/// as `pellucida export` writes `contours.csv`.
+/// pressure_Pa,volume_um3,rotation_deg`, all numbers: state 0 no_cell, 1 free, 2 contact, 3 punctured, 4 lost; and
+/// beside it `t_contours.csv`: `frame,membrane,point,x_um,y_um` with membrane 0 outer, 1 inner, 2 oolemma (when the gap
+/// is seen), as `pellucida export` writes `contours.csv`.
 class TruthWriter {
  public:
   /// Throws OutputError when one of the files can't be written, also later.

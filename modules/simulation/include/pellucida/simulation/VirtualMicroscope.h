@@ -19,6 +19,8 @@ class VirtualMicroscope : public FrameSource {
   const SourceInfo& info() const noexcept override;
   /// The next frame as fast as it goes; nothing after the last. `time_s` = index / frame rate.
   std::optional<Frame> next() override;
+  /// Passes over the next frame without drawing it, as if it had been lost; false after the last.
+  bool skip();
 
   /// Begins again with frame 0: the same frames once more. Always true.
   bool restart() override;
