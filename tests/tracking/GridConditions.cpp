@@ -196,6 +196,12 @@ void add_dish(GridBuilder& grid) {
     s.debris.passing_count = 25;
     s.debris.max_radius_um = 4.0;
   });
+  // Others lie about, but only one is held: at the border, or whole and far enough to be no hindrance.
+  grid.vary("second cell at the border", [](Scenario& s) {
+    s.bystander.cell_radius_um = 50.0;
+    s.bystander.cell_x_um = 420.0;
+    s.bystander.cell_y_um = 380.0;
+  });
   grid.vary("second cell", [](Scenario& s) {
     s.bystander.cell_radius_um = 50.0;
     s.bystander.cell_x_um = 420.0;
