@@ -139,6 +139,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
 }
 
 void CellFollower::follow_needle(const FrameInput& frame) {
+  const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
     const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
     const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px});
@@ -151,6 +152,7 @@ void CellFollower::follow_needle(const FrameInput& frame) {
 
 // The narrow band first; where that fails, wider, and with the membrane sprung back.
 void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift) {
+  const PartTimer timer(frame.timings->contours_us);
   const NeedleZone needle_zone = zone();
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
   outer_before_ = snakes_.outer();
@@ -190,8 +192,11 @@ bool CellFollower::follow(const FrameInput& frame) {
   follow_needle(frame);
   // Rigid motion of the whole: by the holder where there is one, else later by the far side.
   const Eigen::Vector2d shift_before = rigid_shift_;
-  if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
-    rigid_shift_ = rigid_.motion();
+  {
+    const PartTimer timer(frame.timings->rigid_us);
+    if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
+      rigid_shift_ = rigid_.motion();
+  }
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;

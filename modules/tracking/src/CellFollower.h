@@ -12,6 +12,7 @@
 #include "RigidMotion.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
+#include "pellucida/tracking/TrackerTimings.h"
 #include "pellucida/tracking/TrackingHints.h"
 
 namespace pellucida {
@@ -22,6 +23,7 @@ struct FrameInput {
   FrameSampler image;                               ///< of `view`
   double noise = 0.0;                               ///< standard deviation of a pixel, 0..1 of the range
   std::optional<Eigen::Vector2d> needle_motion_px;  ///< commanded since the frame before
+  TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
 };
 
 /// The holding pipette as found with the cell, in the frame that moves with it.

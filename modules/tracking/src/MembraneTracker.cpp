@@ -15,7 +15,8 @@ class MembraneTracker::Impl {
 
   Observation process(const ImageView& view, double time_s, long frame_index, const FrameHints& hints) {
     check(view);
-    FrameInput frame{view, FrameSampler(view), 0.0, {}};
+    timings_ = {};
+    FrameInput frame{view, FrameSampler(view), 0.0, {}, &timings_};
     frame.noise = noise_level(frame.image);
     if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
     ++frames_since_detection_;
@@ -29,6 +30,7 @@ class MembraneTracker::Impl {
       detect(frame);
     }
 
+    const PartTimer timer(timings_.report_us);
     Observation out;
     if (has_cell_) out = report(cell_, view.pixel_size_um);
     if (!has_cell_) out.state = ever_ ? CellState::kLost : CellState::kNoCell;
@@ -43,10 +45,12 @@ class MembraneTracker::Impl {
   }
 
   const TrackerOptions& options() const noexcept { return options_; }
+  const TrackerTimings& timings() const noexcept { return timings_; }
 
  private:
   // Looks for a cell with no memory of an earlier one; a person's hint serves once.
   void detect(const FrameInput& frame) {
+    const PartTimer timer(timings_.detection_us);
     frames_since_detection_ = 0;
     const std::optional<DetectionHint> hint = hint_px(frame.view.pixel_size_um);
     hint_.reset();
@@ -68,6 +72,7 @@ class MembraneTracker::Impl {
   }
 
   TrackerOptions options_;
+  TrackerTimings timings_;
   CellFollower cell_;
   GrayImage whole_;
   std::optional<CellHint> hint_;
@@ -94,6 +99,10 @@ void MembraneTracker::reset() {
 }
 const TrackerOptions& MembraneTracker::options() const noexcept {
   return impl_->options();
+}
+
+const TrackerTimings& MembraneTracker::timings() const noexcept {
+  return impl_->timings();
 }
 
 }  // namespace pellucida

@@ -4,6 +4,7 @@
 #include "pellucida/core/ImageView.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/tracking/TrackerOptions.h"
+#include "pellucida/tracking/TrackerTimings.h"
 #include "pellucida/tracking/TrackingHints.h"
 
 namespace pellucida {
@@ -33,6 +34,9 @@ class MembraneTracker {
   void reset();
 
   const TrackerOptions& options() const noexcept;
+
+  /// Where the time of the last frame went.
+  const TrackerTimings& timings() const noexcept;
 
  private:
   class Impl;
