@@ -58,9 +58,10 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
   const Eigen::Vector2d across(-holder_.direction.y(), holder_.direction.x());
   std::vector<Eigen::Vector2d> points;
   const double half = holder_.half_width + 6.0;
-  for (double s = 0.7 * rest_.outer_radius; s < 1.6 * rest_.outer_radius; s += 1.0) {
+  const double cell_radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
+  for (double s = 0.7 * cell_radius; s < 1.6 * cell_radius; s += 1.0) {
     for (double v = holder_.offset - half; v <= holder_.offset + half; v += 1.0) {
-      if (std::hypot(s, v) < rest_.outer_radius + 3.0) continue;
+      if (std::hypot(s, v) < cell_radius + 3.0) continue;
       points.push_back(rest_.center + s * holder_.direction + v * across);
     }
   }
@@ -116,7 +117,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   needle_.reset();
   find_tools_of(frame, cell.circle);
   const NeedleZone needle_zone = zone();
-  if (!snakes_.start(frame.image, cell, frame.noise, needle_.valid() ? &needle_zone : nullptr)) return false;
+  if (!snakes_.start(frame.image, cell.lines(), frame.noise, needle_.valid() ? &needle_zone : nullptr)) return false;
+  zona_.start(frame.image, frame.noise, cell, snakes_.outer());
   detection_score_ = std::min(1.0, snakes_.sureness() / 0.6);
   bad_frames_ = poor_frames_ = frames_followed_ = 0;
 
@@ -145,7 +147,7 @@ void CellFollower::follow_needle(const FrameInput& frame) {
     const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px});
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
   } else if (frames_followed_ % 3 == 0 || frames_followed_ < 10) {
-    const contour::Circle circle{center_now(), rest_.outer_radius, 1.0, 0.0};
+    const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
   }
 }
@@ -208,6 +210,7 @@ bool CellFollower::follow(const FrameInput& frame) {
     return bad_frames_ < options_.lost_after_frames;
   }
 
+  zona_.follow(frame.image, frame.noise, snakes_.outer());
   usual_quality_ += 0.1 * (quality_ - usual_quality_);
   // Far worse than when the cell was found, frame after frame: something else is followed.
   poor_frames_ = quality_ < 0.55 * first_quality_ ? poor_frames_ + 1 : 0;

@@ -10,6 +10,7 @@
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
 #include "RigidMotion.h"
+#include "SoftZona.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
 #include "pellucida/tracking/TrackerTimings.h"
@@ -49,6 +50,8 @@ class CellFollower {
   bool follow(const FrameInput& frame);
 
   const MembraneSnakes& snakes() const noexcept { return snakes_; }
+  /// Round the snakes' oolemma, where the zona's outer edge is soft.
+  const SoftZona& zona() const noexcept { return zona_; }
   const NeedleTracker& needle() const noexcept { return needle_; }
   const HolderLine& holder() const noexcept { return holder_; }
   const RestGeometry& rest() const noexcept { return rest_; }
@@ -79,6 +82,7 @@ class CellFollower {
 
   TrackerOptions options_;
   MembraneSnakes snakes_;
+  SoftZona zona_;
   NeedleTracker needle_;
   RigidMotion rigid_;
   RestGeometry rest_;

@@ -1,6 +1,7 @@
 #include "ObservationReport.h"
 
 #include <cmath>
+#include <utility>
 
 #include "pellucida/tracking/ContourMath.h"
 
@@ -98,9 +99,21 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   out.outer = membrane(cell, cell.snakes().outer(), Membrane::kOuter, axis, pixel_size_um);
   if (cell.snakes().has_inner() && cell.snakes().inner().score > 0.25)
     out.inner = membrane(cell, cell.snakes().inner(), Membrane::kInner, axis, pixel_size_um);
+  if (cell.zona().valid()) {
+    // The snakes follow the oolemma: the zona's inner edge where it touches, the third membrane where a gap parts them.
+    MembraneContour line = *std::exchange(out.outer, membrane(cell, cell.zona().outer(), Membrane::kOuter, axis,
+                                                              pixel_size_um));
+    line.membrane = cell.zona().has_gap() ? Membrane::kOolemma : Membrane::kInner;
+    (cell.zona().has_gap() ? out.oolemma : out.inner) = std::move(line);
+    if (cell.zona().has_gap()) out.inner = membrane(cell, cell.zona().gap(), Membrane::kInner, axis, pixel_size_um);
+  }
   out.center_um = center * pixel_size_um;
   out.rest_outer_radius_um = cell.rest().outer_radius * pixel_size_um;
   out.rest_inner_radius_um = cell.rest().inner_radius * pixel_size_um;
+  if (cell.zona().valid()) {
+    out.rest_outer_radius_um = cell.zona().rest_radius() * pixel_size_um;
+    out.rest_inner_radius_um = cell.rest().outer_radius * pixel_size_um;
+  }
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);
   if (cell.holder().valid) fill_holder(cell, out, pixel_size_um);

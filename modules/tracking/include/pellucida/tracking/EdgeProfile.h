@@ -26,6 +26,9 @@ class EdgeFilter {
   /// The same for the feature's derivative along the normal, per px.
   double slope_noise_gain() const noexcept { return slope_noise_gain_; }
 
+  /// The taps, an odd number of them, in the order of the samples they weigh.
+  const std::vector<float>& kernel() const noexcept { return kernel_; }
+
   const EdgeKind& kind() const noexcept { return kind_; }
   double sigma_px() const noexcept { return sigma_px_; }
 

@@ -1,0 +1,194 @@
+#include "RingSearch.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pellucida {
+namespace {
+
+constexpr float kShows = 1.5F;  // an edge shows where its feature is that many times the ring's own spread
+
+// A ring unrolled: row i is a ray, column j the radius from + j step.
+class Ring {
+ public:
+  Ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to, int rays, int most_columns)
+      : image_(image), center_(center), from_(from), step_(std::max(0.5, (to - from) / most_columns)) {
+    const int columns = static_cast<int>(std::floor((to - from) / step_)) + 1;
+    directions_.resize(2, rays);
+    values_.resize(rays, columns);
+    std::vector<float> profile(static_cast<std::size_t>(columns));
+    for (int i = 0; i < rays; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / rays;
+      directions_.col(i) = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      image.sample_line(center + from * directions_.col(i), step_ * directions_.col(i), columns, profile.data());
+      for (int j = 0; j < columns; ++j) values_(i, j) = profile[static_cast<std::size_t>(j)];
+    }
+  }
+
+  int rays() const noexcept { return static_cast<int>(values_.rows()); }
+  int columns() const noexcept { return static_cast<int>(values_.cols()); }
+  double step() const noexcept { return step_; }
+  Eigen::Vector2d point(int ray, int column) const {
+    return center_ + (from_ + column * step_) * directions_.col(ray);
+  }
+  bool inside(const Eigen::Vector2d& p) const noexcept { return image_.inside(p, 1.0); }
+
+  // The feature everywhere, smoothed once over neighbouring rays; the border value continues outside.
+  void features(const EdgeFilter& filter, Eigen::MatrixXf& out) const {
+    const std::vector<float>& kernel = filter.kernel();
+    const int half = static_cast<int>(kernel.size() / 2), last = columns() - 1, n = rays();
+    Eigen::MatrixXf sharp = Eigen::MatrixXf::Zero(n, columns());
+    for (int j = 0; j <= last; ++j)
+      for (int k = -half; k <= half; ++k)
+        sharp.col(j) += kernel[static_cast<std::size_t>(k + half)] * values_.col(std::clamp(j + k, 0, last));
+    out = 0.5F * sharp;
+    out.topRows(n - 1) += 0.25F * sharp.bottomRows(n - 1);
+    out.bottomRows(n - 1) += 0.25F * sharp.topRows(n - 1);
+    out.row(0) += 0.25F * sharp.row(n - 1);
+    out.row(n - 1) += 0.25F * sharp.row(0);
+  }
+
+ private:
+  const GrayImage& image_;
+  Eigen::Vector2d center_;
+  double from_, step_;
+  Eigen::Matrix2Xd directions_;
+  Eigen::MatrixXf values_;  // (rays x columns): filters run over whole columns
+};
+
+// Spread of a feature all over a ring: 1.48 times the median of its magnitude.
+double spread_of(const Eigen::MatrixXf& feature) {
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(feature.size() / 3 + 1));
+  for (Eigen::Index k = 0; k < feature.size(); k += 3) values.push_back(std::abs(feature.data()[k]));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return 1.4826 * values[values.size() / 2];
+}
+
+// Rewards saturate: a long faint edge beats a short glaring one.
+Eigen::MatrixXf reward_of(const Eigen::MatrixXf& feature, double spread) {
+  return (feature / static_cast<float>(spread)).cwiseMin(4.0F).cwiseMax(-2.0F);
+}
+
+// Judges one closed path of a ring.
+RingEdge judge(const Ring& ring, const std::vector<int>& path, const Eigen::MatrixXf& feature,
+               const Eigen::MatrixXf& reward, double tolerance) {
+  const int count = ring.rays();
+  RingEdge found;
+  found.edge.points.resize(2, count);
+  double sum = 0.0;
+  int seen = 0, inside = 0, leading = 0;
+  for (int i = 0; i < count; ++i) {
+    const int j = path[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d p = ring.point(i, j);
+    found.edge.points.col(i) = p;
+    if (!ring.inside(p)) continue;
+    ++inside;
+    sum += reward(i, j);
+    found.amplitude += feature(i, j);
+    seen += reward(i, j) > kShows ? 1 : 0;
+    leading += feature(i, j) > 0.6F * feature.row(i).maxCoeff() ? 1 : 0;
+  }
+  const int visible = std::max(inside, 1);
+  found.amplitude /= visible;
+  found.edge.coverage = static_cast<double>(seen) / visible;
+  found.edge.contrast = sum / visible;
+  found.circle = contour::fit_circle(found.edge.points, tolerance);
+  // Complete, clear against its surroundings, round, and within the image.
+  const double round = std::clamp((found.circle.inlier_ratio - 0.45) / 0.3, 0.0, 1.0);
+  const double clear = std::clamp((found.edge.contrast - 1.3) / 1.7, 0.0, 1.0);
+  const double whole = std::clamp((static_cast<double>(inside) / count - 0.6) / 0.3, 0.0, 1.0);
+  // In clutter other edges of the same profile are stronger every now and then; a cell's edge leads nearly everywhere.
+  const double leads = std::clamp((static_cast<double>(leading) / visible - 0.45) / 0.35, 0.0, 1.0);
+  found.score = found.edge.coverage * clear * round * whole * leads;
+  return found;
+}
+
+}  // namespace
+
+RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
+                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds) {
+  RingEdge best;
+  if (!(to > from)) return best;
+  const Ring ring(image, center, from, to, 96, 120);
+  Eigen::MatrixXf feature, signed_feature, reward;
+  for (const double sigma : sigmas) {
+    EdgeKind filtered{0.0, 0.0};
+    double spread = 0.0;
+    for (const EdgeKind& kind : kinds) {
+      // A kind and its negative share one filtering.
+      const bool same = kind.line == filtered.line && kind.step == filtered.step;
+      const bool negative = kind.line == -filtered.line && kind.step == -filtered.step;
+      if (!same && !negative) {
+        const EdgeFilter filter(sigma, ring.step(), kind);
+        ring.features(filter, feature);
+        spread = std::max({spread_of(feature), noise * filter.noise_gain() / std::sqrt(2.0), 1e-5});
+        filtered = kind;
+      }
+      signed_feature = negative ? Eigen::MatrixXf(-feature) : feature;
+      reward = reward_of(signed_feature, spread);
+      RingEdge found = judge(ring, best_closed_path(reward, 2, 0.6F), signed_feature, reward, 0.06 * to);
+      found.edge.kind = kind;
+      found.edge.scale_px = sigma;
+      // A dark line has bright fringes and steps beside it: those must do clearly better to be taken for the edge
+      // itself.
+      if (kind.line <= 0.0) found.score *= 0.75;
+      if (found.score > best.score) best = std::move(found);
+    }
+  }
+  return best;
+}
+
+std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image, const Eigen::Vector2d& center,
+                                                          double radius, double sigma, double noise) {
+  const Ring ring(image, center, 0.62 * radius, 1.4 * radius, 128, 110);
+  const EdgeFilter filter(sigma, ring.step(), {1.0, 0.0});
+  Eigen::MatrixXf feature;
+  ring.features(filter, feature);
+  const Eigen::MatrixXf reward = reward_of(feature, std::max({spread_of(feature), noise * filter.noise_gain(), 1e-5}));
+  const int gap_from = std::max(2, static_cast<int>(std::ceil(2.4 * sigma / ring.step())));
+  const int gap_to = std::max(gap_from + 2, static_cast<int>(0.3 * radius / ring.step()));
+  const PathPair paths = best_closed_path_pair(reward, reward, gap_from, gap_to, 0.5F, 0.9F);
+  RingEdge outer = judge(ring, paths.outer, feature, reward, 0.06 * radius);
+  RingEdge inner = judge(ring, paths.inner, feature, reward, 0.06 * radius);
+  const double least = std::min(outer.edge.coverage, inner.edge.coverage);
+  const double faint = std::min(outer.amplitude, inner.amplitude), strong = std::max(outer.amplitude, inner.amplitude);
+  if (least < 0.62 || faint < 0.35 * strong) return std::nullopt;
+  // Between two lines it is bright; the two shoulders of one broad line have no such valley.
+  double between = 0.0;
+  for (int i = 0; i < ring.rays(); ++i) {
+    const int middle = (paths.outer[static_cast<std::size_t>(i)] + paths.inner[static_cast<std::size_t>(i)]) / 2;
+    between += feature(i, middle) / ring.rays();
+  }
+  if (between > 0.1 * faint) return std::nullopt;
+  for (RingEdge* edge : {&outer, &inner}) {
+    edge->edge.kind = {1.0, 0.0};
+    edge->edge.scale_px = sigma;
+    edge->score = edge->edge.coverage;
+  }
+  return std::make_pair(std::move(outer), std::move(inner));
+}
+
+bool translucent(const GrayImage& image, const contour::Circle& circle) {
+  std::vector<float> in, out;
+  for (int k = 0; k < 64; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 64;
+    const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
+    for (const double f : {0.25, 0.4, 0.55, 0.7, 0.85})
+      in.push_back(image.sample(circle.center + f * circle.radius * d));
+    for (const double f : {1.25, 1.4}) {
+      const Eigen::Vector2d p = circle.center + f * circle.radius * d;
+      if (image.inside(p)) out.push_back(image.sample(p));
+    }
+  }
+  if (out.size() < 16) return true;
+  const auto middle = [](std::vector<float>& v) {
+    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+    return v[v.size() / 2];
+  };
+  const float medium = middle(out);
+  const auto black = std::count_if(in.begin(), in.end(), [&](float v) { return v < 0.25F * medium; });
+  return middle(in) > 0.35F * medium && static_cast<double>(black) < 0.12 * static_cast<double>(in.size());
+}
+
+}  // namespace pellucida
