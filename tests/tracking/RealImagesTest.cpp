@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
@@ -41,52 +42,100 @@ double dice(const cv::Mat& a, const cv::Mat& b) {
   return 2.0 * both / std::max(1, cv::countNonZero(a) + cv::countNonZero(b));
 }
 
-class OocyteStill : public testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    if (!std::filesystem::exists(kReal / "oocyte_stills")) GTEST_SKIP() << "the real pictures are not at hand";
+// Mean distance of the contour's points from the mask's edge, px. Points outside the image, or nearest to where the
+// picture's border cuts the mask off, say nothing.
+double mean_distance_px(const MembraneContour& contour, const cv::Mat& mask) {
+  std::vector<std::vector<cv::Point>> edges;
+  cv::findContours(mask, edges, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::Mat from_edge(mask.size(), CV_8U, cv::Scalar(255)), from_cut = from_edge.clone();
+  const cv::Rect inner(2, 2, mask.cols - 4, mask.rows - 4);
+  for (const auto& edge : edges)
+    for (const cv::Point& p : edge) (inner.contains(p) ? from_edge : from_cut).at<uchar>(p) = 0;
+  cv::Mat to_edge, to_cut;
+  cv::distanceTransform(from_edge, to_edge, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  cv::distanceTransform(from_cut, to_cut, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  double sum = 0.0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < contour.points_um.cols(); ++i) {
+    const cv::Point p(static_cast<int>(std::lround(contour.points_um(0, i) / kPixelSize_um)),
+                      static_cast<int>(std::lround(contour.points_um(1, i) / kPixelSize_um)));
+    if (!inner.contains(p) || to_cut.at<float>(p) < to_edge.at<float>(p)) continue;
+    sum += to_edge.at<float>(p);
+    ++count;
   }
-};
-
-TEST_P(OocyteStill, TheInnermostMembraneEnclosesTheOoplasm) {
-  const std::string name = GetParam();
-  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / (name + "_image.png")).string(), cv::IMREAD_GRAYSCALE);
-  cv::Mat mask = cv::imread((kReal / "oocyte_stills" / (name + "_mask.png")).string(), cv::IMREAD_GRAYSCALE);
-  ASSERT_FALSE(grey.empty() || mask.empty());
-  mask = mask > 127;
-  MembraneTracker tracker;
-  const Observation seen = track(tracker, grey, 0);
-  ASSERT_TRUE(seen.outer.has_value());
-  const MembraneContour& innermost = seen.inner ? *seen.inner : *seen.outer;
-  const cv::Mat ooplasm = filled(innermost, grey.size());
-  if (name.rfind("ooplasm", 0) == 0) {
-    const double agreement = dice(ooplasm, mask);
-    std::printf("%s: ooplasm Dice %.3f, confidence %.2f\n", name.c_str(), agreement, seen.confidence);
-    EXPECT_GT(agreement, 0.93);
-  } else {
-    // The zona's mask is a ring. What is followed is the strong dark line of the oolemma, a little inside the ring's
-    // hole where a perivitelline gap parts the two; hence the wider limits.
-    cv::Mat outside = mask.clone(), hole;
-    cv::floodFill(outside,
-                  cv::Point(static_cast<int>(seen.center_um.x() / kPixelSize_um),
-                            static_cast<int>(seen.center_um.y() / kPixelSize_um)),
-                  cv::Scalar(128));
-    hole = outside == 128;
-    std::printf("%s: zona's hole Dice %.3f", name.c_str(), dice(ooplasm, hole));
-    EXPECT_GT(dice(ooplasm, hole), 0.85);
-    if (seen.inner) {
-      const cv::Mat zona = filled(*seen.outer, grey.size()) & ~ooplasm;
-      std::printf(", zona Dice %.3f", dice(zona, mask));
-      EXPECT_GT(dice(zona, mask), 0.6);
-    } else {
-      std::printf(", zona's outer edge not seen");
-    }
-    std::printf(", confidence %.2f\n", seen.confidence);
-  }
+  return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
 }
 
-INSTANTIATE_TEST_SUITE_P(Real, OocyteStill,
-                         testing::Values("ooplasm0", "ooplasm1", "ooplasm2", "zona0", "zona1", "zona2"));
+// A still is one frame, seen once.
+struct Still {
+  cv::Mat grey, mask;
+  Observation seen;
+};
+
+std::optional<Still> look_at(const std::string& name) {
+  Still still;
+  still.grey = cv::imread((kReal / "oocyte_stills" / (name + "_image.png")).string(), cv::IMREAD_GRAYSCALE);
+  still.mask = cv::imread((kReal / "oocyte_stills" / (name + "_mask.png")).string(), cv::IMREAD_GRAYSCALE);
+  if (still.grey.empty() || still.mask.empty()) return std::nullopt;
+  still.mask = still.mask > 127;
+  MembraneTracker tracker;
+  still.seen = track(tracker, still.grey, 0);
+  return still;
+}
+
+class OoplasmStill : public testing::TestWithParam<const char*> {};
+
+TEST_P(OoplasmStill, TheInnermostMembraneEnclosesTheOoplasm) {
+  const std::optional<Still> still = look_at(GetParam());
+  if (!still) GTEST_SKIP() << "the real pictures are not at hand";
+  const Observation& seen = still->seen;
+  ASSERT_TRUE(seen.outer.has_value());
+  const MembraneContour& ooplasm = seen.oolemma ? *seen.oolemma : seen.inner ? *seen.inner : *seen.outer;
+  const double agreement = dice(filled(ooplasm, still->grey.size()), still->mask);
+  const double distance = mean_distance_px(ooplasm, still->mask);
+  std::printf("%s: ooplasm Dice %.3f, mean distance %.2f px, confidence %.2f\n", GetParam(), agreement, distance,
+              seen.confidence);
+  EXPECT_GT(agreement, 0.97);
+  EXPECT_LT(distance, 2.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, OoplasmStill, testing::Values("ooplasm0", "ooplasm1", "ooplasm2"));
+
+// The zona's mask is a ring, drawn by hand as polygons and cut off by the picture's border. `least` is what is reached,
+// less a margin; modules/tracking/README.md says where the rest is lost.
+struct ZonaGoal {
+  const char* name;
+  double least_ring, least_outer, least_hole;
+};
+
+class ZonaStill : public testing::TestWithParam<ZonaGoal> {};
+
+TEST_P(ZonaStill, BothEdgesOfTheZonaAreFound) {
+  const std::optional<Still> still = look_at(GetParam().name);
+  if (!still) GTEST_SKIP() << "the real pictures are not at hand";
+  const Observation& seen = still->seen;
+  ASSERT_TRUE(seen.outer && seen.inner);
+  cv::Mat outside = still->mask.clone();
+  cv::floodFill(outside,
+                cv::Point(static_cast<int>(seen.center_um.x() / kPixelSize_um),
+                          static_cast<int>(seen.center_um.y() / kPixelSize_um)),
+                cv::Scalar(128));
+  const cv::Mat hole = outside == 128, disc = outside > 0;
+  const cv::Mat outer = filled(*seen.outer, still->grey.size()), inner = filled(*seen.inner, still->grey.size());
+  const double ring = dice(outer & ~inner, still->mask), outer_dice = dice(outer, disc), hole_dice = dice(inner, hole);
+  std::printf(
+      "%s: zona Dice %.3f (outer edge's disc %.3f, %.2f px; inner edge's disc %.3f, %.2f px), confidence %.2f\n",
+      GetParam().name, ring, outer_dice, mean_distance_px(*seen.outer, disc), hole_dice,
+      mean_distance_px(*seen.inner, hole), seen.confidence);
+  EXPECT_GT(ring, GetParam().least_ring);
+  EXPECT_GT(outer_dice, GetParam().least_outer);
+  EXPECT_GT(hole_dice, GetParam().least_hole);
+  EXPECT_TRUE(seen.oolemma.has_value()) << "all three show a perivitelline gap";
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, ZonaStill,
+                         testing::Values(ZonaGoal{"zona0", 0.78, 0.93, 0.93}, ZonaGoal{"zona1", 0.84, 0.97, 0.93},
+                                         ZonaGoal{"zona2", 0.89, 0.97, 0.95}));
 
 TEST(RealImages, TheInjectedOocyteIsFoundWithModestConfidence) {
   const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "icsi_needle_inside.jpg").string(), cv::IMREAD_GRAYSCALE);

@@ -80,10 +80,9 @@ RingEdge at_full_resolution(const Pyramid& pyramid, const Judged& coarse, double
   // Each level centres the ring for the next.
   for (int level = coarse.level - 1; level >= 1; --level) {
     const double scale = 1 << level;
-    const RingEdge found = best_in_ring(pyramid.levels[static_cast<std::size_t>(level)], center / scale,
-                                        0.72 * radius / scale, 1.3 * radius / scale, {1.3},
-                                        pyramid.noises[static_cast<std::size_t>(level)],
-                                        {coarse.ring.edge.kind, {1.0, 0.0}});
+    const RingEdge found = best_in_ring(
+        pyramid.levels[static_cast<std::size_t>(level)], center / scale, 0.72 * radius / scale, 1.3 * radius / scale,
+        {1.3}, pyramid.noises[static_cast<std::size_t>(level)], {coarse.ring.edge.kind, {1.0, 0.0}});
     if (found.score < 0.3) continue;
     center = found.circle.center * scale;
     radius = found.circle.radius * scale;

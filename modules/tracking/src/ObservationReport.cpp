@@ -101,8 +101,8 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
     out.inner = membrane(cell, cell.snakes().inner(), Membrane::kInner, axis, pixel_size_um);
   if (cell.zona().valid()) {
     // The snakes follow the oolemma: the zona's inner edge where it touches, the third membrane where a gap parts them.
-    MembraneContour line = *std::exchange(out.outer, membrane(cell, cell.zona().outer(), Membrane::kOuter, axis,
-                                                              pixel_size_um));
+    MembraneContour line =
+        *std::exchange(out.outer, membrane(cell, cell.zona().outer(), Membrane::kOuter, axis, pixel_size_um));
     line.membrane = cell.zona().has_gap() ? Membrane::kOolemma : Membrane::kInner;
     (cell.zona().has_gap() ? out.oolemma : out.inner) = std::move(line);
     if (cell.zona().has_gap()) out.inner = membrane(cell, cell.zona().gap(), Membrane::kInner, axis, pixel_size_um);

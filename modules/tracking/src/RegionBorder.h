@@ -16,8 +16,8 @@ namespace pellucida {
 ///     E = ln s^2 - (ln s_in^2 + ln s_out^2) / 2,    s^2 = (s_in^2 + s_out^2) / 2 + (m_in - m_out)^2 / 4
 ///
 /// with mean m and variance s^2 of each window. The variance is taken about the window's own slope along the normal, so
-/// that a blurred step has its maximum in its middle; pixel noise is the least variance. E >= 0, 0 where both look alike:
-/// the contrast is measured in units of the regions' own texture.
+/// that a blurred step has its maximum in its middle; pixel noise is the least variance. E >= 0, 0 where both look
+/// alike: the contrast is measured in units of the regions' own texture.
 class RegionBorder {
  public:
   /// Samples `image` (GrayImage or FrameSampler) along the outward unit normals of `points` (2 x n), for evidence at
@@ -38,11 +38,11 @@ class RegionBorder {
   /// 0 where less than half of a window lies in the image. `noise`: standard deviation of a pixel.
   void evidence(int half_rows, double noise, Eigen::MatrixXf& out);
 
-  /// Where the border lies best, once it is roughly known: `columns` (one for each row). The piece of each normal within
-  /// `reach` + window of that column is split at each offset of -reach..reach samples; out (rows x 2 reach + 1) is the
-  /// log-likelihood of two Gaussians per sample of the piece, less the best of its row. Unlike `evidence`, whose windows
-  /// move along, it compares splits of the same samples and has no bias towards the smoother side.
-  /// Call after `evidence`; columns must leave room for reach + window on both sides of the sampled strip.
+  /// Where the border lies best, once it is roughly known: `columns` (one for each row). The piece of each normal
+  /// within `reach` + window of that column is split at each offset of -reach..reach samples; out (rows x 2 reach + 1)
+  /// is the log-likelihood of two Gaussians per sample of the piece, less the best of its row. Unlike `evidence`, whose
+  /// windows move along, it compares splits of the same samples and has no bias towards the smoother side. Call after
+  /// `evidence`; columns must leave room for reach + window on both sides of the sampled strip.
   void split(const std::vector<int>& columns, int reach, int half_rows, double noise, Eigen::MatrixXf& out) const;
 
   int rows() const noexcept { return strip_.rows(); }

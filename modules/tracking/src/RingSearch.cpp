@@ -28,9 +28,7 @@ class Ring {
   int rays() const noexcept { return static_cast<int>(values_.rows()); }
   int columns() const noexcept { return static_cast<int>(values_.cols()); }
   double step() const noexcept { return step_; }
-  Eigen::Vector2d point(int ray, int column) const {
-    return center_ + (from_ + column * step_) * directions_.col(ray);
-  }
+  Eigen::Vector2d point(int ray, int column) const { return center_ + (from_ + column * step_) * directions_.col(ray); }
   bool inside(const Eigen::Vector2d& p) const noexcept { return image_.inside(p, 1.0); }
 
   // The feature everywhere, smoothed once over neighbouring rays; the border value continues outside.

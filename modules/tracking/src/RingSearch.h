@@ -25,8 +25,9 @@ constexpr std::initializer_list<EdgeKind> kAnyEdgeKind = {{1.0, 0.0}, {-1.0, 0.0
 RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
                       std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds);
 
-/// Two dark lines side by side, found together (outer, inner): a zona whose edges are alike would make a single path hop
-/// between them. Nothing where one of them is not closed or far fainter than the other, or no brighter band parts them.
+/// Two dark lines side by side, found together (outer, inner): a zona whose edges are alike would make a single path
+/// hop between them. Nothing where one of them is not closed or far fainter than the other, or no brighter band parts
+/// them.
 std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image, const Eigen::Vector2d& center,
                                                           double radius, double sigma, double noise);
 

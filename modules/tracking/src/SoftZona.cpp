@@ -107,8 +107,7 @@ void SoftZona::measure(const FrameSampler& image, double noise, double reach_px)
     seen += 1.0;
   }
   outer_.score = seen > 0.0 ? score / seen : 0.0;
-  for (Eigen::Index i = 0; i < n; ++i)
-    outer_.points.col(i) += std::clamp(u[i], -reach_px, reach_px) * normals.col(i);
+  for (Eigen::Index i = 0; i < n; ++i) outer_.points.col(i) += std::clamp(u[i], -reach_px, reach_px) * normals.col(i);
 }
 
 // Between the two others: never inside the oolemma.

@@ -13,7 +13,8 @@ constexpr float kLeastEvidence = 0.25F;  // nats per sample, above what texture 
 constexpr float kEnough = 1.0F;          // rewards saturate: a long faint border beats a short glaring one
 
 // Where the ray at `angle` from `center` leaves the outline.
-double outline_radius(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center, const Eigen::Vector2d& direction) {
+double outline_radius(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center,
+                      const Eigen::Vector2d& direction) {
   double best = 0.0;
   for (Eigen::Index i = 0; i < outline.cols(); ++i) {
     const Eigen::Vector2d a = outline.col(i) - center, b = outline.col(i + 1 == outline.cols() ? 0 : i + 1) - center;
@@ -137,8 +138,8 @@ std::optional<FoundEdge> find_soft_outer_edge(const GrayImage& image, const Foun
     const Surroundings around(image, center, r, from, to, noise);
     Eigen::VectorXd least(kRays);
     for (int i = 0; i < kRays; ++i)
-      least[i] = outline_radius(oolemma.points, center, around.directions().col(i)) +
-                 1.4 * Surroundings::kWindow_ratio * r;
+      least[i] =
+          outline_radius(oolemma.points, center, around.directions().col(i)) + 1.4 * Surroundings::kWindow_ratio * r;
     // The outermost clear border is the zona's end: gap, halo and grain lie within.
     std::optional<Border> outermost;
     while (std::optional<Border> further = around.best_beyond(least)) {
