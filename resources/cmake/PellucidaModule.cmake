@@ -45,3 +45,12 @@ function(pellucida_add_benchmark NAME)
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options benchmark::benchmark_main)
   target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 endfunction()
+
+# pellucida_add_fuzzer(NAME SOURCES ... [LIBRARIES ...]): a libFuzzer program; one source has LLVMFuzzerTestOneInput.
+function(pellucida_add_fuzzer NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${NAME} ${ARG_SOURCES})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options)
+  target_link_options(${NAME} PRIVATE -fsanitize=fuzzer)
+  target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+endfunction()

@@ -1,6 +1,7 @@
 # Build options and the flags every target of ours carries (pellucida::build_options).
 option(PELLUCIDA_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(PELLUCIDA_CORE_ONLY "Build only the targets without VTK, Qt, OpenCV and ITK" OFF)
+option(PELLUCIDA_FUZZ "Build the fuzzers too; needs clang" OFF)
 set(PELLUCIDA_SANITIZE "" CACHE STRING "Sanitizers to compile with, as -fsanitize takes them")
 
 set(CMAKE_CXX_STANDARD 20)
@@ -29,4 +30,11 @@ endif()
 if(PELLUCIDA_SANITIZE)
   target_compile_options(pellucida_build_options INTERFACE -fsanitize=${PELLUCIDA_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(pellucida_build_options INTERFACE -fsanitize=${PELLUCIDA_SANITIZE})
+endif()
+if(PELLUCIDA_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "PELLUCIDA_FUZZ needs clang, not ${CMAKE_CXX_COMPILER_ID}; use cmake --preset fuzz")
+  endif()
+  # Everything counts its branches for the fuzzer; the fuzzers alone carry its main function.
+  target_compile_options(pellucida_build_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()

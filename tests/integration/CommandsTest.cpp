@@ -73,5 +73,21 @@ TEST(Commands, BenchWritesItsFigures) {
   EXPECT_GT(report["pipeline"]["display_frames_per_s"].get<double>(), 0.0);
 }
 
+TEST(Commands, BenchTrackingTimesTheTrackerAndItsParts) {
+  const auto folder = test::fresh_folder("commands_bench_tracking", testing::TempDir());
+  const auto file = folder / "b.json";
+  const auto outcome = test::run_program("bench tracking --seconds 0.1 --json '" + file.string() + "'", folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto tracking = nlohmann::json::parse(test::text_of(file)).at("tracking");
+  const auto frames = tracking["frame_us"]["count"].get<int>();
+  EXPECT_GT(frames, 100);
+  for (const char* part : {"needle", "rigid", "contours", "report"}) {
+    EXPECT_EQ(tracking["parts_us"][part]["count"].get<int>(), frames) << part;
+    EXPECT_GT(tracking["parts_us"][part]["max"].get<double>(), 0.0) << part;
+  }
+  EXPECT_GE(tracking["detect_us"]["count"].get<int>(), 5);
+  EXPECT_GT(tracking["frames_per_s"].get<double>(), 0.0);
+}
+
 }  // namespace
 }  // namespace pellucida

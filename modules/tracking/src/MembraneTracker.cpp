@@ -15,11 +15,19 @@ class MembraneTracker::Impl {
 
   Observation process(const ImageView& view, double time_s, long frame_index, const FrameHints& hints) {
     check(view);
+    check(hints);
     timings_ = {};
     FrameInput frame{view, FrameSampler(view), 0.0, {}, &timings_};
     frame.noise = noise_level(frame.image);
     if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
     ++frames_since_detection_;
+    // Another size is another camera setting: nothing that was followed is where it was.
+    if (view.width_px != width_px_ || view.height_px != height_px_) {
+      width_px_ = view.width_px;
+      height_px_ = view.height_px;
+      has_cell_ = false;
+      frames_since_detection_ = options_.redetect_interval_frames;
+    }
     if (hint_) {
       has_cell_ = false;
       detect(frame);
@@ -77,7 +85,7 @@ class MembraneTracker::Impl {
   GrayImage whole_;
   std::optional<CellHint> hint_;
   bool has_cell_ = false, ever_ = false;
-  int frames_since_detection_ = 1 << 20;
+  int frames_since_detection_ = 0, width_px_ = 0, height_px_ = 0;
 };
 
 MembraneTracker::MembraneTracker(TrackerOptions options) {

@@ -45,6 +45,11 @@ void check(const ImageView& image) {
     throw UsageError("tracker: the pixel size is " + std::to_string(image.pixel_size_um) + " um; give one above 0");
 }
 
+void check(const FrameHints& hints) {
+  if (hints.needle_motion_um && !hints.needle_motion_um->allFinite())
+    throw UsageError("tracker: the needle's commanded motion is not finite; give um, or leave it out");
+}
+
 void check(const CellHint& hint) {
   if (!hint.inside_um && !hint.outline_um)
     throw UsageError("tracker: the hint has neither a point nor an outline; give one of the two");

@@ -10,6 +10,8 @@ void check(const TrackerOptions& options);
 /// Throws UsageError for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that
 /// is not above 0.
 void check(const ImageView& image);
+/// Throws UsageError for a motion that is not finite.
+void check(const FrameHints& hints);
 /// Throws UsageError for a hint without point or outline, an outline of fewer than 3 points, numbers that are not
 /// finite.
 void check(const CellHint& hint);

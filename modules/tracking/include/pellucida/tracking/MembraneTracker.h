@@ -22,7 +22,8 @@ class MembraneTracker {
 
   /// What one frame says. `time_s` since the session began. The image is read during the call only.
   /// Throws UsageError for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that
-  /// is not above 0. An image that shows nothing is no error: the state says `no_cell` or `lost`.
+  /// is not above 0, or a motion that is not finite. An image that shows nothing is no error: the state says `no_cell`
+  /// or `lost`. With an image of another size than the one before, the cell is looked for anew.
   Observation process(const ImageView& image, double time_s, long frame_index, const FrameHints& hints = {});
 
   /// Forgets the cell and looks for it where a person says it is, with the next frame. A hint that leads nowhere is
