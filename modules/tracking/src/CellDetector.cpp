@@ -40,7 +40,7 @@ Judged judge(const Pyramid& pyramid, const CellCandidate& candidate) {
   Eigen::Vector2d center = candidate.center / best.scale();
   double radius = candidate.radius / best.scale();
   for (int round = 0; round < 3; ++round) {
-    RingEdge found = best_in_ring(level, center, 0.55 * radius, 1.5 * radius, {1.3}, noise, kAnyEdgeKind);
+    RingEdge found = best_in_ring(level, center, 0.55 * radius, 1.5 * radius, {1.3}, noise, kAnyEdgeKind, 64);
     if (found.score > best.ring.score) best.ring = std::move(found);
     const contour::Circle& circle = best.ring.circle;
     if (best.ring.score < 0.15 || circle.radius < 4.0) break;
@@ -54,6 +54,7 @@ Judged judge(const Pyramid& pyramid, const CellCandidate& candidate) {
 // The best of all proposals.
 Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options) {
   Judged best;
+  double best_votes = 0.0;
   std::vector<contour::Circle> known;
   for (const CellCandidate& candidate : propose_cells(pyramid.levels, options)) {
     // Neighbouring levels and bands propose the same ring again.
@@ -62,13 +63,18 @@ Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options) {
              std::abs(circle.radius - candidate.radius) < 0.3 * circle.radius;
     });
     if (again) continue;
+    // A clear cell is found; what has far fewer votes won't be clearer.
+    if (best.ring.score > 0.85 && candidate.votes < 0.5 * best_votes) break;
     Judged here = judge(pyramid, candidate);
     const contour::Circle& circle = here.ring.circle;
     if (here.ring.score > 0.3) known.push_back({circle.center * here.scale(), circle.radius * here.scale(), 1.0, 0.0});
     const double diameter = 2.0 * circle.radius * here.scale();
     if (diameter < options.min_cell_diameter_px || diameter > options.max_cell_diameter_px) continue;
-    if (here.ring.score > best.ring.score && translucent(pyramid.levels[static_cast<std::size_t>(here.level)], circle))
+    if (here.ring.score > best.ring.score &&
+        translucent(pyramid.levels[static_cast<std::size_t>(here.level)], circle)) {
       best = std::move(here);
+      best_votes = candidate.votes;
+    }
   }
   return best;
 }
@@ -115,7 +121,8 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
     auto pair = pair_in_ring(image, center, radius, sigma, noise);
     if (pair) {
       const contour::Circle better = pair->first.circle;
-      if (auto again = pair_in_ring(image, better.center, better.radius, sigma, noise)) pair = std::move(again);
+      const std::pair known{better.radius, pair->second.circle.radius};
+      if (auto again = pair_in_ring(image, better.center, better.radius, sigma, noise, &known)) pair = std::move(again);
       cell.outer = pair->first.edge;
       cell.inner = pair->second.edge;
       cell.circle = pair->first.circle;

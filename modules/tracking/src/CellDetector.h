@@ -58,6 +58,7 @@ struct CellCandidate {
   int level = 0;
   double votes = 0.0;
 };
+/// The most voted first.
 std::vector<CellCandidate> propose_cells(const std::vector<GrayImage>& pyramid, const TrackerOptions& options);
 
 }  // namespace pellucida

@@ -41,6 +41,24 @@ std::vector<GradientPixel> strong_gradients(const GrayImage& image) {
   return pixels;
 }
 
+// Each pixel votes for the centres of the circles of radius `from`..`to` that it may lie on, along its gradient and
+// against it.
+void vote(const std::vector<GradientPixel>& pixels, float from, float to, cv::Mat& votes) {
+  for (const GradientPixel& p : pixels) {
+    for (const float side : {-1.0F, 1.0F}) {
+      const float dx = side * p.gx, dy = side * p.gy;
+      // Half a pixel more, and truncation rounds.
+      float x = p.x + from * dx + 0.5F, y = p.y + from * dy + 0.5F;
+      for (float r = from; r <= to; r += 1.0F, x += dx, y += dy) {
+        if (x < 0.0F || y < 0.0F) continue;
+        const int column = static_cast<int>(x), row = static_cast<int>(y);
+        if (column >= votes.cols || row >= votes.rows) continue;
+        votes.at<float>(row, column) += p.weight / r;
+      }
+    }
+  }
+}
+
 // Peaks of one accumulator, each at least `apart` px from a higher one.
 void take_peaks(cv::Mat& votes, int count, double apart, std::vector<CellCandidate>& out, double radius, int level) {
   const double scale = 1 << level;
@@ -57,34 +75,30 @@ void take_peaks(cv::Mat& votes, int count, double apart, std::vector<CellCandida
 }  // namespace
 
 std::vector<CellCandidate> propose_cells(const std::vector<GrayImage>& pyramid, const TrackerOptions& options) {
-  // Radii of each level's bands, px of that level; the levels together cover 18..., without gaps.
+  // Radii of each level's bands, px of that level; the levels together cover 9, 18, 36... without gaps.
   constexpr double kBands[][2] = {{9.0, 14.0}, {13.0, 20.0}, {19.0, 29.0}};
   std::vector<CellCandidate> candidates;
+  cv::Mat votes;
   for (int level = 0; level < static_cast<int>(pyramid.size()); ++level) {
     const GrayImage& image = pyramid[static_cast<std::size_t>(level)];
     const double scale = 1 << level;
+    const bool last = level + 1 == static_cast<int>(pyramid.size());
+    // What the next, far cheaper level sees as well, is its job.
+    if (!last && 2.0 * kBands[0][0] * 2.0 * scale <= options.min_cell_diameter_px) continue;
     const std::vector<GradientPixel> pixels = strong_gradients(image);
     for (const auto& band : kBands) {
-      // Two bands of each level are the next level's job, but for the last level.
-      if (band[0] > 15.0 && level + 1 < static_cast<int>(pyramid.size())) continue;
+      if (band[0] > 15.0 && !last) continue;
       if (2.0 * band[1] * scale < options.min_cell_diameter_px || 2.0 * band[0] * scale > options.max_cell_diameter_px)
         continue;
-      cv::Mat votes = cv::Mat::zeros(image.height, image.width, CV_32F);
-      for (const GradientPixel& p : pixels) {
-        for (int side = -1; side <= 1; side += 2) {
-          for (double r = band[0]; r <= band[1]; r += 1.0) {
-            const int x = static_cast<int>(std::lround(p.x + side * r * p.gx));
-            const int y = static_cast<int>(std::lround(p.y + side * r * p.gy));
-            if (x < 0 || y < 0 || x >= image.width || y >= image.height) continue;
-            votes.at<float>(y, x) += p.weight / static_cast<float>(r);
-          }
-        }
-      }
+      votes = cv::Mat::zeros(image.height, image.width, CV_32F);
+      vote(pixels, static_cast<float>(band[0]), static_cast<float>(band[1]), votes);
       const double middle = 0.5 * (band[0] + band[1]);
       cv::GaussianBlur(votes, votes, {0, 0}, 0.11 * middle);
       take_peaks(votes, 5, 0.4 * middle, candidates, middle, level);
     }
   }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const CellCandidate& a, const CellCandidate& b) { return a.votes > b.votes; });
   return candidates;
 }
 

@@ -105,10 +105,11 @@ RingEdge judge(const Ring& ring, const std::vector<int>& path, const Eigen::Matr
 }  // namespace
 
 RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
-                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds) {
+                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
+                      int rays) {
   RingEdge best;
   if (!(to > from)) return best;
-  const Ring ring(image, center, from, to, 96, 120);
+  const Ring ring(image, center, from, to, rays, 120);
   Eigen::MatrixXf feature, signed_feature, reward;
   for (const double sigma : sigmas) {
     EdgeKind filtered{0.0, 0.0};
@@ -138,14 +139,19 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
 }
 
 std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image, const Eigen::Vector2d& center,
-                                                          double radius, double sigma, double noise) {
-  const Ring ring(image, center, 0.62 * radius, 1.4 * radius, 128, 110);
+                                                          double radius, double sigma, double noise,
+                                                          const std::pair<double, double>* known) {
+  // A first look is coarse; a second one round what is known is fine.
+  const double from = known ? known->second - 0.12 * radius : 0.62 * radius;
+  const double to = known ? known->first + 0.12 * radius : 1.4 * radius;
+  const Ring ring(image, center, from, to, known ? 128 : 96, known ? 110 : 80);
   const EdgeFilter filter(sigma, ring.step(), {1.0, 0.0});
   Eigen::MatrixXf feature;
   ring.features(filter, feature);
   const Eigen::MatrixXf reward = reward_of(feature, std::max({spread_of(feature), noise * filter.noise_gain(), 1e-5}));
   const int gap_from = std::max(2, static_cast<int>(std::ceil(2.4 * sigma / ring.step())));
-  const int gap_to = std::max(gap_from + 2, static_cast<int>(0.3 * radius / ring.step()));
+  const double widest = known ? 1.5 * (known->first - known->second) : 0.3 * radius;
+  const int gap_to = std::max(gap_from + 2, static_cast<int>(widest / ring.step()));
   const PathPair paths = best_closed_path_pair(reward, reward, gap_from, gap_to, 0.5F, 0.9F);
   RingEdge outer = judge(ring, paths.outer, feature, reward, 0.06 * radius);
   RingEdge inner = judge(ring, paths.inner, feature, reward, 0.06 * radius);

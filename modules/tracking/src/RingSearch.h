@@ -21,15 +21,17 @@ constexpr std::initializer_list<EdgeKind> kAnyEdgeKind = {{1.0, 0.0}, {-1.0, 0.0
 
 /// The best closed edge between the radii `from` and `to` (px of `image`) round `center`, of the kinds and filter
 /// scales given: the ring is unrolled and the closed path of most evidence found by dynamic programming. Score 0 when
-/// the ring is empty. `noise`: standard deviation of a pixel.
+/// the ring is empty. `noise`: standard deviation of a pixel; `rays`: places round the ring.
 RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
-                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds);
+                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
+                      int rays = 96);
 
 /// Two dark lines side by side, found together (outer, inner): a zona whose edges are alike would make a single path
 /// hop between them. Nothing where one of them is not closed or far fainter than the other, or no brighter band parts
 /// them.
 std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image, const Eigen::Vector2d& center,
-                                                          double radius, double sigma, double noise);
+                                                          double radius, double sigma, double noise,
+                                                          const std::pair<double, double>* known = nullptr);
 
 /// A cell lets light through: a pigmented body (an eye, a speck) does not.
 bool translucent(const GrayImage& image, const contour::Circle& circle);
