@@ -45,7 +45,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
   for (const FoundTool& tool : tools) {
     if (tool.half_width() >= 0.2 * circle.radius) continue;
     if (holder_.valid && tool.direction.dot(holder_.direction) > 0.8) continue;
-    if (needle_.start(frame.image, tool, circle, frame.noise)) return;
+    if (needle_.start(frame.image, tool, frame.noise)) return;
   }
   needle_.reset();
 }

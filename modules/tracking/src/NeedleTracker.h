@@ -1,10 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
 #include "FrameSampler.h"
 #include "MembraneSnakes.h"
+#include "NeedleModel.h"
+#include "ShaftFit.h"
+#include "TipFinder.h"
 #include "ToolFinder.h"
 #include "pellucida/core/Observation.h"
 
@@ -28,12 +30,14 @@ struct NeedleCue {
   std::optional<Eigen::Vector2d> commanded_px;  ///< the motion commanded since the last frame
 };
 
-/// Follows the injection needle by its shaft's two edges, and the tip by where they end; where a dimple hides that end,
-/// by the shaft's known cone.
+/// Follows the injection needle. Across, by the learnt look of the shaft (ShaftFit). Along, by a Kalman filter of place
+/// and speed that weighs what each frame says, each with its own variance: the place where the edges end (TipFinder),
+/// the shaft's width on the cone learnt in the clear, the motion commanded, the membrane's apex (take_dimple).
+/// `track` allocates only while the needle is learnt.
 class NeedleTracker {
  public:
   /// Looks for the tip along a tool found by voting. False when the tool's edges can't be followed.
-  bool start(const FrameSampler& image, const FoundTool& tool, const contour::Circle& cell, double noise);
+  bool start(const FrameSampler& image, const FoundTool& tool, double noise);
 
   /// Follows it from the last frame. False when it isn't seen.
   bool track(const FrameSampler& image, double noise, const NeedleCue& cue);
@@ -47,18 +51,37 @@ class NeedleTracker {
   void reset() noexcept { *this = NeedleTracker(); }
   /// How far the tip moved with the last frame.
   Eigen::Vector2d motion() const noexcept { return motion_; }
+  /// Blur of its edges, px (standard deviation).
+  double blur_px() const { return model_.look.blur(); }
 
  private:
-  struct Straightened;
-  bool measure(const FrameSampler& image, double noise, double ahead_px, double behind_px, double edge_reach_px);
-  void learn_cone();
+  // A measurement of how much further ahead the tip is, px.
+  struct Along {
+    bool valid = false;
+    double ahead = 0.0, variance = 0.0;
+  };
+  void prepare();
+  void set_zero();
+  ShaftResult align(const FrameSampler& image, double noise, int rounds);
+  Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px, bool clear);
+  bool fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence);
+  void update(double ahead, double variance);
+  void learn(double end_ahead);
+  void fill(double noise, const ShaftResult& shaft);
 
   NeedleEstimate now_;
+  NeedleAxis axis_;
+  NeedleModel model_;
+  ShaftFit shaft_;
+  TipFinder tip_;
   Eigen::Vector2d motion_ = Eigen::Vector2d::Zero();
-  // The cone, learnt in the clear: how wide the needle is at its tip, and how fast it widens. It tells where the tip is
-  // when the tip itself is hidden in the dimple.
-  double cone_half_width_ = 0.0, cone_widening_ = 0.0;
-  int cone_frames_ = 0;
+  double visible_px_ = 0.0;
+  // Along the needle: place (relative to axis_.tip) and speed (px a frame), and their covariance.
+  double ahead_ = 0.0, speed_ = 0.0;
+  Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
+  double unrest_ = 1.0;        // px: how much the speed has been changing from frame to frame
+  double anchor_sigma_ = 1.0;  // px: how well the cone's place on the needle is known
+  bool clear_seen_ = false;
   bool valid_ = false;
 };
 

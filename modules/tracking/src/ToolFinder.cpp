@@ -139,6 +139,7 @@ std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle&
       to = std::max(to, lines[j].offset);
     }
     FoundTool tool;
+    tool.origin = cell.center;
     tool.direction = Eigen::Vector2d(cosine, sine).normalized();
     tool.offset_from = from;
     tool.offset_to = to;

@@ -9,10 +9,11 @@ namespace pellucida {
 
 /// A straight tool that reaches the cell from the image's border, as the line voting sees it (full image px).
 struct FoundTool {
-  Eigen::Vector2d direction;  ///< unit, from the cell's centre outwards along the tool
-  double offset_from = 0.0;   ///< signed distances of its outermost edges from the cell's centre, across `direction`
-  double offset_to = 0.0;     ///< (positive towards (-direction.y, direction.x)); from <= to
-  double strength = 0.0;      ///< px of edge that support it
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the point the offsets are counted from: the cell's centre
+  Eigen::Vector2d direction;                         ///< unit, from the cell's centre outwards along the tool
+  double offset_from = 0.0;  ///< signed distances of its outermost edges from the cell's centre, across `direction`
+  double offset_to = 0.0;    ///< (positive towards (-direction.y, direction.x)); from <= to
+  double strength = 0.0;     ///< px of edge that support it
 
   double offset() const noexcept { return 0.5 * (offset_from + offset_to); }
   double half_width() const noexcept { return 0.5 * (offset_to - offset_from); }

@@ -1,0 +1,96 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace pellucida {
+
+/// Where the needle is: tip and axis, px.
+struct NeedleAxis {
+  Eigen::Vector2d tip = Eigen::Vector2d::Zero();
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
+
+  Eigen::Vector2d across() const noexcept { return {-direction.y(), direction.x()}; }
+  /// The point `behind` px behind the tip and `beside` px beside the axis.
+  Eigen::Vector2d at(double behind, double beside) const noexcept {
+    return tip - behind * direction + beside * across();
+  }
+};
+
+/// What the needle looks like across: the relative grey value `image / medium - 1` as a function of the distance d from
+/// its outline, outwards positive, learnt for each side. Any look fits in: two dark lines, a dark wedge, bright glass.
+class NeedleLook {
+ public:
+  /// Empty tables from `-inside` to `outside` px, `step` px apart.
+  void resize(double step, double inside, double outside);
+  bool empty() const noexcept { return tables_[0].empty(); }
+  double step() const noexcept { return step_; }
+  double inside() const noexcept { return zero_ * step_; }
+  double outside() const noexcept { return (count() - 1 - zero_) * step_; }
+  int count() const noexcept { return static_cast<int>(tables_[0].size()); }
+
+  /// Value and slope (per px) at distance d on side 0 (where the coordinate across is negative) or 1. Further out than
+  /// the table 0, further in the innermost value.
+  float value(int side, double d) const noexcept;
+  float slope(int side, double d) const noexcept;
+
+  /// One more sample of weight `weight`; `finish` makes means of all since `clear`, mixed with a share `keep` of what
+  /// was known before, fills gaps, and subtracts the outer end, so that the medium is 0.
+  void clear_samples();
+  void add_sample(int side, double d, float value, float weight);
+  void finish(double keep);
+
+  /// Moves the zero of the distance by `by` px outwards: f(d) becomes f(d + by).
+  void shift(double by);
+  /// Where the outline's mark is, on the mean of both sides: the extremum of the line next to 0, else the steepest
+  /// place of the flank.
+  double mark() const;
+  /// Whether it is a line: the inside recovers towards the medium.
+  bool is_line() const noexcept { return is_line_; }
+  void set_line(bool line) noexcept { is_line_ = line; }
+  /// Standard deviation of the line, or of the blur of the flank, px.
+  double blur() const;
+  /// Largest deviation from the medium: negative for a dark needle.
+  double depth() const;
+
+ private:
+  float mean_at(double d) const { return 0.5F * (value(0, d) + value(1, d)); }
+
+  double step_ = 0.5;
+  int zero_ = 0;
+  bool is_line_ = true;
+  std::array<std::vector<float>, 2> tables_, sums_, weights_;
+};
+
+/// The needle's half width as a function of the way behind the tip: a cubic, carried on straight outside its range.
+class NeedleCone {
+ public:
+  double half_width(double behind) const noexcept;
+  double slope(double behind) const noexcept;
+  /// Half width at the round tip: the radius r with half_width(r) = r, at least 0.5 px.
+  double tip_radius() const noexcept { return radius_; }
+
+  /// Weighted least squares through (behind, half width); the degree follows the length. At least 3 points, in order.
+  void fit(const std::vector<double>& behind, const std::vector<double>& half_width, const std::vector<double>& weight);
+  /// The tip lies `by` px further ahead (behind grows by it) and the outline `wider` px further out.
+  void move(double by, double wider);
+
+ private:
+  void find_radius();
+  double from_ = 0.0, to_ = 1.0, shift_ = 0.0;
+  std::array<double, 4> c_{2.0, 0.0, 0.0, 0.0};
+  double radius_ = 2.0;
+};
+
+/// Appearance and shape together: what the needle should look like at a place `behind` its tip and `beside` its axis.
+struct NeedleModel {
+  NeedleLook look;
+  NeedleCone cone;
+  double unit_px = 1.0;  ///< spacing of stations along the shaft: grows with the blur, so that the cost does not
+  int frames = 0;        ///< frames it was learnt from
+
+  /// Relative grey value at a place, the round tip included.
+  float value(double behind, double beside) const noexcept;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,23 @@
+#pragma once
+#include <optional>
+
+#include "FrameSampler.h"
+#include "NeedleModel.h"
+#include "ToolFinder.h"
+
+namespace pellucida {
+
+/// A first guess at a needle: where it is, how long its visible shaft is, and what it looks like.
+struct NeedleGuess {
+  NeedleAxis axis;
+  NeedleModel model;
+  double length_px = 0.0;  ///< of the visible shaft
+};
+
+/// Follows a tool found by voting from the image's border inwards, block by block, as long as its cross-section stays
+/// alike: the first block tells what it looks like and where its two edges are, every further one is fitted with what
+/// the last ones looked like. The tip is where that ends, good to a block's length. Nothing when the tool shows no
+/// edges, ends within 12 px, or goes right through the image.
+std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTool& tool, double noise);
+
+}  // namespace pellucida

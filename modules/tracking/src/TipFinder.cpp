@@ -1,0 +1,98 @@
+#include "TipFinder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucida {
+namespace {
+
+constexpr double kOutlier = 0.7;       // of the needle's contrast: more counts no more
+constexpr double kBehindUnits = 16.0;  // how far behind the tip the end is looked at
+constexpr double kAheadUnits = 8.0;
+
+}  // namespace
+
+void TipFinder::prepare(const NeedleModel& model) {
+  unit_ = model.unit_px;
+  step_ = model.look.step();
+  depth_ = std::abs(model.look.depth());
+  // Ahead of the row where the look has died away all is medium; behind the last row the shaft goes on.
+  before_ = 0.5 * unit_ * std::ceil((model.look.outside() + unit_) / (0.5 * unit_));
+  model_rows_ = static_cast<int>(std::ceil((before_ + (kBehindUnits + 8.0) * unit_) / (0.5 * unit_))) + 1;
+  const double reach = model.cone.half_width((kBehindUnits + 8.0) * unit_) + 1.5 * model.look.blur();
+  columns_ = 2 * static_cast<int>(std::ceil(reach / step_)) + 1;
+  half_across_ = step_ * (columns_ / 2);
+  model_.resize(columns_, model_rows_);
+  for (int i = 0; i < model_rows_; ++i)
+    for (int j = 0; j < columns_; ++j) model_(j, i) = model.value(i * 0.5 * unit_ - before_, j * step_ - half_across_);
+}
+
+// What the model leaves unexplained with the tip `ahead` px ahead, a multiple of half a unit.
+double TipFinder::cost(double ahead) const {
+  const int half_units = static_cast<int>(std::lround(ahead / (0.5 * unit_)));
+  const int before = static_cast<int>(std::lround(before_ / (0.5 * unit_)));
+  float sum = 0.0F;
+  const float limit = limit_;
+  for (int k = 0; k < rows_; ++k) {
+    const float* values = values_.col(k).data();
+    const int row = 2 * (first_ + k) + half_units + before;
+    if (row < 0) {
+      for (int j = 0; j < columns_; ++j) sum += std::min(values[j] * values[j], limit);
+      continue;
+    }
+    const float* look = model_.col(std::min(row, model_rows_ - 1)).data();
+    for (int j = 0; j < columns_; ++j) {
+      const float off = values[j] - look[j];
+      sum += std::min(off * off, limit);
+    }
+  }
+  return sum;
+}
+
+TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
+                          double reach_px) {
+  TipResult result;
+  const int reach = std::max(2, static_cast<int>(std::ceil(reach_px / unit_)));
+  first_ = -reach - static_cast<int>(kAheadUnits);
+  const int last = std::min(reach, static_cast<int>(kBehindUnits)) + static_cast<int>(kAheadUnits);
+  rows_ = last - first_ + 1;
+  if (values_.rows() != columns_ || values_.cols() < rows_) values_.resize(columns_, rows_);
+  const Eigen::Vector2d step = step_ * axis.across();
+  const float scale = static_cast<float>(1.0 / std::max(medium * gain, 1e-6));
+  const float zero = static_cast<float>(medium);
+  int inside = 0;
+  for (int k = 0; k < rows_; ++k) {
+    float* values = values_.col(k).data();
+    inside += image.inside(axis.at((first_ + k) * unit_, 0.0), 1.0) ? 1 : 0;
+    image.sample_line(axis.at((first_ + k) * unit_, -half_across_), step, columns_, values);
+    for (int j = 0; j < columns_; ++j) values[j] = scale * (values[j] - zero);
+  }
+  if (inside < 8) return result;
+  const double relative_noise = noise * scale;
+  limit_ = static_cast<float>(std::pow(kOutlier * depth_ + 2.0 * relative_noise, 2));
+
+  const int candidates = 4 * reach + 1;
+  costs_.resize(static_cast<std::size_t>(candidates));
+  int best = 0;
+  for (int c = 0; c < candidates; ++c) {
+    costs_[static_cast<std::size_t>(c)] = cost((c - 2 * reach) * 0.5 * unit_);
+    if (costs_[static_cast<std::size_t>(c)] < costs_[static_cast<std::size_t>(best)]) best = c;
+  }
+  if (best < 2 || best > candidates - 3) return result;
+  // A parabola through five costs: less at the mercy of one.
+  const double* c = costs_.data() + best;
+  const double slope = (2.0 * c[2] + c[1] - c[-1] - 2.0 * c[-2]) / 10.0;
+  const double curvature = (2.0 * c[2] - c[1] - 2.0 * c[0] - c[-1] + 2.0 * c[-2]) / 7.0;
+  if (!(curvature > 0.0)) return result;
+  const double half = 0.5 * unit_;
+  result.found = true;
+  result.ahead = half * (best - 2 * reach + std::clamp(-slope / curvature, -1.0, 1.0));
+  // cost = sum of squares: its second derivative is twice the information over the variance. Samples closer than a
+  // pixel share its noise.
+  const double shared = std::max(1.0, 1.0 / step_) * std::max(1.0, 1.0 / unit_);
+  result.ahead_sigma = relative_noise * std::sqrt(2.0 * shared / (curvature / (half * half)));
+  result.disagreement = std::sqrt(costs_[static_cast<std::size_t>(best)] / (rows_ * columns_)) / relative_noise;
+  return result;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,40 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "FrameSampler.h"
+#include "NeedleModel.h"
+
+namespace pellucida {
+
+/// Where a needle's edges end, relative to the tip looked round.
+struct TipResult {
+  bool found = false;
+  double ahead = 0.0;         ///< px: how much further ahead the tip is
+  double ahead_sigma = 0.0;   ///< px, from the image's noise alone
+  double disagreement = 0.0;  ///< RMS of what the model leaves unexplained, over the noise
+};
+
+/// Finds the end of the needle: the learnt look, drawn round a round tip at a series of places along the axis, against
+/// the image; the place that leaves least unexplained. Far residuals count no more than `kOutlier` contrasts, so that
+/// debris or a membrane in front does not decide. The tip is the model's own end, so blur does not move it.
+class TipFinder {
+ public:
+  void prepare(const NeedleModel& model);
+
+  /// `gain` and `medium`: of this frame, from the shaft; `reach_px`: how far ahead and back the tip may be.
+  TipResult find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
+                 double reach_px);
+
+ private:
+  double cost(double ahead) const;
+
+  Eigen::MatrixXf model_;   // (columns x rows): the look, half a unit from row to row
+  Eigen::MatrixXf values_;  // (columns x rows): the image, relative to the medium, one unit from row to row
+  std::vector<double> costs_;
+  double unit_ = 1.0, step_ = 0.5, before_ = 0.0, half_across_ = 0.0, depth_ = 0.1;
+  float limit_ = 1.0F;
+  int columns_ = 0, model_rows_ = 0, first_ = 0, rows_ = 0;
+};
+
+}  // namespace pellucida
