@@ -8,6 +8,8 @@
 namespace pellucida {
 namespace {
 
+constexpr double kChance = 0.7;  // likeness a place without a needle may have
+
 // The mean cross-section of a block of the tool's length, relative to the medium on its two sides.
 struct CrossSection {
   double step = 0.5, half_across = 0.0;
@@ -137,15 +139,23 @@ void learn(const CrossSection& section, const Outline& outline, double keep, Nee
   look.finish(keep);
 }
 
-// Fits medium, contrast, shift and width to a cross-section; the contrast over the learnt one, 0 when it is no fit.
-double fit(const CrossSection& section, const NeedleLook& look, Outline& outline, double& medium) {
-  double gain = 0.0;
+// How well a cross-section can be made to look like the needle.
+struct Likeness {
+  double medium = 1.0;       // grey value beside it
+  double gain = 0.0;         // contrast over the learnt one; 0: no fit
+  double correlation = 0.0;  // of cross-section and look, 0..1; what the noise alone would spoil is not held against it
+};
+
+// Fits medium, contrast, shift and width.
+Likeness fit(const CrossSection& section, const NeedleLook& look, Outline& outline) {
+  Likeness like;
   const double blur = look.blur();
   for (int round = 0; round < 4; ++round) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
     const double reach = outline.half_width + look.outside(), core = outline.half_width - look.inside();
     int used = 0;
+    double sum = 0.0, squares = 0.0;
     for (int j = 0; j < section.count(); ++j) {
       const double v = section.place(j) - outline.middle, away = std::abs(v);
       if (away > reach || away < core) continue;
@@ -153,22 +163,28 @@ double fit(const CrossSection& section, const NeedleLook& look, Outline& outline
       const double slope = look.slope(side, away - outline.half_width);
       const Eigen::Vector4d row(1.0, look.value(side, away - outline.half_width), v < 0.0 ? slope : -slope, -slope);
       normal += row * row.transpose();
-      right += section.values[static_cast<std::size_t>(j)] * row;
+      const double value = section.values[static_cast<std::size_t>(j)];
+      right += value * row;
+      sum += value;
+      squares += value * value;
       ++used;
     }
-    if (used < 8) return 0.0;
+    if (used < 8) return {};
     const double stiff = 1e-3 * normal.trace() / (1.0 + blur * blur);
     normal(2, 2) += stiff;
     normal(3, 3) += stiff;
     const Eigen::Vector4d x = normal.ldlt().solve(right);
-    medium = x[0];
-    gain = x[1] / std::max(x[0], 1e-6);
-    if (!(gain > 0.1)) return 0.0;
+    like.medium = x[0];
+    like.gain = x[1] / std::max(x[0], 1e-6);
+    if (!(like.gain > 0.1)) return {};
+    const double all = squares - sum * sum / used, unexplained = squares - x.dot(right);
+    const double noise = used * section.noise * section.noise;
+    like.correlation = std::sqrt(std::clamp(1.0 - (unexplained - noise) / std::max(all - noise, 1e-12), 0.0, 1.0));
     const double limit = 0.7 * blur + 0.5;
     outline.middle += std::clamp(x[2] / x[1], -limit, limit);
     outline.half_width = std::max(0.4, outline.half_width + std::clamp(x[3] / x[1], -limit, limit));
   }
-  return gain;
+  return like;
 }
 
 // A straight line through (x, y), robust.
@@ -236,52 +252,63 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
   look.resize(0.5 * guess.model.unit_px, 4.0 * blur + 1.0, std::max(4.0, 4.5 * blur + 1.0));
   learn(section, outline, 0.0, look);
 
-  // Inwards, block by block.
+  // Inwards, block by block. The needle ends where going on no longer pays: where the sum of the blocks' likeness, less
+  // what chance would bring, is largest.
   std::vector<double> way, middle, half_width;
-  double last_good = begin, middle_slope = 0.0, width_slope = 0.0;
+  double last_good = begin, middle_slope = 0.0, width_slope = 0.0, sum = 0.0, best_sum = 0.0, end = begin;
+  std::size_t count_at_end = 0;
   Outline last = outline;
   for (double t = begin; image.inside(entry + (t + block) * inwards + last.middle * across, 1.0); t += 0.5 * block) {
     const double since = t - last_good;
     Outline here{last.middle + middle_slope * since, std::max(0.6, last.half_width + width_slope * since)};
     section.half_across = std::max(here.half_width + look.outside() + 2.0, 6.0);
-    const double centre = here.middle;
+    const double centre = here.middle, expected = here.half_width;
     sample(image, entry, inwards, t, block, centre, noise, section);
     here.middle = 0.0;
-    double medium = 1.0;
-    const double expected = here.half_width, gain = fit(section, look, here, medium);
+    const Likeness like = fit(section, look, here);
     here.middle += centre;
-    const bool good = gain > 0.45 && gain < 2.2 && std::abs(here.middle - centre) < 2.0 * blur + 0.05 * since + 1.0 &&
-                      std::abs(here.half_width - expected) < 2.0 * blur + 1.0 + 0.1 * expected &&
-                      gain * medium * std::abs(look.depth()) > 3.0 * noise / std::sqrt(block);
-    if (!good) {
-      if (since > std::max(3.0 * block, 0.15 * t)) break;
-      continue;
+    const bool near = std::abs(here.middle - centre) < 1.5 * blur + 0.05 * since + 0.5 &&
+                      std::abs(here.half_width - expected) < 1.5 * blur + 0.5 + 0.1 * expected;
+    const double alike = near ? like.correlation * std::min(like.gain, 1.5 / std::max(like.gain, 0.5)) : 0.0;
+    sum += std::clamp(alike, 0.0, 1.0) - kChance;
+    if (sum > best_sum) {
+      best_sum = sum;
+      end = t + 0.5 * block;
+      count_at_end = way.size() + 1;
     }
+    if (sum < best_sum - 4.0) break;
+    if (alike < kChance) continue;
     way.push_back(t + 0.5 * block);
     middle.push_back(here.middle);
     half_width.push_back(here.half_width);
     if (way.size() >= 4) {
       // Slopes from the last blocks.
-      const std::size_t from = way.size() > 10 ? way.size() - 10 : 0;
-      const std::vector<double> x(way.begin() + static_cast<std::ptrdiff_t>(from), way.end());
+      const auto from = static_cast<std::ptrdiff_t>(way.size() > 12 ? way.size() - 12 : 0);
+      const std::vector<double> x(way.begin() + from, way.end());
       double a = 0.0;
-      fit_line(x, {middle.begin() + static_cast<std::ptrdiff_t>(from), middle.end()}, a, middle_slope);
+      fit_line(x, {middle.begin() + from, middle.end()}, a, middle_slope);
       here.middle = a + middle_slope * (t + 0.5 * block);
-      fit_line(x, {half_width.begin() + static_cast<std::ptrdiff_t>(from), half_width.end()}, a, width_slope);
+      fit_line(x, {half_width.begin() + from, half_width.end()}, a, width_slope);
       width_slope = std::clamp(width_slope, -0.2, 0.05);
       here.half_width = std::max(0.6, a + width_slope * (t + 0.5 * block));
     }
     // The look follows slowly: out of focus it changes along the shaft.
-    for (float& value : section.values) value = value / static_cast<float>(medium) - 1.0F;
-    learn(section, {here.middle - centre, here.half_width}, 0.75, look);
+    if (alike > 0.85) {
+      for (float& value : section.values) value = value / static_cast<float>(like.medium) - 1.0F;
+      learn(section, {here.middle - centre, here.half_width}, 0.8, look);
+    }
     last = here;
     last_good = t;
   }
-  guess.length_px = last_good + 0.5 * block - begin;
+  count_at_end = std::min(count_at_end, way.size());
+  way.resize(count_at_end);
+  middle.resize(count_at_end);
+  half_width.resize(count_at_end);
+  guess.length_px = end - begin;
   if (way.size() < 3 || guess.length_px < 12.0) return std::nullopt;
 
   // Axis and cone from the stretch next to the tip.
-  const double end = last_good + 0.5 * block, stretch = std::max(6.0 * block, 85.0 * guess.model.unit_px);
+  const double stretch = std::max(6.0 * block, 85.0 * guess.model.unit_px);
   std::vector<double> near_way, near_middle, behind, near_width, weight;
   for (std::size_t k = way.size(); k-- > 0;) {
     if (end - way[k] > stretch && near_way.size() >= 4) break;

@@ -31,7 +31,7 @@ bool NeedleTracker::start(const FrameSampler& image, const FoundTool& tool, doub
   for (int round = 0; round < 4; ++round) {
     shaft = align(image, noise, 3);
     if (!shaft.found || shaft.support < 0.4) return false;
-    end = find_end(image, noise, shaft, (round == 0 ? 24.0 : 8.0) * model_.unit_px, true);
+    end = find_end(image, noise, shaft, (round == 0 ? 10.0 : 6.0) * model_.unit_px, true);
     const double ahead = end.valid ? end.ahead : 0.0;
     model_.frames = 0;
     learn(ahead);
@@ -40,7 +40,7 @@ bool NeedleTracker::start(const FrameSampler& image, const FoundTool& tool, doub
   }
   shaft = align(image, noise, 2);
   if (!shaft.found || !end.valid) return false;
-  end = find_end(image, noise, shaft, 8.0 * model_.unit_px, true);
+  end = find_end(image, noise, shaft, 6.0 * model_.unit_px, true);
   if (end.valid) axis_.tip += end.ahead * axis_.direction;
   // Whether a membrane is at the tip isn't known yet.
   anchor_sigma_ = kFirstAnchor * model_.unit_px;

@@ -29,7 +29,7 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
   unit_ = model.unit_px;
   behind_px_ = behind_px;
   step_ = model.look.step();
-  depth_ = std::abs(model.look.depth());
+  lines_ = std::clamp(static_cast<int>(std::lround(unit_)), 1, 4);
   blur_ = model.look.blur();
   const double begin = model.cone.tip_radius() + 2.0 * unit_;
   const int count = std::max(1, static_cast<int>((behind_px - begin) / unit_) + 1);
@@ -79,9 +79,24 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
   }
 }
 
+// The mean of lines spread over a unit, so that a coarse spacing wastes no light.
+void ShaftFit::sample_station(const FrameSampler& image, const NeedleAxis& axis, const Station& station,
+                              float* values) {
+  const Eigen::Vector2d step = step_ * axis.across();
+  const double v = station.first * step_ - half_across_;
+  const auto place = [&](int l) { return axis.at(station.s + (l - 0.5 * (lines_ - 1)) / lines_ * unit_, v); };
+  image.sample_line(place(0), step, station.count, values + station.first);
+  if (lines_ < 2) return;
+  wide_.resize(std::max(wide_.size(), static_cast<std::size_t>(columns_)));
+  for (int l = 1; l < lines_; ++l) {
+    image.sample_line(place(l), step, station.count, wide_.data());
+    for (int j = 0; j < station.count; ++j) values[station.first + j] += wide_[static_cast<std::size_t>(j)];
+  }
+  for (int j = 0; j < station.count; ++j) values[station.first + j] /= static_cast<float>(lines_);
+}
+
 ShaftResult ShaftFit::measure(const FrameSampler& image, const NeedleAxis& axis, double noise) {
   ShaftResult result;
-  const Eigen::Vector2d across = axis.across();
   int inside = 0;
   for (std::size_t k = 0; k < stations_.size(); ++k) {
     Station& station = stations_[k];
@@ -91,8 +106,7 @@ ShaftResult ShaftFit::measure(const FrameSampler& image, const NeedleAxis& axis,
     if (!station.inside) continue;
     ++inside;
     float* values = values_.col(static_cast<Eigen::Index>(k)).data();
-    image.sample_line(axis.at(station.s, station.first * step_ - half_across_), step_ * across, station.count,
-                      values + station.first);
+    sample_station(image, axis, station, values);
     Eigen::Vector4f solution = Eigen::Vector4f::Zero();
     const float* rows = solve_.col(static_cast<Eigen::Index>(k)).data();
     for (int j = station.first; j < station.first + station.count; ++j)
@@ -122,7 +136,7 @@ ShaftResult ShaftFit::measure(const FrameSampler& image, const NeedleAxis& axis,
   for (const Station& station : stations_)
     if (station.seen && scratch_.size() < 16) scratch_.push_back(station.medium);
   result.medium = median_of(scratch_);
-  const double relative_noise = noise / std::max(result.medium * result.gain, 1e-6);
+  const double relative_noise = noise / std::sqrt(double(lines_)) / std::max(result.medium * result.gain, 1e-6);
   fit_axis(relative_noise, result);
   if (result.found) fit_cone(relative_noise, result);
   return result;

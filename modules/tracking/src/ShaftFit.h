@@ -51,6 +51,7 @@ class ShaftFit {
     double medium = 0.0, contrast = 0.0, shift = 0.0, wider = 0.0;
     bool inside = false, seen = false;
   };
+  void sample_station(const FrameSampler& image, const NeedleAxis& axis, const Station& station, float* values);
   void fit_axis(double noise, ShaftResult& result);
   void fit_cone(double noise, ShaftResult& result);
 
@@ -60,9 +61,9 @@ class ShaftFit {
   Eigen::MatrixXf values_;   // (columns x stations): the image
   std::vector<float> mean_, wide_;
   std::vector<double> scratch_, learn_s_, learn_width_, learn_weight_;
-  double step_ = 0.5, half_across_ = 0.0, behind_px_ = 0.0, depth_ = 0.0, unit_ = 1.0, blur_ = 1.0;
+  double step_ = 0.5, half_across_ = 0.0, behind_px_ = 0.0, unit_ = 1.0, blur_ = 1.0;
   double offset_ = 0.0, slope_ = 0.0;  // of the last frame
-  int columns_ = 0;
+  int columns_ = 0, lines_ = 1;
 };
 
 }  // namespace pellucida

@@ -9,22 +9,28 @@ namespace {
 constexpr double kOutlier = 0.7;       // of the needle's contrast: more counts no more
 constexpr double kBehindUnits = 16.0;  // how far behind the tip the end is looked at
 constexpr double kAheadUnits = 8.0;
+constexpr double kBesideBlurs = 2.5;
 
 }  // namespace
 
 void TipFinder::prepare(const NeedleModel& model) {
   unit_ = model.unit_px;
   step_ = model.look.step();
+  lines_ = std::clamp(static_cast<int>(std::lround(unit_)), 1, 4);
   depth_ = std::abs(model.look.depth());
   // Ahead of the row where the look has died away all is medium; behind the last row the shaft goes on.
   before_ = 0.5 * unit_ * std::ceil((model.look.outside() + unit_) / (0.5 * unit_));
   model_rows_ = static_cast<int>(std::ceil((before_ + (kBehindUnits + 8.0) * unit_) / (0.5 * unit_))) + 1;
-  const double reach = model.cone.half_width((kBehindUnits + 8.0) * unit_) + 1.5 * model.look.blur();
+  const double reach = model.cone.half_width((kBehindUnits + 8.0) * unit_) + kBesideBlurs * model.look.blur();
   columns_ = 2 * static_cast<int>(std::ceil(reach / step_)) + 1;
   half_across_ = step_ * (columns_ / 2);
   model_.resize(columns_, model_rows_);
-  for (int i = 0; i < model_rows_; ++i)
-    for (int j = 0; j < columns_; ++j) model_(j, i) = model.value(i * 0.5 * unit_ - before_, j * step_ - half_across_);
+  for (int i = 0; i < model_rows_; ++i) {
+    for (int j = 0; j < columns_; ++j)
+      model_(j, i) = model.value(i * 0.5 * unit_ - before_, j * step_ - half_across_);
+    const float mean = model_.col(i).mean();
+    model_.col(i).array() -= mean;
+  }
 }
 
 // What the model leaves unexplained with the tip `ahead` px ahead, a multiple of half a unit.
@@ -49,6 +55,19 @@ double TipFinder::cost(double ahead) const {
   return sum;
 }
 
+// One row of the image: the mean of lines spread over a unit.
+void TipFinder::sample_rows(const FrameSampler& image, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
+                            const Eigen::Vector2d& direction, float* row) {
+  image.sample_line(from - 0.5 * (lines_ - 1) / lines_ * unit_ * direction, step, columns_, row);
+  if (lines_ < 2) return;
+  line_.resize(static_cast<std::size_t>(columns_));
+  for (int l = 1; l < lines_; ++l) {
+    image.sample_line(from + (l - 0.5 * (lines_ - 1)) / lines_ * unit_ * direction, step, columns_, line_.data());
+    for (int j = 0; j < columns_; ++j) row[j] += line_[static_cast<std::size_t>(j)];
+  }
+  for (int j = 0; j < columns_; ++j) row[j] /= static_cast<float>(lines_);
+}
+
 TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
                           double reach_px) {
   TipResult result;
@@ -59,16 +78,18 @@ TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, dou
   if (values_.rows() != columns_ || values_.cols() < rows_) values_.resize(columns_, rows_);
   const Eigen::Vector2d step = step_ * axis.across();
   const float scale = static_cast<float>(1.0 / std::max(medium * gain, 1e-6));
-  const float zero = static_cast<float>(medium);
   int inside = 0;
   for (int k = 0; k < rows_; ++k) {
     float* values = values_.col(k).data();
     inside += image.inside(axis.at((first_ + k) * unit_, 0.0), 1.0) ? 1 : 0;
-    image.sample_line(axis.at((first_ + k) * unit_, -half_across_), step, columns_, values);
-    for (int j = 0; j < columns_; ++j) values[j] = scale * (values[j] - zero);
+    sample_rows(image, axis.at((first_ + k) * unit_, -half_across_), step, axis.direction, values);
+    float mean = 0.0F;
+    for (int j = 0; j < columns_; ++j) mean += values[j];
+    mean /= static_cast<float>(columns_);
+    for (int j = 0; j < columns_; ++j) values[j] = scale * (values[j] - mean);
   }
   if (inside < 8) return result;
-  const double relative_noise = noise * scale;
+  const double relative_noise = noise * scale / std::sqrt(double(lines_));
   limit_ = static_cast<float>(std::pow(kOutlier * depth_ + 2.0 * relative_noise, 2));
 
   const int candidates = 4 * reach + 1;
@@ -89,7 +110,7 @@ TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, dou
   result.ahead = half * (best - 2 * reach + std::clamp(-slope / curvature, -1.0, 1.0));
   // cost = sum of squares: its second derivative is twice the information over the variance. Samples closer than a
   // pixel share its noise.
-  const double shared = std::max(1.0, 1.0 / step_) * std::max(1.0, 1.0 / unit_);
+  const double shared = std::max(1.0, 1.0 / step_);
   result.ahead_sigma = relative_noise * std::sqrt(2.0 * shared / (curvature / (half * half)));
   result.disagreement = std::sqrt(costs_[static_cast<std::size_t>(best)] / (rows_ * columns_)) / relative_noise;
   return result;

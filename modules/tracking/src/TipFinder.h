@@ -16,7 +16,8 @@ struct TipResult {
 };
 
 /// Finds the end of the needle: the learnt look, drawn round a round tip at a series of places along the axis, against
-/// the image; the place that leaves least unexplained. Far residuals count no more than `kOutlier` contrasts, so that
+/// the image; the place that leaves least unexplained. Each row counts without its mean: what is alike all across, as a
+/// membrane in front of the tip or a darker body behind it, says nothing. Far residuals count no more than `kOutlier` contrasts, so that
 /// debris or a membrane in front does not decide. The tip is the model's own end, so blur does not move it.
 class TipFinder {
  public:
@@ -28,13 +29,16 @@ class TipFinder {
 
  private:
   double cost(double ahead) const;
+  void sample_rows(const FrameSampler& image, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
+                   const Eigen::Vector2d& direction, float* row);
 
   Eigen::MatrixXf model_;   // (columns x rows): the look, half a unit from row to row
   Eigen::MatrixXf values_;  // (columns x rows): the image, relative to the medium, one unit from row to row
   std::vector<double> costs_;
+  std::vector<float> line_;
   double unit_ = 1.0, step_ = 0.5, before_ = 0.0, half_across_ = 0.0, depth_ = 0.1;
   float limit_ = 1.0F;
-  int columns_ = 0, model_rows_ = 0, first_ = 0, rows_ = 0;
+  int columns_ = 0, model_rows_ = 0, first_ = 0, rows_ = 0, lines_ = 1;
 };
 
 }  // namespace pellucida
