@@ -24,7 +24,7 @@ GrayImage gray(const ImageView& view) {
 
 NeedleZone CellFollower::zone() const {
   const NeedleEstimate& n = needle_.estimate();
-  return {n.tip, n.direction, n.tip_half_width, n.widening, touching_};
+  return {n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_};
 }
 
 void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {

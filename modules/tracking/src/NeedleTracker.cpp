@@ -170,7 +170,7 @@ ShaftResult NeedleTracker::align(const FrameSampler& image, double noise, int ro
     const Eigen::Vector2d across = axis_.across();
     axis_.tip += shaft.offset * across;
     axis_.direction = (axis_.direction - shaft.slope * across).normalized();
-    const double blur = model_.look.blur();
+    const double blur = shaft_.blur_px();
     if (std::abs(shaft.offset) < 0.1 * blur && std::abs(shaft.slope) * shaft_.behind_px() < 0.2 * blur) break;
   }
   return shaft;
@@ -240,6 +240,7 @@ void NeedleTracker::fill(double noise, const ShaftResult& shaft) {
   now_.tip_half_width = model_.cone.tip_radius();
   const double far = std::min(60.0 * model_.unit_px, shaft_.behind_px());
   now_.widening = std::max(0.0, (model_.cone.half_width(far) - now_.tip_half_width) / far);
+  now_.edge_blur = shaft_.blur_px();
   now_.tip_sigma = std::sqrt(covariance_(0, 0));
   const double contrast = shaft.gain * shaft.medium * std::abs(model_.look.depth());
   const double clear = std::clamp(contrast / (5.0 * std::max(noise, 1e-6)), 0.0, 1.0);

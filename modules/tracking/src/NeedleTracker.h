@@ -17,7 +17,8 @@ struct NeedleEstimate {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
   double tip_half_width = 2.0;
-  double widening = 0.0;  ///< half width gained per px behind the tip
+  double widening = 0.0;   ///< half width gained per px behind the tip
+  double edge_blur = 0.0;  ///< px, standard deviation: how far its edges' own darkness reaches beyond its outline
   double confidence = 0.0;
   double tip_sigma = 0.0;  ///< px along the direction
   NeedleEvidence evidence = kNoNeedleEvidence;
@@ -51,8 +52,6 @@ class NeedleTracker {
   void reset() noexcept { *this = NeedleTracker(); }
   /// How far the tip moved with the last frame.
   Eigen::Vector2d motion() const noexcept { return motion_; }
-  /// Blur of its edges, px (standard deviation).
-  double blur_px() const { return model_.look.blur(); }
 
  private:
   // A measurement of how much further ahead the tip is, px.

@@ -41,6 +41,8 @@ class ShaftFit {
   double find_beside(const FrameSampler& image, const NeedleAxis& axis, double reach_px, double& correlation);
 
   double behind_px() const noexcept { return behind_px_; }
+  /// Blur of the look prepared for, px.
+  double blur_px() const noexcept { return blur_; }
 
  private:
   struct Station {
