@@ -26,8 +26,7 @@ void TipFinder::prepare(const NeedleModel& model) {
   half_across_ = step_ * (columns_ / 2);
   model_.resize(columns_, model_rows_);
   for (int i = 0; i < model_rows_; ++i) {
-    for (int j = 0; j < columns_; ++j)
-      model_(j, i) = model.value(i * 0.5 * unit_ - before_, j * step_ - half_across_);
+    for (int j = 0; j < columns_; ++j) model_(j, i) = model.value(i * 0.5 * unit_ - before_, j * step_ - half_across_);
     const float mean = model_.col(i).mean();
     model_.col(i).array() -= mean;
   }
