@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "IndentationPath.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/fem/GradedSphereMesh.h"
 #include "pellucida/fem/NeoHookeanTerm.h"
@@ -17,12 +18,6 @@ namespace pellucida {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// No solution goes farther, in terms of the radius; a step that fails is halved down to the shortest.
-constexpr double kLongestStep = 0.04;
-constexpr double kShortestStep = 0.0005;
-/// The tip may go so many radii.
-constexpr double kDeepest = 1.4;
 
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError("shell reference: " + message);
@@ -118,18 +113,6 @@ ShellContact contact_for_configuration(int configuration, double offset_um) {
   }
 }
 
-std::string_view to_string(ShellOutcome outcome) noexcept {
-  switch (outcome) {
-    case ShellOutcome::kComplete:
-      return "complete";
-    case ShellOutcome::kCancelled:
-      return "cancelled";
-    case ShellOutcome::kNotConverged:
-      return "not converged";
-  }
-  return "unknown";
-}
-
 class ShellReference::Impl {
  public:
   Impl(const ShellSpecimen& specimen, const ShellContact& contact, const ShellOptions& options)
@@ -143,17 +126,13 @@ class ShellReference::Impl {
         holder_(sphere_.mesh.points_um, holder_weights()),
         energy_(static_cast<int>(sphere_.mesh.points_um.cols()),
                 young_modulus_uN_per_um2(specimen) * specimen.thickness_um) {
-    options_.max_iterations = options.max_iterations;
     energy_.add_term(membrane_);
     energy_.add_term(hinges_);
     energy_.add_term(volume_);
     energy_.add_term(tip_);
     energy_.add_term(holder_);
-    solver_ = std::make_unique<EquilibriumSolver>(energy_);
-
-    // How the gradient changes with the tip's way: through its bond alone.
-    pull_ = Eigen::Matrix3Xd::Zero(3, sphere_.mesh.points_um.cols());
-    for (std::size_t k = 0; k < tip_.nodes().size(); ++k) pull_(2, tip_.nodes()[k]) = -tip_.weights_uN_per_um()[k];
+    path_ = std::make_unique<IndentationPath>(energy_, tip_, sphere_.mesh.points_um, specimen.mid_radius_um,
+                                              options.max_iterations);
   }
 
   const ShellSpecimen& specimen() const noexcept { return specimen_; }
@@ -162,30 +141,15 @@ class ShellReference::Impl {
 
   ShellCurve run(double max_um, double step_um, const std::function<void(const ShellStep&, double)>& progress,
                  const std::stop_token& cancel) {
-    require(step_um > 0.0 && step_um <= max_um, "the step must be above 0 um and at most the largest indentation");
-    require(max_um <= kDeepest * specimen_.mid_radius_um,
-            "the indentation may be at most 1.4 radii, " + std::to_string(kDeepest * specimen_.mid_radius_um) + " um");
-    x_um_ = sphere_.mesh.points_um;
-    tangent_ = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
-    depth_um_ = 0.0;
-    tip_.set_displacement(Eigen::Vector3d::Zero());
-
-    // 0, step, 2 step, ... and what is left of the way.
     ShellCurve curve;
-    std::vector<double> depths;
-    for (int k = 0; k * step_um < max_um - 1e-9 * step_um; ++k) depths.push_back(k * step_um);
-    depths.push_back(max_um);
-    for (const double depth : depths) {
-      SolveReport report;
-      curve.outcome = advance_to(depth, cancel, report);
-      if (curve.outcome != ShellOutcome::kComplete) {
-        if (curve.outcome == ShellOutcome::kNotConverged) curve.failed_indentation_um = depth;
-        curve.failure = report;
-        return curve;
-      }
-      curve.steps.push_back(read_out(report));
-      if (progress) progress(curve.steps.back(), depth / max_um);
-    }
+    const auto arrived = [&](double depth_um, const Eigen::Matrix3Xd& x_um, const SolveReport& report) {
+      curve.steps.push_back(read_out(depth_um, x_um, report));
+      if (progress) progress(curve.steps.back(), depth_um / max_um);
+    };
+    const IndentationPath::End end = path_->run(max_um, step_um, arrived, cancel);
+    curve.outcome = end.outcome;
+    curve.failed_indentation_um = end.failed_indentation_um;
+    curve.failure = end.failure;
     return curve;
   }
 
@@ -211,46 +175,18 @@ class ShellReference::Impl {
         young_modulus_uN_per_um2(specimen_) * contact_.holder_bond_per_um / (ratio * ratio));
   }
 
-  /// Goes to a depth in steps that converge. The shape is the last equilibrium found, whatever the outcome.
-  ShellOutcome advance_to(double depth_um, const std::stop_token& cancel, SolveReport& total) {
-    double longest = kLongestStep * specimen_.mid_radius_um;
-    do {
-      if (cancel.stop_requested()) return ShellOutcome::kCancelled;
-      const double way = std::min(longest, depth_um - depth_um_);
-      const double next = way < depth_um - depth_um_ ? depth_um_ + way : depth_um;
-      Eigen::Matrix3Xd x = x_um_ + (next - depth_um_) * tangent_;
-      tip_.set_displacement({0.0, 0.0, -next});
-      const SolveReport report = solver_->solve(x, options_);
-      total.status = report.status;
-      total.iterations += report.iterations;
-      total.factorizations += report.factorizations;
-      total.shifts += report.shifts;
-      total.residual_uN = report.residual_uN;
-      if (report.status == SolveStatus::kConverged) {
-        x_um_ = x;
-        depth_um_ = next;
-        tangent_ = solver_->apply_inverse_hessian(x_um_, pull_, tangent_);
-      } else {
-        tip_.set_displacement({0.0, 0.0, -depth_um_});
-        longest = 0.5 * way;
-        if (longest < kShortestStep * specimen_.mid_radius_um) return ShellOutcome::kNotConverged;
-      }
-    } while (depth_um_ < depth_um);
-    return ShellOutcome::kComplete;
-  }
-
-  ShellStep read_out(const SolveReport& report) const {
+  ShellStep read_out(double depth_um, const Eigen::Matrix3Xd& x_um, const SolveReport& report) const {
     ShellStep step;
-    step.indentation_um = depth_um_;
-    step.tip_force_uN = tip_.force_uN(x_um_);
-    step.holder_force_uN = holder_.force_uN(x_um_);
+    step.indentation_um = depth_um;
+    step.tip_force_uN = tip_.force_uN(x_um);
+    step.holder_force_uN = holder_.force_uN(x_um);
     step.axial_force_uN = -step.tip_force_uN.z() + 0.0;  // no -0
     step.lateral_force_uN = step.tip_force_uN.x();
-    step.pressure_kPa = 1e3 * volume_.pressure_uN_per_um2(x_um_) + 0.0;
-    step.volume_change_ratio = volume_.volume_um3(x_um_) / volume_.rest_volume_um3() - 1.0;
-    step.energy_uN_um = energy_.add(x_um_, nullptr, nullptr);
-    step.largest_stretch = membrane_.principal_stretches(x_um_).row(0).maxCoeff();
-    step.nodes_um = x_um_;
+    step.pressure_kPa = 1e3 * volume_.pressure_uN_per_um2(x_um) + 0.0;
+    step.volume_change_ratio = volume_.volume_um3(x_um) / volume_.rest_volume_um3() - 1.0;
+    step.energy_uN_um = energy_.add(x_um, nullptr, nullptr);
+    step.largest_stretch = membrane_.principal_stretches(x_um).row(0).maxCoeff();
+    step.nodes_um = x_um;
     step.report = report;
     return step;
   }
@@ -263,10 +199,7 @@ class ShellReference::Impl {
   VolumeTerm volume_;
   AttachmentTerm tip_, holder_;
   EnergySum energy_;
-  std::unique_ptr<EquilibriumSolver> solver_;
-  SolveOptions options_;
-  Eigen::Matrix3Xd pull_, x_um_, tangent_;
-  double depth_um_ = 0.0;
+  std::unique_ptr<IndentationPath> path_;
 };
 
 ShellReference::ShellReference(const ShellSpecimen& specimen, const ShellContact& contact,
