@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "IndentationPath.h"
-#include "pellucida/core/Error.h"
+#include "SpecimenGeometry.h"
 #include "pellucida/fem/GradedSphereMesh.h"
 #include "pellucida/fem/NeoHookeanTerm.h"
 #include "pellucida/mechanics/AttachmentTerm.h"
@@ -19,106 +18,30 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-void require(bool holds, const std::string& message) {
-  if (!holds) throw UsageError("shell reference: " + message);
-}
-
-void check(const ShellSpecimen& specimen, const ShellContact& contact, const ShellOptions& options) {
-  const double radius = specimen.mid_radius_um, outer = radius + 0.5 * specimen.thickness_um;
-  require(radius > 0.0, "the radius must be above 0 um");
-  require(specimen.thickness_um >= 0.01 * radius && specimen.thickness_um <= 0.4 * radius,
-          "the thickness must be between 0.01 and 0.4 of the radius");
-  require(specimen.young_modulus_kPa > 0.0, "Young's modulus must be above 0 kPa");
-  require(specimen.poisson_ratio > 0.0 && specimen.poisson_ratio <= 0.5, "Poisson's ratio must be above 0, up to 0.5");
-  require(specimen.bulk_modulus_ratio > 0.0, "the liquid's bulk modulus must be above 0");
-  require(contact.tip_radius_um > 0.0 && contact.tip_radius_um < 0.5 * radius,
-          "the tip's radius must be above 0 and below half the cell's");
-  require(contact.tip_bond_per_um > 0.0 && contact.holder_bond_per_um > 0.0, "both bonds must be above 0");
-  require(contact.holder_half_width_um > 0.0 && contact.holder_ring_um >= 0.0, "the holder's ring must have a width");
-  require(contact.holder_ring_um + contact.holder_half_width_um < outer, "the holder's ring must fit on the cell");
-  require(contact.holder_angle_rad >= 0.0 && contact.holder_angle_rad <= 0.5 * kPi,
-          "the holder's angle must be between 0 and 90 degrees");
-  require(options.edge_length_ratio >= 0.2 && options.edge_length_ratio <= 3.0,
-          "the edge length ratio must be between 0.2 and 3");
-  require(options.max_iterations > 0, "an equilibrium takes at least one iteration");
-
-  // Tool against tool, along the sphere.
-  require(std::abs(contact.lateral_offset_um) < 0.8 * outer, "the needle must meet the cell: offset below 0.8 radii");
-  const double tip_angle = std::asin(contact.lateral_offset_um / outer);
-  const double between = kPi - contact.holder_angle_rad - tip_angle;
-  const double reach = std::asin((contact.holder_ring_um + contact.holder_half_width_um) / outer) +
-                       2.0 * std::asin(std::min(1.0, 0.5 * contact.tip_radius_um / outer));
-  require(std::min(between, 2.0 * kPi - between) > reach,
-          "tip and holder bear on the same place; turn the holder away");
+GradedSphere make_mesh(const ShellSpecimen& specimen, const ShellContact& contact, double edge_length_ratio) {
+  const Eigen::Vector3d tip = contact_direction(specimen, contact), holder = holder_direction(contact);
+  const auto angle = [](const Eigen::Vector3d& p, const Eigen::Vector3d& direction) {
+    return std::atan2(p.cross(direction).norm(), p.dot(direction));
+  };
+  const auto edge_length = [&](const Eigen::Vector3d& p) {
+    return edge_length_ratio * edge_length_um(specimen, contact, angle(p, tip), angle(p, holder));
+  };
+  return make_graded_sphere_mesh(specimen.mid_radius_um, std::atan2(tip.x(), tip.z()), edge_length);
 }
 
 /// A radius on the outer surface, brought to the middle surface along the normal; areas shrink by the ratio's square.
 double mid_over_outer(const ShellSpecimen& specimen) {
-  return specimen.mid_radius_um / (specimen.mid_radius_um + 0.5 * specimen.thickness_um);
-}
-
-Eigen::Vector3d contact_direction(const ShellSpecimen& specimen, const ShellContact& contact) {
-  const double sine = contact.lateral_offset_um / (specimen.mid_radius_um + 0.5 * specimen.thickness_um);
-  return {sine, 0.0, std::sqrt(1.0 - sine * sine)};
-}
-
-Eigen::Vector3d holder_direction(const ShellContact& contact) {
-  return {std::sin(contact.holder_angle_rad), 0.0, -std::cos(contact.holder_angle_rad)};
-}
-
-double young_modulus_uN_per_um2(const ShellSpecimen& specimen) {
-  return 1e-3 * specimen.young_modulus_kPa;
-}
-
-/// Fine under the tip and at the holder's ring, growing by 13 % of the way from there; elsewhere short against the
-/// shell's bending length sqrt(R h).
-GradedSphere make_mesh(const ShellSpecimen& specimen, const ShellContact& contact, const ShellOptions& options) {
-  constexpr double kGrowth = 0.131;
-  const double radius = specimen.mid_radius_um, ratio = mid_over_outer(specimen);
-  const Eigen::Vector3d tip = contact_direction(specimen, contact), holder = holder_direction(contact);
-  const double tip_reach = ratio * contact.tip_radius_um, tip_edge = 0.275 * tip_reach;
-  const double ring_reach =
-      radius * std::asin(ratio * (contact.holder_ring_um + contact.holder_half_width_um) / radius);
-  const double ring_edge = 0.72 * ratio * contact.holder_half_width_um;
-  const double body_edge = std::min(0.45 * std::sqrt(radius * specimen.thickness_um), 0.2 * radius);
-  const auto arc = [radius](const Eigen::Vector3d& p, const Eigen::Vector3d& direction) {
-    return radius * std::atan2(p.cross(direction).norm(), p.dot(direction));
-  };
-  const auto edge_length = [&](const Eigen::Vector3d& p) {
-    const double near_tip = tip_edge + kGrowth * std::max(0.0, arc(p, tip) - tip_reach);
-    const double near_ring = ring_edge + kGrowth * std::max(0.0, arc(p, holder) - ring_reach);
-    return options.edge_length_ratio * std::min({body_edge, near_tip, near_ring});
-  };
-  return make_graded_sphere_mesh(radius, std::atan2(tip.x(), tip.z()), edge_length);
+  return specimen.mid_radius_um / outer_radius_um(specimen);
 }
 
 }  // namespace
-
-ShellContact contact_for_configuration(int configuration, double offset_um) {
-  ShellContact contact;
-  switch (configuration) {
-    case 1:
-      return contact;
-    case 2:
-      contact.holder_angle_rad = 0.25 * kPi;
-      return contact;
-    case 3:
-      contact.holder_angle_rad = 0.5 * kPi;
-      return contact;
-    case 4:
-      contact.lateral_offset_um = offset_um;
-      return contact;
-    default:
-      throw UsageError("configuration " + std::to_string(configuration) + ": give 1, 2, 3 or 4");
-  }
-}
 
 class ShellReference::Impl {
  public:
   Impl(const ShellSpecimen& specimen, const ShellContact& contact, const ShellOptions& options)
       : specimen_(specimen),
         contact_(contact),
-        sphere_(make_mesh(specimen, contact, options)),
+        sphere_(make_mesh(specimen, contact, options.edge_length_ratio)),
         membrane_(sphere_.mesh, young_modulus_uN_per_um2(specimen), specimen.poisson_ratio, specimen.thickness_um),
         hinges_(sphere_.mesh, triangle_pairs(sphere_.mesh.triangles), rigidity()),
         volume_(sphere_.mesh, young_modulus_uN_per_um2(specimen) * specimen.bulk_modulus_ratio),
@@ -204,7 +127,8 @@ class ShellReference::Impl {
 
 ShellReference::ShellReference(const ShellSpecimen& specimen, const ShellContact& contact,
                                const ShellOptions& options) {
-  check(specimen, contact, options);
+  check_geometry(specimen, contact);
+  check_options(options.edge_length_ratio, options.max_iterations);
   impl_ = std::make_unique<Impl>(specimen, contact, options);
 }
 ShellReference::~ShellReference() = default;
