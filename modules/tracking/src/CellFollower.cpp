@@ -44,7 +44,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
                                const std::vector<FoundTool>& tools) {
   for (const FoundTool& tool : tools) {
     if (tool.half_width() >= 0.2 * circle.radius) continue;
-    if (holder_.valid && tool.direction.dot(holder_.direction) > 0.8) continue;
+    if (holder_.valid && tool.direction.dot(holder_direction()) > 0.8) continue;
     if (needle_.start(frame.image, tool, frame.noise)) return;
   }
   needle_.reset();
@@ -65,7 +65,7 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
       points.push_back(rest_.center + s * holder_.direction + v * across);
     }
   }
-  rigid_.learn(frame.image, points, frame.noise);
+  rigid_.learn(frame.image, points, rest_.center, frame.noise);
 }
 
 // How far the tip is past the resting membrane, px.
@@ -84,8 +84,7 @@ double CellFollower::measure_membrane_depth() const {
 void CellFollower::learn_rest() {
   const contour::Circle outer = fit(snakes_.outer().points);
   if (outer.inlier_ratio < 0.6) return;
-  rest_.learn(outer.center - rigid_shift_, outer.radius,
-              snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0);
+  rest_.learn(motion_.undo(outer.center), outer.radius, snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0);
 }
 
 // Mean confidence of the outer contour on the needle's side, where a dimple is or is not.
@@ -128,7 +127,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   rest_.center = circle.center;
   rest_.outer_radius = circle.radius;
   rest_.inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
-  rigid_shift_.setZero();
+  motion_ = {};
+  motion_.pivot = rest_.center;
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
   const bool entered = needle_.valid() && tip_depth() > 2.0 * options_.contact_px;
@@ -193,16 +193,13 @@ bool CellFollower::follow(const FrameInput& frame) {
   ++frames_followed_;
   follow_needle(frame);
   // Rigid motion of the whole: by the holder where there is one, else later by the far side.
-  const Eigen::Vector2d shift_before = rigid_shift_;
-  {
-    const PartTimer timer(frame.timings->rigid_us);
-    if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
-      rigid_shift_ = rigid_.motion();
-  }
+  const Eigen::Vector2d center_before = center_now();
+  if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
+    motion_ = rigid_.motion();
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
-  follow_contours(frame, rigid_shift_ - shift_before);
+  follow_contours(frame, center_now() - center_before);
   const bool good = snakes_.outer().score >= options_.min_tracking_score && plausible();
   bad_frames_ = good ? 0 : bad_frames_ + 1;
   if (!good) {
@@ -217,7 +214,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   if (poor_frames_ >= 2 * options_.lost_after_frames) return false;
 
   // Without a holder the side away from the needle tells the rigid motion.
-  if (!rigid_.valid()) rigid_shift_ = far_side_center() - rest_.center;
+  if (!rigid_.valid()) motion_.shift += far_side_center() - center_now();
   membrane_depth_ = measure_membrane_depth();
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid()});
   const bool away = !needle_.valid() || tip_depth() < -2.0;

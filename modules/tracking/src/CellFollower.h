@@ -27,7 +27,7 @@ struct FrameInput {
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
 };
 
-/// The holding pipette as found with the cell, in the frame that moves with it.
+/// The holding pipette as found with the cell: where it was then.
 struct HolderLine {
   bool valid = false;
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, from the cell's centre along the pipette
@@ -56,7 +56,11 @@ class CellFollower {
   const HolderLine& holder() const noexcept { return holder_; }
   const RestGeometry& rest() const noexcept { return rest_; }
   CellState state() const noexcept { return contact_.state(); }
-  Eigen::Vector2d center_now() const { return rest_.center + rigid_shift_; }
+  /// Rigid motion since the cell was found, and where its resting centre is now.
+  const RigidMove& motion() const noexcept { return motion_; }
+  Eigen::Vector2d center_now() const { return motion_.apply(rest_.center); }
+  /// The holder's direction now.
+  Eigen::Vector2d holder_direction() const { return motion_.turn(holder_.direction); }
 
   /// How far tip and membrane are past the resting membrane along the needle's axis, px; needle needed.
   double tip_depth() const;
@@ -85,11 +89,11 @@ class CellFollower {
   SoftZona zona_;
   NeedleTracker needle_;
   RigidMotion rigid_;
+  RigidMove motion_;
   RestGeometry rest_;
   ContactLogic contact_;
   HolderLine holder_;
   SnakeContour outer_before_, inner_before_;
-  Eigen::Vector2d rigid_shift_ = Eigen::Vector2d::Zero();
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   bool touching_ = false;
   int bad_frames_ = 0, poor_frames_ = 0, frames_followed_ = 0;

@@ -69,20 +69,20 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
 
 void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_um) {
   HolderPose pose;
-  const Eigen::Vector2d across(-cell.holder().direction.y(), cell.holder().direction.x());
+  const Eigen::Vector2d across(-cell.holder_direction().y(), cell.holder_direction().x());
   const double sunk = std::min(0.8 * cell.holder().half_width, 0.95 * cell.rest().outer_radius);
   const double distance = std::sqrt(cell.rest().outer_radius * cell.rest().outer_radius - sunk * sunk);
-  const Eigen::Vector2d mouth = cell.center_now() + distance * cell.holder().direction + cell.holder().offset * across;
+  const Eigen::Vector2d mouth = cell.center_now() + distance * cell.holder_direction() + cell.holder().offset * across;
   pose.mouth_um = mouth * pixel_size_um;
-  pose.direction = cell.holder().direction;
+  pose.direction = cell.holder_direction();
   pose.outer_radius_um = cell.holder().half_width * pixel_size_um;
   pose.confidence = cell.holder().confidence;
   const double length = 1.5 * cell.rest().outer_radius;
   Eigen::Matrix2Xd outline(2, 4);
-  outline.col(0) = mouth + length * cell.holder().direction + cell.holder().half_width * across;
+  outline.col(0) = mouth + length * cell.holder_direction() + cell.holder().half_width * across;
   outline.col(1) = mouth + cell.holder().half_width * across;
   outline.col(2) = mouth - cell.holder().half_width * across;
-  outline.col(3) = mouth + length * cell.holder().direction - cell.holder().half_width * across;
+  outline.col(3) = mouth + length * cell.holder_direction() - cell.holder().half_width * across;
   pose.outline_um = outline * pixel_size_um;
   out.holder = pose;
 }
@@ -94,7 +94,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   out.state = cell.state();
   out.confidence = cell.confidence();
   const Eigen::Vector2d center = cell.center_now();
-  Eigen::Vector2d axis = cell.holder().valid ? Eigen::Vector2d(-cell.holder().direction) : Eigen::Vector2d::UnitX();
+  Eigen::Vector2d axis = cell.holder().valid ? Eigen::Vector2d(-cell.holder_direction()) : Eigen::Vector2d::UnitX();
   if (cell.needle().valid()) axis = -cell.needle().estimate().direction;
   out.outer = membrane(cell, cell.snakes().outer(), Membrane::kOuter, axis, pixel_size_um);
   if (cell.snakes().has_inner() && cell.snakes().inner().score > 0.25)
@@ -108,6 +108,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
     if (cell.zona().has_gap()) out.inner = membrane(cell, cell.zona().gap(), Membrane::kInner, axis, pixel_size_um);
   }
   out.center_um = center * pixel_size_um;
+  out.rotation_rad = cell.motion().angle_rad;
   out.rest_outer_radius_um = cell.rest().outer_radius * pixel_size_um;
   out.rest_inner_radius_um = cell.rest().inner_radius * pixel_size_um;
   if (cell.zona().valid()) {
