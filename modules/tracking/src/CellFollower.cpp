@@ -8,6 +8,12 @@ namespace pellucida {
 namespace {
 
 constexpr double kCircleTolerance_px = 3.0;
+// Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
+// not seen undisturbed; of the shift told by the far side of the cell alone.
+constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
+// Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
+// none.
+constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
@@ -81,6 +87,33 @@ double CellFollower::measure_membrane_depth() const {
   return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
 }
 
+double CellFollower::membrane_sigma() const {
+  if (!needle_.valid()) return 0.0;
+  // The few points beside the axis share what the rigidity ties together: their mean sigma stands for all.
+  const NeedleEstimate& n = needle_.estimate();
+  const SnakeContour& outer = snakes_.outer();
+  double sum = 0.0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
+    const Eigen::Vector2d d = outer.points.col(i) - n.tip;
+    const double across = std::abs(n.direction.x() * d.y() - n.direction.y() * d.x());
+    if (across > n.tip_half_width + 4.0 || (outer.points.col(i) - center_now()).dot(n.direction) > 0.0) continue;
+    sum += outer.sigma_px[i];
+    ++count;
+  }
+  return count > 0 ? sum / count : kUnknownSigma_px;
+}
+
+double CellFollower::rest_sigma() const {
+  const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
+  const double rigid = rigid_.valid() ? rigid_.sigma_px(needle_.estimate().direction) : kFarSideSigma_px;
+  return std::hypot(rest, rigid);
+}
+
+double CellFollower::depth_sigma() const {
+  return std::hypot(membrane_sigma(), rest_sigma());
+}
+
 void CellFollower::learn_rest() {
   const contour::Circle outer = fit(snakes_.outer().points);
   if (outer.inlier_ratio < 0.6) return;
@@ -131,8 +164,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   motion_.pivot = rest_.center;
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
-  const bool entered = needle_.valid() && tip_depth() > 2.0 * options_.contact_px;
-  const bool through = entered && tip_depth() > 8.0 * options_.contact_px && membrane_depth_ < 0.5 * tip_depth();
+  const bool entered = needle_.valid() && tip_depth() > kEntered_px;
+  const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
   if (!entered) learn_rest();
@@ -216,7 +249,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   // Without a holder the side away from the needle tells the rigid motion.
   if (!rigid_.valid()) motion_.shift += far_side_center() - center_now();
   membrane_depth_ = measure_membrane_depth();
-  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid()});
+  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma()});
   const bool away = !needle_.valid() || tip_depth() < -2.0;
   if (contact_.state() == CellState::kFree && away) learn_rest();
   return true;

@@ -65,6 +65,9 @@ class CellFollower {
   /// How far tip and membrane are past the resting membrane along the needle's axis, px; needle needed.
   double tip_depth() const;
   double membrane_depth() const noexcept { return membrane_depth_; }
+  /// Standard deviations, px: of the contour under the needle; of the resting outline that both depths are taken from.
+  double membrane_sigma() const;
+  double rest_sigma() const;
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
@@ -78,6 +81,7 @@ class CellFollower {
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest();
   double measure_membrane_depth() const;
+  double depth_sigma() const;
   double local_score() const;
   double quality_now() const;
   bool plausible() const;

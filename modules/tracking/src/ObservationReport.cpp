@@ -8,8 +8,29 @@
 namespace pellucida {
 namespace {
 
-// The share of the tip in the indentation; the rest is the contour, which rounds a steep dimple a little.
-constexpr double kTipShare = 0.8;
+// The contour rounds a steep dimple a little: what that adds to its sigma at the apex, px.
+constexpr double kRounding_px = 0.3;
+
+// The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
+// depth, weighted by their variances as long as they agree; the resting outline, from which both are taken, adds its
+// own.
+struct Depth {
+  double value_px = 0.0, sigma_px = 0.0;
+};
+Depth depth_of(const CellFollower& cell) {
+  const double membrane_sigma = std::hypot(cell.membrane_sigma(), kRounding_px);
+  const double tip_sigma = std::max(cell.needle().estimate().tip_sigma, 0.05);
+  const double apart = std::abs(cell.tip_depth() - cell.membrane_depth());
+  Depth depth{cell.membrane_depth(), membrane_sigma};
+  if (cell.state() == CellState::kContact && apart < std::max(4.0, 4.0 * std::hypot(membrane_sigma, tip_sigma))) {
+    const double tip_weight = 1.0 / (tip_sigma * tip_sigma), rest_weight = 1.0 / (membrane_sigma * membrane_sigma);
+    const double share = tip_weight / (tip_weight + rest_weight);
+    depth.value_px = share * cell.tip_depth() + (1.0 - share) * cell.membrane_depth();
+    depth.sigma_px = std::sqrt(1.0 / (tip_weight + rest_weight));
+  }
+  depth.sigma_px = std::hypot(depth.sigma_px, cell.rest_sigma());
+  return depth;
+}
 
 MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Membrane which,
                          const Eigen::Vector2d& start_direction, double pixel_size_um) {
@@ -53,14 +74,10 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
   pose.outline_um = outline * pixel_size_um;
   out.needle = pose;
 
-  // Under the tip the membrane is where the tip is: two measures of one depth, averaged as long as they agree.
   const bool contact = cell.state() == CellState::kContact;
-  const double apart_px = std::abs(cell.tip_depth() - cell.membrane_depth());
-  const double depth_px = contact && apart_px < 4.0
-                              ? kTipShare * cell.tip_depth() + (1.0 - kTipShare) * cell.membrane_depth()
-                              : cell.membrane_depth();
-  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth_px) * pixel_size_um;
-  out.indentation_sigma_um = (cell.rest().seen_free ? 0.35 : 1.5) * pixel_size_um;
+  const Depth depth = depth_of(cell);
+  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth.value_px) * pixel_size_um;
+  out.indentation_sigma_um = depth.sigma_px * pixel_size_um;
   if (!contact) return;
   const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction);
   out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
