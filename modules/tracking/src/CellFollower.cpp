@@ -8,6 +8,12 @@ namespace pellucida {
 namespace {
 
 constexpr double kCircleTolerance_px = 3.0;
+// How far the holder may move between two frames, the search for it included.
+constexpr double kRigidReach_px = 38.0;
+// The far side so far (of the radius) from where the holder puts it, for so many frames: the holder is not to be
+// trusted.
+constexpr double kAstray_ratio = 0.08;
+constexpr int kAstrayFrames = 3;
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift told by the far side of the cell alone.
 constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
@@ -116,7 +122,7 @@ double CellFollower::depth_sigma() const {
 
 void CellFollower::learn_rest() {
   const contour::Circle outer = fit(snakes_.outer().points);
-  if (outer.inlier_ratio < 0.6) return;
+  if (outer.inlier_ratio < 0.6 || (outer.center - center_now()).norm() > kAstray_ratio * rest_.outer_radius) return;
   rest_.learn(motion_.undo(outer.center), outer.radius, snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0);
 }
 
@@ -162,6 +168,9 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   rest_.inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
   motion_ = {};
   motion_.pivot = rest_.center;
+  scene_.reset();
+  scene_.update(frame.image);
+  astray_frames_ = 0;
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
   const bool entered = needle_.valid() && tip_depth() > kEntered_px;
@@ -173,11 +182,11 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   return true;
 }
 
-void CellFollower::follow_needle(const FrameInput& frame) {
+void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
   const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
     const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
-    const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px});
+    const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px, jump});
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
   } else if (frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
@@ -222,13 +231,46 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   snakes_.restore(best_outer, best_inner);
 }
 
+std::optional<Eigen::Vector2d> CellFollower::notice_jump(const FrameInput& frame) {
+  const PartTimer timer(frame.timings->rigid_us);
+  return scene_.update(frame.image);
+}
+
+// Rigid motion of the whole: by the holder where there is one, else by the far side, once the contour is known.
+void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump) {
+  const PartTimer timer(frame.timings->rigid_us);
+  if (rigid_.valid() && rigid_.track(frame.image, kRigidReach_px + jump.norm(), jump)) {
+    motion_ = rigid_.motion();
+  } else {
+    motion_.shift += jump;
+  }
+}
+
+// Without a holder the side away from the needle tells the rigid motion. With one it is a check: a cell that has left
+// its holder, or a holder mistaken, must not look like an indentation.
+void CellFollower::check_rigid_motion(const FrameInput& frame) {
+  const Eigen::Vector2d apart = far_side_center() - center_now();
+  if (!rigid_.valid()) {
+    motion_.shift += apart;
+    return;
+  }
+  astray_frames_ = apart.norm() > kAstray_ratio * rest_.outer_radius ? astray_frames_ + 1 : 0;
+  if (astray_frames_ < kAstrayFrames) return;
+  astray_frames_ = 0;
+  motion_.shift += apart;
+  rest_.center = center_now();
+  motion_ = {};
+  motion_.pivot = rest_.center;
+  learn_holder_motion(frame);
+}
+
 bool CellFollower::follow(const FrameInput& frame) {
   ++frames_followed_;
-  follow_needle(frame);
-  // Rigid motion of the whole: by the holder where there is one, else later by the far side.
+  const std::optional<Eigen::Vector2d> jump = notice_jump(frame);
   const Eigen::Vector2d center_before = center_now();
-  if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
-    motion_ = rigid_.motion();
+  follow_rigid_motion(frame, jump.value_or(Eigen::Vector2d::Zero()));
+  // The holder's fit says better than the picture as a whole how far a jump went.
+  follow_needle(frame, jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
@@ -246,8 +288,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   poor_frames_ = quality_ < 0.55 * first_quality_ ? poor_frames_ + 1 : 0;
   if (poor_frames_ >= 2 * options_.lost_after_frames) return false;
 
-  // Without a holder the side away from the needle tells the rigid motion.
-  if (!rigid_.valid()) motion_.shift += far_side_center() - center_now();
+  check_rigid_motion(frame);
   membrane_depth_ = measure_membrane_depth();
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma()});
   const bool away = !needle_.valid() || tip_depth() < -2.0;

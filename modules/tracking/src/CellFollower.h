@@ -10,6 +10,7 @@
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
 #include "RigidMotion.h"
+#include "SceneShift.h"
 #include "SoftZona.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -76,8 +77,11 @@ class CellFollower {
   NeedleZone zone() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
-  void follow_needle(const FrameInput& frame);
+  std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
+  void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
+  void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  void check_rigid_motion(const FrameInput& frame);
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest();
   double measure_membrane_depth() const;
@@ -92,6 +96,7 @@ class CellFollower {
   MembraneSnakes snakes_;
   SoftZona zona_;
   NeedleTracker needle_;
+  SceneShift scene_;
   RigidMotion rigid_;
   RigidMove motion_;
   RestGeometry rest_;
@@ -100,7 +105,7 @@ class CellFollower {
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   bool touching_ = false;
-  int bad_frames_ = 0, poor_frames_ = 0, frames_followed_ = 0;
+  int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
 };
 
 }  // namespace pellucida

@@ -10,6 +10,7 @@ namespace {
 
 // The contour rounds a steep dimple a little: what that adds to its sigma at the apex, px.
 constexpr double kRounding_px = 0.3;
+constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
 
 // The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
 // depth, weighted by their variances as long as they agree; the resting outline, from which both are taken, adds its
@@ -19,7 +20,8 @@ struct Depth {
 };
 Depth depth_of(const CellFollower& cell) {
   const double membrane_sigma = std::hypot(cell.membrane_sigma(), kRounding_px);
-  const double tip_sigma = std::max(cell.needle().estimate().tip_sigma, 0.05);
+  const double told = cell.needle().estimate().tip_sigma;
+  const double tip_sigma = told > 0.0 ? std::max(told, 0.05) : kUsualTipSigma_px;
   const double apart = std::abs(cell.tip_depth() - cell.membrane_depth());
   Depth depth{cell.membrane_depth(), membrane_sigma};
   if (cell.state() == CellState::kContact && apart < std::max(4.0, 4.0 * std::hypot(membrane_sigma, tip_sigma))) {

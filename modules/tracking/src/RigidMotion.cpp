@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kMostPixels = 640;
 constexpr int kReferenceFrames = 16;  // the reference is the mean of that many
+constexpr double kJumpStep_px = 3.0;  // between the starts about a jump
 constexpr double kTellable_px = 0.1;  // a motion counts as told when its standard deviation is below this
 
 // Central differences over three rows: pixel noise makes no gradient of its own.
@@ -135,7 +136,7 @@ RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move) 
   return fit;
 }
 
-bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& hint) {
+bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& jump) {
   if (!valid()) return false;
   RigidMove best = motion_;
   double least = 0.35 * spread_ + noise_;
@@ -149,10 +150,15 @@ bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen:
     least = fit.residual;
     found = true;
   };
-  attempt(Eigen::Vector2d::Zero());
-  // The long walls fit anywhere along themselves: a jump shows at the rim only, so the better of the two starts is
-  // taken.
-  if (hint.norm() > 4.0) attempt(hint);
+  if (jump.isZero()) {
+    attempt(jump);
+  } else {
+    // The long walls fit anywhere along themselves: where a jump ended shows at the rim only, so the best of several
+    // starts is taken.
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = -1; j <= 1; ++j) attempt(jump + kJumpStep_px * Eigen::Vector2d(i, j));
+    }
+  }
   // Nothing near: starts round about.
   for (double radius = 6.0; radius <= reach_px && !found; radius += 6.0) {
     for (int k = 0; k < 12; ++k) attempt(radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6)));

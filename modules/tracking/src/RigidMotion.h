@@ -38,9 +38,9 @@ class RigidMotion {
   bool learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& candidates, const Eigen::Vector2d& pivot,
              double noise);
 
-  /// Finds the motion since `learn`, px; starts from the last one, and from the last one plus `hint` (a motion
-  /// something else made, which the holder may share). `reach_px` bounds the step. False when the fit fails.
-  bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& hint);
+  /// Finds the motion since `learn`, px; starts from the last one moved by `jump` (0, or what the whole picture seems
+  /// to have jumped, good to a few px). `reach_px` bounds the step. False when the fit fails.
+  bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& jump);
 
   const RigidMove& motion() const noexcept { return motion_; }
   /// Standard deviation of the shift along unit `direction`, px.
