@@ -8,6 +8,8 @@ namespace pellucida {
 namespace {
 
 constexpr double kCircleTolerance_px = 3.0;
+// A tip that far outside the resting outline touches nothing.
+constexpr double kAway_px = 2.0;
 // How far the holder may move between two frames, the search for it included.
 constexpr double kRigidReach_px = 38.0;
 // The far side so far (of the radius) from where the holder puts it, for so many frames: the holder is not to be
@@ -171,6 +173,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   scene_.reset();
   scene_.update(frame.image);
   astray_frames_ = 0;
+  far_side_ = circle.center;
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
   const bool entered = needle_.valid() && tip_depth() > kEntered_px;
@@ -246,19 +249,31 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
   }
 }
 
-// Without a holder the side away from the needle tells the rigid motion. With one it is a check: a cell that has left
-// its holder, or a holder mistaken, must not look like an indentation.
-void CellFollower::check_rigid_motion(const FrameInput& frame) {
-  const Eigen::Vector2d apart = far_side_center() - center_now();
+// Without a holder the side away from the needle tells the rigid motion. With one it is a check: the long walls of a
+// pipette fit anywhere along themselves, and a cell may leave its holder; neither must look like an indentation. From
+// one frame to the next the far side moves with the holder, but for a share of the needle's own way; and while nothing
+// pushes the cell it is where the holder says.
+void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before) {
+  const Eigen::Vector2d far_before = far_side_;
+  far_side_ = far_side_center();
   if (!rigid_.valid()) {
-    motion_.shift += apart;
+    motion_.shift += far_side_ - center_now();
     return;
   }
-  astray_frames_ = apart.norm() > kAstray_ratio * rest_.outer_radius ? astray_frames_ + 1 : 0;
+  const Eigen::Vector2d far_way = far_side_ - far_before, holder_way = center_now() - center_before;
+  // What the needle pushed, it pushed by its way against the cell.
+  const double push = needle_.valid() ? (needle_.motion() - far_way).norm() : 0.0;
+  if ((far_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push) {
+    rigid_.correct(frame.image, rigid_.motion().shift + far_way - holder_way);
+    motion_ = rigid_.motion();
+    return;
+  }
+  const bool pushed = contact_.state() != CellState::kFree || (needle_.valid() && tip_depth() > -kAway_px);
+  const bool astray = !pushed && (far_side_ - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
+  astray_frames_ = astray ? astray_frames_ + 1 : 0;
   if (astray_frames_ < kAstrayFrames) return;
   astray_frames_ = 0;
-  motion_.shift += apart;
-  rest_.center = center_now();
+  rest_.center = far_side_;
   motion_ = {};
   motion_.pivot = rest_.center;
   learn_holder_motion(frame);
@@ -288,10 +303,10 @@ bool CellFollower::follow(const FrameInput& frame) {
   poor_frames_ = quality_ < 0.55 * first_quality_ ? poor_frames_ + 1 : 0;
   if (poor_frames_ >= 2 * options_.lost_after_frames) return false;
 
-  check_rigid_motion(frame);
+  check_rigid_motion(frame, center_before);
   membrane_depth_ = measure_membrane_depth();
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma()});
-  const bool away = !needle_.valid() || tip_depth() < -2.0;
+  const bool away = !needle_.valid() || tip_depth() < -kAway_px;
   if (contact_.state() == CellState::kFree && away) learn_rest();
   return true;
 }
@@ -317,7 +332,7 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius) cons
 
 // Centre of the resting circle through the part of the contour away from the needle, radius fixed.
 Eigen::Vector2d CellFollower::far_side_center() const {
-  Eigen::Vector2d center = center_now();
+  Eigen::Vector2d center = contour::centroid(snakes_.outer().points);
   const Eigen::Vector2d away = needle_.valid() ? needle_.estimate().direction : Eigen::Vector2d::Zero();
   for (int round = 0; round < 10; ++round) {
     Eigen::Matrix2d normal = 1e-6 * Eigen::Matrix2d::Identity();

@@ -81,7 +81,7 @@ class CellFollower {
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
-  void check_rigid_motion(const FrameInput& frame);
+  void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest();
   double measure_membrane_depth() const;
@@ -99,6 +99,7 @@ class CellFollower {
   SceneShift scene_;
   RigidMotion rigid_;
   RigidMove motion_;
+  Eigen::Vector2d far_side_ = Eigen::Vector2d::Zero();  // centre of the circle through the side away from the needle
   RestGeometry rest_;
   ContactLogic contact_;
   HolderLine holder_;

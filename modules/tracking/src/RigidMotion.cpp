@@ -169,6 +169,12 @@ bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen:
   return true;
 }
 
+void RigidMotion::correct(const FrameSampler& image, const Eigen::Vector2d& shift) {
+  motion_.shift = shift;
+  const Fit fit = refine(image, motion_);
+  if (fit.good && (fit.move.shift - shift).norm() < kJumpStep_px) motion_ = fit.move;
+}
+
 // The reference's own noise falls with the frames it is the mean of.
 void RigidMotion::average_in(const FrameSampler& image) {
   double mean_then = 0.0, mean_now = 0.0;

@@ -42,6 +42,10 @@ class RigidMotion {
   /// to have jumped, good to a few px). `reach_px` bounds the step. False when the fit fails.
   bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& jump);
 
+  /// Something surer says that the motion is about `shift`: the fit begun there is taken, or, where it fails, `shift`
+  /// itself with the last turn.
+  void correct(const FrameSampler& image, const Eigen::Vector2d& shift);
+
   const RigidMove& motion() const noexcept { return motion_; }
   /// Standard deviation of the shift along unit `direction`, px.
   double sigma_px(const Eigen::Vector2d& direction) const noexcept;

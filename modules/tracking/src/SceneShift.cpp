@@ -9,9 +9,10 @@ namespace {
 
 constexpr int kThinning = 4;             // every so many pixels, both ways
 constexpr int kSmallest = 16;            // thumbnails below that tell nothing
-constexpr double kSuspicious = 1.6;      // times the usual change
+constexpr double kSuspicious = 1.2;      // times the usual change
 constexpr double kLeastResponse = 0.04;  // of the phase correlation's peak
 constexpr double kLeastJump_px = 3.0;
+constexpr double kNothingYet = 1e9;
 
 }  // namespace
 
@@ -45,18 +46,18 @@ std::optional<Eigen::Vector2d> SceneShift::update(const FrameSampler& image) {
   }
   change /= static_cast<double>(now_.total());
   if (first) {
-    usual_change_ = 1e9;  // the first frame has nothing to be compared with
+    usual_change_ = kNothingYet;  // the first frame has nothing to be compared with
     return std::nullopt;
   }
-  if (change < kSuspicious * usual_change_) {
-    usual_change_ = usual_change_ > 1e8 ? change : usual_change_ + 0.1 * (change - usual_change_);
-    return std::nullopt;
+  const bool suspicious = usual_change_ < kNothingYet && change > kSuspicious * usual_change_;
+  if (suspicious) {
+    double response = 0.0;
+    const cv::Point2d shift = cv::phaseCorrelate(before_, now_, window_, &response);
+    const Eigen::Vector2d jump = kThinning * Eigen::Vector2d(shift.x, shift.y);
+    if (response > kLeastResponse && jump.norm() > kLeastJump_px && jump.norm() < 0.25 * image.width) return jump;
   }
-  double response = 0.0;
-  const cv::Point2d shift = cv::phaseCorrelate(before_, now_, window_, &response);
-  const Eigen::Vector2d jump = kThinning * Eigen::Vector2d(shift.x, shift.y);
-  if (response < kLeastResponse || jump.norm() < kLeastJump_px || jump.norm() > 0.25 * image.width) return std::nullopt;
-  return jump;
+  usual_change_ = usual_change_ < kNothingYet ? usual_change_ + 0.1 * (change - usual_change_) : change;
+  return std::nullopt;
 }
 
 }  // namespace pellucida
