@@ -65,12 +65,10 @@ void put(FuzzImage& image, int x, int y, double value) {
   }
 }
 
-// Sides from 1 to 400 px, now and then a long one; never more than 160,000 pixels.
+// Sides of some 100 px mostly, now and then a tiny or a long one; never more than 160,000 pixels.
 int side_of(ByteReader& choices, int other) {
   const int kind = choices.byte() % 8;
-  const int side = kind == 0   ? 1 + choices.byte() % 16
-                   : kind == 7 ? 256 + 7 * choices.byte()
-                               : 17 + choices.byte() + choices.byte() / 2;
+  const int side = kind == 0 ? 1 + choices.byte() % 16 : kind == 7 ? 256 + 7 * choices.byte() : 30 + choices.byte() / 2;
   return std::max(1, std::min(side, 160000 / std::max(1, other)));
 }
 
@@ -170,7 +168,9 @@ std::string run_fuzz_sequence(const std::uint8_t* data, std::size_t size) {
     }
     const PixelFormat format = (change & 16) ? PixelFormat::kGray16 : PixelFormat::kGray8;
     const int padding = (change & 32) ? choices.byte() : 0;
-    const auto content = static_cast<FuzzContent>(choices.byte() % kFuzzContents);
+    // A cell more often than the rest: only with one is there anything to follow.
+    const int what = choices.byte() % (kFuzzContents + 6);
+    const FuzzContent content = what < kFuzzContents ? static_cast<FuzzContent>(what) : FuzzContent::kCell;
     const FuzzImage image = draw_fuzz_image(width_px, height_px, format, padding, content, choices);
     may_be_sure = may_be_sure || image.shows_a_cell || content == FuzzContent::kRawBytes;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ostream>
 
 namespace pellucida::test {
 namespace {
@@ -163,7 +164,7 @@ void add_tools(GridBuilder& grid) {
                 s.tools.holder_angle_deg = angle;
                 s.cell.center_x_um = 300.0;
               })
-        .representative = angle == 90.0 || angle == 201.0;
+        .representative = true;
   for (const int configuration : {2, 3})
     for (const bool mirrored : {false, true})
       for (const double angle : {180.0, 110.0})
@@ -175,7 +176,7 @@ void add_tools(GridBuilder& grid) {
                     s.tools.holder_angle_deg = angle;
                     s.cell.center_x_um = 300.0;
                   })
-            .representative = angle == 180.0 && configuration == 3 && !mirrored;
+            .representative = angle == 180.0 && configuration == 3;
   // The needle above or below the cell's plane; at 5 um its edges are two soft shades, and the tip fades.
   for (const double um : {1.5, 3.0, 5.0})
     grid.vary("needle defocus " + number(um) + " um", [&](Scenario& s) { s.optics.needle_defocus_um = um; })
@@ -231,6 +232,10 @@ void add_cell(GridBuilder& grid) {
 }
 
 }  // namespace
+
+void PrintTo(const GridCondition& condition, std::ostream* out) {
+  *out << condition.name;
+}
 
 std::vector<GridCondition> grid_conditions() {
   GridBuilder grid;

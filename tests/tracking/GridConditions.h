@@ -1,4 +1,5 @@
 #pragma once
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct GridCondition {
   int stride = 1;               ///< every how manyeth frame reaches the tracker; the others are lost
   bool representative = false;  ///< also part of the test; the tool runs all
 };
+
+void PrintTo(const GridCondition& condition, std::ostream* out);
 
 /// The grid. All but the first three conditions move faster than the shipped scenarios (30 um/s towards the cell, 24
 /// um/s into it: 1 px a frame at 0.825 um/px), so that 75 frames show approach, touch, the whole depth and a hold.

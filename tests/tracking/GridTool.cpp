@@ -70,16 +70,16 @@ void write_csv(std::ostream& out, const std::vector<GridRow>& rows) {
 }
 
 void write_frames(std::ostream& out, const std::vector<GridCondition>& conditions, const std::vector<GridRun>& runs) {
-  out << "condition,frame,state,true_state,confidence,outer_px,outer_max_px,inner_px,tip_px,center_px,"
+  out << "condition,frame,state,true_state,confidence,outer_px,outer_max_px,inner_px,oolemma_px,tip_px,center_px,"
          "indentation_error_um,true_indentation_um,rotation_error_deg,outer_coverage_ratio,inner_coverage_ratio\n";
   for (std::size_t k = 0; k < runs.size(); ++k)
     for (std::size_t i = 0; i < runs[k].errors.size(); ++i) {
       const test::FrameError& e = runs[k].errors[i];
       out << conditions[k].name << ',' << i * static_cast<std::size_t>(conditions[k].stride) << ','
           << to_string(e.state) << ',' << to_string(e.true_state) << ',' << e.confidence << ',' << e.outer_px << ','
-          << e.outer_max_px << ',' << e.inner_px << ',' << e.tip_px << ',' << e.center_px << ',' << e.indentation_um
-          << ',' << e.true_indentation_um << ',' << e.rotation_rad * 180.0 / M_PI << ',' << e.outer_coverage.ratio()
-          << ',' << e.inner_coverage.ratio() << '\n';
+          << e.outer_max_px << ',' << e.inner_px << ',' << e.oolemma_px << ',' << e.tip_px << ',' << e.center_px << ','
+          << e.indentation_um << ',' << e.true_indentation_um << ',' << e.rotation_rad * 180.0 / M_PI << ','
+          << e.outer_coverage.ratio() << ',' << e.inner_coverage.ratio() << '\n';
     }
 }
 

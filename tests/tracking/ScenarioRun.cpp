@@ -54,6 +54,11 @@ FrameError compare(const Observation& measured, const Observation& truth, double
     error.inner_px = contour_error(*measured.inner, *truth.inner, truth, pixel_size_um, largest_px,
                                    error.inner_coverage, error.dimple_coverage);
   }
+  if (measured.oolemma && truth.oolemma) {
+    double largest_px = 0.0;
+    Coverage all, dimple;
+    error.oolemma_px = contour_error(*measured.oolemma, *truth.oolemma, truth, pixel_size_um, largest_px, all, dimple);
+  }
   if (measured.needle) {
     const Eigen::Vector2d off_um = measured.needle->tip_um - truth.needle->tip_um;
     error.tip_px = off_um.norm() / pixel_size_um;

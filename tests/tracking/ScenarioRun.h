@@ -27,6 +27,7 @@ struct FrameError {
   double confidence = 0.0;
   double outer_px = -1.0;  ///< RMS distance of the contour's points from the true contour
   double inner_px = -1.0;
+  double oolemma_px = -1.0;
   double outer_max_px = -1.0;
   double tip_px = -1.0;
   double center_px = -1.0;

@@ -2,6 +2,7 @@
 // margin; the measured figures stand in modules/tracking/README.md.
 #include <gtest/gtest.h>
 
+#include "pellucida/core_vtk/SceneData.h"
 #include "tracking/ScenarioRun.h"
 
 namespace pellucida {
@@ -126,6 +127,29 @@ TEST(ScenarioContract, TheSameFramesGiveTheSameNumbers) {
                        ASSERT_TRUE(seen.outer.has_value());
                        EXPECT_TRUE(seen.outer->points_um == contours.at(k++));
                      });
+}
+
+TEST(ScenarioContract, TheCellLeavesAndComesBack) {
+  // An empty field in between: lost, then found again with no click.
+  Scenario scenario = load_scenario("default");
+  scenario.image.duration_s = 1.5;
+  VirtualMicroscope microscope(scenario);
+  MembraneTracker tracker;
+  bool lost = false;
+  Observation seen;
+  while (const std::optional<Frame> frame = microscope.next()) {
+    ImageView view = view_of(frame->image.get());
+    std::vector<std::uint8_t> empty(static_cast<std::size_t>(view.row_bytes) * view.height_px, 140);
+    if (frame->frame_index >= 10 && frame->frame_index < 20) view.data = empty.data();
+    seen = tracker.process(view, frame->time_s, frame->frame_index);
+    if (frame->frame_index >= 10 && frame->frame_index < 20) {
+      EXPECT_LT(seen.confidence, 0.5) << "frame " << frame->frame_index;
+      lost = lost || seen.state == CellState::kLost;
+    }
+  }
+  EXPECT_TRUE(lost);
+  EXPECT_NE(seen.state, CellState::kLost);
+  EXPECT_LT(test::compare(seen, microscope.truth().observation, scenario.image.pixel_size_um).outer_px, 0.5);
 }
 
 }  // namespace
