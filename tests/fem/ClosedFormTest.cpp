@@ -58,7 +58,7 @@ TEST(ClosedForm, SmallPointLoadOnAThinSphere) {
   const double e = 1e-3 * specimen.young_modulus_kPa, h = specimen.thickness_um, nu = specimen.poisson_ratio;
   const double expected = 4.0 * e * h * h / (specimen.mid_radius_um * std::sqrt(3.0 * (1.0 - nu * nu)));
   const ShellCurve curve = ShellReference(specimen, contact).run(0.01, 0.01);
-  ASSERT_EQ(curve.outcome, ShellOutcome::kComplete);
+  ASSERT_EQ(curve.outcome, CurveOutcome::kComplete);
   const double found = curve.steps.back().axial_force_uN / 0.01;
   std::printf("stiffness %.6f uN/um, closed form %.6f\n", found, expected);
   EXPECT_NEAR(found, expected, 0.05 * expected);

@@ -38,7 +38,7 @@ class Configuration : public ::testing::TestWithParam<int> {
     if (!one.reference) {
       one.reference = std::make_unique<ShellReference>(ShellSpecimen{}, contact_for_configuration(GetParam()));
       one.curve = one.reference->run(44.0, 1.0);
-      EXPECT_EQ(one.curve.outcome, ShellOutcome::kComplete);
+      EXPECT_EQ(one.curve.outcome, CurveOutcome::kComplete);
     }
     return one;
   }
@@ -131,7 +131,7 @@ TEST(Embryo, ForceIsMetWithinTwoPercent) {
   ShellSpecimen embryo;
   embryo.young_modulus_kPa = 42.2;
   const ShellCurve curve = ShellReference(embryo, contact_for_configuration(1)).run(53.0, 1.0);
-  ASSERT_EQ(curve.outcome, ShellOutcome::kComplete);
+  ASSERT_EQ(curve.outcome, CurveOutcome::kComplete);
   for (Eigen::Index row = 0; row < table.rows(); ++row) {
     if (depth[row] < 4.0) continue;
     EXPECT_NEAR(at(curve, depth[row]).axial_force_uN, force[row], 0.02 * force[row]) << depth[row];

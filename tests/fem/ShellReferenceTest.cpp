@@ -31,7 +31,7 @@ class EveryConfiguration : public ::testing::TestWithParam<int> {
 };
 
 TEST_P(EveryConfiguration, ConvergesAndStartsAtRest) {
-  ASSERT_EQ(curve_.outcome, ShellOutcome::kComplete);
+  ASSERT_EQ(curve_.outcome, CurveOutcome::kComplete);
   ASSERT_EQ(curve_.steps.size(), 21u);
   EXPECT_EQ(curve_.steps[0].indentation_um, 0.0);
   EXPECT_EQ(curve_.steps[0].axial_force_uN, 0.0);
@@ -167,7 +167,7 @@ TEST(ShellReference, ACancelledRunKeepsWhatItHas) {
         if (step.indentation_um >= 5.0) stop.request_stop();
       },
       stop.get_token());
-  EXPECT_EQ(curve.outcome, ShellOutcome::kCancelled);
+  EXPECT_EQ(curve.outcome, CurveOutcome::kCancelled);
   ASSERT_EQ(curve.steps.size(), 6u);
   EXPECT_GT(curve.steps.back().axial_force_uN, 0.0);
   ASSERT_EQ(shares.size(), 6u);
@@ -178,7 +178,7 @@ TEST(ShellReference, ACancelledRunKeepsWhatItHas) {
 TEST(ShellReference, ARunThatDoesNotConvergeSaysSo) {
   ShellReference reference({}, contact_for_configuration(1), {.edge_length_ratio = 1.5, .max_iterations = 1});
   const ShellCurve curve = reference.run(20.0, 5.0);
-  EXPECT_EQ(curve.outcome, ShellOutcome::kNotConverged);
+  EXPECT_EQ(curve.outcome, CurveOutcome::kNotConverged);
   EXPECT_EQ(curve.failure.status, SolveStatus::kIterationBudget);
   ASSERT_LT(curve.steps.size(), 5u);
   EXPECT_EQ(curve.failed_indentation_um, 5.0 * static_cast<double>(curve.steps.size()));

@@ -3,9 +3,9 @@
 #include <functional>
 #include <memory>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
+#include "pellucida/fem/CurveOutcome.h"
 #include "pellucida/fem/ShellSpecimen.h"
 #include "pellucida/mechanics/EquilibriumSolver.h"
 #include "pellucida/mechanics/TriangleMesh.h"
@@ -35,16 +35,8 @@ struct ShellStep {
   SolveReport report;                ///< of all solutions since the step before
 };
 
-/// How a curve ended.
-enum class ShellOutcome {
-  kComplete,
-  kCancelled,     ///< on request: the steps up to there are good
-  kNotConverged,  ///< no equilibrium was found at the next depth: the steps up to there are good
-};
-std::string_view to_string(ShellOutcome outcome) noexcept;
-
 struct ShellCurve {
-  ShellOutcome outcome = ShellOutcome::kComplete;
+  CurveOutcome outcome = CurveOutcome::kComplete;
   std::vector<ShellStep> steps;  ///< converged ones only, the first at depth 0
   /// When it did not converge: the depth that failed, and the solver's last word on it.
   double failed_indentation_um = 0.0;

@@ -1,0 +1,14 @@
+#pragma once
+#include <string_view>
+
+namespace pellucida {
+
+/// How a force-indentation curve ended.
+enum class CurveOutcome {
+  kComplete,
+  kCancelled,     ///< on request: the steps up to there are good
+  kNotConverged,  ///< no equilibrium was found at the next depth: the steps up to there are good
+};
+std::string_view to_string(CurveOutcome outcome) noexcept;
+
+}  // namespace pellucida

@@ -1,0 +1,312 @@
+#include "SolidTerms.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace pellucida {
+namespace {
+
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+using Vector18 = Eigen::Matrix<double, 18, 1>;
+using Matrix18 = Eigen::Matrix<double, 18, 18>;
+
+constexpr double kPi = std::numbers::pi;
+
+double determinant(const Vector5& f) {
+  return (f[0] * f[3] - f[1] * f[2]) * f[4];
+}
+
+Vector5 cofactors(const Vector5& f) {
+  return {f[3] * f[4], -f[2] * f[4], -f[1] * f[4], f[0] * f[4], f[0] * f[3] - f[1] * f[2]};
+}
+
+/// d2 det / df df.
+Matrix5 second_cofactors(const Vector5& f) {
+  Matrix5 m = Matrix5::Zero();
+  m(0, 3) = m(3, 0) = f[4];
+  m(1, 2) = m(2, 1) = -f[4];
+  m(0, 4) = m(4, 0) = f[3];
+  m(1, 4) = m(4, 1) = -f[2];
+  m(2, 4) = m(4, 2) = -f[1];
+  m(3, 4) = m(4, 3) = f[0];
+  return m;
+}
+
+}  // namespace
+
+SolidTerm::SolidTerm(const AxisymmetricMesh& mesh, double shear_modulus_uN_per_um2, double lame_uN_per_um2)
+    : mu_(shear_modulus_uN_per_um2), lambda_(lame_uN_per_um2) {
+  for (const auto& nodes : mesh.elements) {
+    Element element;
+    element.nodes = nodes;
+    Eigen::Matrix3d mass = Eigen::Matrix3d::Zero();
+    for (std::size_t q = 0; q < 9; ++q) {
+      const double xi = kGaussPlace[q % 3], eta = kGaussPlace[q / 3];
+      const auto n_xi = quadratic(xi), n_eta = quadratic(eta), d_xi = quadratic_slope(xi), d_eta = quadratic_slope(eta);
+      double radius = 0.0;
+      Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero();  // d(R, Z) / d(xi, eta)
+      Eigen::Matrix<double, 2, 9> slope;
+      Eigen::Matrix<double, 9, 1> shape;
+      for (std::size_t k = 0; k < 9; ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        shape[at] = n_xi[k % 3] * n_eta[k / 3];
+        slope.col(at) << d_xi[k % 3] * n_eta[k / 3], n_xi[k % 3] * d_eta[k / 3];
+        const Eigen::Vector2d p(mesh.points_um(0, nodes[k]), mesh.points_um(2, nodes[k]));
+        jacobian += p * slope.col(at).transpose();
+        radius += shape[at] * p.x();
+      }
+      const Eigen::Matrix<double, 2, 9> gradient = jacobian.inverse().transpose() * slope;
+      Point& point = element.points[q];
+      point.volume = 2.0 * kPi * radius * std::abs(jacobian.determinant()) * kGaussWeight[q % 3] * kGaussWeight[q / 3];
+      point.modes << 1.0, xi, eta;
+      point.b.setZero();
+      for (Eigen::Index k = 0; k < 9; ++k) {
+        point.b(0, 2 * k) = gradient(0, k);
+        point.b(1, 2 * k) = gradient(1, k);
+        point.b(2, 2 * k + 1) = gradient(0, k);
+        point.b(3, 2 * k + 1) = gradient(1, k);
+        point.b(4, 2 * k) = shape[k] / radius;
+      }
+      mass += point.volume * point.modes * point.modes.transpose();
+    }
+    element.inverse_mass = mass.inverse();
+    elements_.push_back(element);
+  }
+}
+
+void SolidTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  for (const Element& element : elements_) {
+    for (std::size_t r = 1; r < 9; ++r) {
+      for (std::size_t c = 0; c < r; ++c) pairs.emplace_back(element.nodes[r], element.nodes[c]);
+    }
+  }
+}
+
+void SolidTerm::bind(const BlockMatrix& matrix) {
+  slots_.clear();
+  for (const Element& element : elements_) {
+    std::array<BlockSlot, 45> slots;
+    std::size_t n = 0;
+    for (std::size_t r = 0; r < 9; ++r) {
+      for (std::size_t c = 0; c <= r; ++c) slots[n++] = matrix.slot(element.nodes[r], element.nodes[c]);
+    }
+    slots_.push_back(slots);
+  }
+}
+
+double SolidTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const {
+  double energy = 0.0;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const Element& element = elements_[e];
+    Vector18 x;
+    for (Eigen::Index k = 0; k < 9; ++k) {
+      const int node = element.nodes[static_cast<std::size_t>(k)];
+      x.segment<2>(2 * k) << x_um(0, node), x_um(2, node);
+    }
+
+    // Strains, and the change of volume in the pressure's modes.
+    std::array<Vector5, 9> strain;
+    Eigen::Vector3d modes = Eigen::Vector3d::Zero();
+    for (std::size_t q = 0; q < 9; ++q) {
+      const Point& point = element.points[q];
+      strain[q] = point.b * x;
+      const double j = determinant(strain[q]);
+      if (!(j > 0.0)) return std::numeric_limits<double>::infinity();
+      modes += (point.volume * (j - 1.0)) * point.modes;
+      energy += point.volume * 0.5 * mu_ * (strain[q].squaredNorm() - 3.0 - 2.0 * std::log(j));
+    }
+    const Eigen::Vector3d projected = element.inverse_mass * modes;
+    energy += 0.5 * lambda_ * modes.dot(projected);
+    if (!gradient_uN && !hessian) continue;
+
+    Vector18 slope = Vector18::Zero();
+    Matrix18 stiffness = Matrix18::Zero();
+    Eigen::Matrix<double, 3, 18> modes_slope = Eigen::Matrix<double, 3, 18>::Zero();
+    for (std::size_t q = 0; q < 9; ++q) {
+      const Point& point = element.points[q];
+      const double j = determinant(strain[q]);
+      const Vector5 cofactor = cofactors(strain[q]);
+      const double along_j = lambda_ * projected.dot(point.modes) - mu_ / j;
+      slope += point.volume * (point.b.transpose() * (mu_ * strain[q] + along_j * cofactor));
+      if (!hessian) continue;
+      Matrix5 tangent = along_j * second_cofactors(strain[q]) + (mu_ / (j * j) * cofactor) * cofactor.transpose();
+      tangent.diagonal().array() += mu_;
+      stiffness += point.b.transpose() * (point.volume * tangent * point.b);
+      modes_slope += (point.volume * point.modes) * (cofactor.transpose() * point.b);
+    }
+    if (gradient_uN) {
+      for (Eigen::Index k = 0; k < 9; ++k) {
+        const int node = element.nodes[static_cast<std::size_t>(k)];
+        (*gradient_uN)(0, node) += slope[2 * k];
+        (*gradient_uN)(2, node) += slope[2 * k + 1];
+      }
+    }
+    if (hessian) {
+      stiffness += lambda_ * modes_slope.transpose() * element.inverse_mass * modes_slope;
+      std::size_t n = 0;
+      for (Eigen::Index r = 0; r < 9; ++r) {
+        for (Eigen::Index c = 0; c <= r; ++c) {
+          Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+          block(0, 0) = stiffness(2 * r, 2 * c);
+          block(0, 2) = stiffness(2 * r, 2 * c + 1);
+          block(2, 0) = stiffness(2 * r + 1, 2 * c);
+          block(2, 2) = stiffness(2 * r + 1, 2 * c + 1);
+          hessian->add(slots_[e][n++], block);
+        }
+      }
+    }
+  }
+  return energy;
+}
+
+double SolidTerm::largest_volume_change(const Eigen::Matrix3Xd& x_um) const {
+  double largest = 0.0;
+  for (const Element& element : elements_) {
+    double change = 0.0, volume = 0.0;
+    for (const Point& point : element.points) {
+      Vector18 x;
+      for (Eigen::Index k = 0; k < 9; ++k) {
+        const int node = element.nodes[static_cast<std::size_t>(k)];
+        x.segment<2>(2 * k) << x_um(0, node), x_um(2, node);
+      }
+      change += point.volume * (determinant(point.b * x) - 1.0);
+      volume += point.volume;
+    }
+    largest = std::max(largest, std::abs(change / volume));
+  }
+  return largest;
+}
+
+RevolvedLiquidTerm::RevolvedLiquidTerm(const Eigen::Matrix3Xd& rest_um, std::vector<int> surface,
+                                       double stiffness_uN_per_um2)
+    : surface_(std::move(surface)), stiffness_(stiffness_uN_per_um2) {
+  rest_volume_um3_ = volume_um3(rest_um);
+}
+
+void RevolvedLiquidTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
+    pairs.emplace_back(surface_[k], surface_[k + 1]);
+    pairs.emplace_back(surface_[k], surface_[k + 2]);
+    pairs.emplace_back(surface_[k + 1], surface_[k + 2]);
+  }
+}
+
+void RevolvedLiquidTerm::bind(const BlockMatrix& matrix) {
+  slots_.clear();
+  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
+    std::array<BlockSlot, 6> slots;
+    std::size_t n = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c <= r; ++c) slots[n++] = matrix.slot(surface_[k + r], surface_[k + c]);
+    }
+    slots_.push_back(slots);
+  }
+}
+
+double RevolvedLiquidTerm::volume_um3(const Eigen::Matrix3Xd& x_um) const {
+  double volume = 0.0;
+  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const auto shape = quadratic(kGaussPlace[q]), slope = quadratic_slope(kGaussPlace[q]);
+      double r = 0.0, dz = 0.0;
+      for (std::size_t n = 0; n < 3; ++n) {
+        r += shape[n] * x_um(0, surface_[k + n]);
+        dz += slope[n] * x_um(2, surface_[k + n]);
+      }
+      volume -= kPi * kGaussWeight[q] * r * r * dz;
+    }
+  }
+  return volume;
+}
+
+double RevolvedLiquidTerm::pressure_uN_per_um2(const Eigen::Matrix3Xd& x_um) const {
+  return -stiffness_ * (volume_um3(x_um) - rest_volume_um3_) / rest_volume_um3_;
+}
+
+void RevolvedLiquidTerm::add_slope(const Eigen::Matrix3Xd& x_um, double factor, Eigen::Matrix3Xd& sum) const {
+  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const auto shape = quadratic(kGaussPlace[q]), slope = quadratic_slope(kGaussPlace[q]);
+      double r = 0.0, dz = 0.0;
+      for (std::size_t n = 0; n < 3; ++n) {
+        r += shape[n] * x_um(0, surface_[k + n]);
+        dz += slope[n] * x_um(2, surface_[k + n]);
+      }
+      const double weight = -kPi * kGaussWeight[q] * factor;
+      for (std::size_t n = 0; n < 3; ++n) {
+        sum(0, surface_[k + n]) += weight * 2.0 * r * dz * shape[n];
+        sum(2, surface_[k + n]) += weight * r * r * slope[n];
+      }
+    }
+  }
+}
+
+double RevolvedLiquidTerm::rank_one(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd& direction) const {
+  direction = Eigen::Matrix3Xd::Zero(3, x_um.cols());
+  add_slope(x_um, 1.0, direction);
+  return stiffness_ / rest_volume_um3_;
+}
+
+double RevolvedLiquidTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN,
+                               BlockMatrix* hessian) const {
+  const double change = volume_um3(x_um) - rest_volume_um3_;
+  const double factor = stiffness_ * change / rest_volume_um3_;
+  if (gradient_uN) add_slope(x_um, factor, *gradient_uN);
+  if (hessian) {
+    for (std::size_t k = 0, piece = 0; k + 2 < surface_.size(); k += 2, ++piece) {
+      std::array<Eigen::Matrix3d, 6> blocks;
+      blocks.fill(Eigen::Matrix3d::Zero());
+      for (std::size_t q = 0; q < 3; ++q) {
+        const auto shape = quadratic(kGaussPlace[q]), slope = quadratic_slope(kGaussPlace[q]);
+        double r = 0.0, dz = 0.0;
+        for (std::size_t n = 0; n < 3; ++n) {
+          r += shape[n] * x_um(0, surface_[k + n]);
+          dz += slope[n] * x_um(2, surface_[k + n]);
+        }
+        const double weight = -2.0 * kPi * kGaussWeight[q] * factor;
+        std::size_t n = 0;
+        for (std::size_t a = 0; a < 3; ++a) {
+          for (std::size_t b = 0; b <= a; ++b, ++n) {
+            blocks[n](0, 0) += weight * dz * shape[a] * shape[b];
+            blocks[n](0, 2) += weight * r * shape[a] * slope[b];
+            blocks[n](2, 0) += weight * r * slope[a] * shape[b];
+          }
+        }
+      }
+      for (std::size_t n = 0; n < 6; ++n) hessian->add(slots_[piece][n], blocks[n]);
+    }
+  }
+  return 0.5 * factor * change;
+}
+
+AxisTerm::AxisTerm(int node_count, std::vector<int> axis, double stiffness_uN_per_um)
+    : node_count_(node_count), axis_(std::move(axis)), stiffness_(stiffness_uN_per_um) {}
+
+void AxisTerm::bind(const BlockMatrix& matrix) {
+  slots_.clear();
+  for (int n = 0; n < node_count_; ++n) slots_.push_back(matrix.slot(n, n));
+}
+
+double AxisTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const {
+  double energy = 0.5 * stiffness_ * x_um.row(1).squaredNorm();
+  if (gradient_uN) gradient_uN->row(1) += stiffness_ * x_um.row(1);
+  for (const int n : axis_) {
+    energy += 0.5 * stiffness_ * x_um(0, n) * x_um(0, n);
+    if (gradient_uN) (*gradient_uN)(0, n) += stiffness_ * x_um(0, n);
+  }
+  if (hessian) {
+    for (const BlockSlot& slot : slots_)
+      hessian->add(slot, Eigen::Vector3d(0.0, stiffness_, 0.0).asDiagonal().toDenseMatrix());
+    for (const int n : axis_) {
+      hessian->add(slots_[static_cast<std::size_t>(n)],
+                   Eigen::Vector3d(stiffness_, 0.0, 0.0).asDiagonal().toDenseMatrix());
+    }
+  }
+  return energy;
+}
+
+}  // namespace pellucida
