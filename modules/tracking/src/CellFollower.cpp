@@ -8,6 +8,20 @@ namespace pellucida {
 namespace {
 
 constexpr double kCircleTolerance_px = 3.0;
+// A tip that far outside the resting outline touches nothing.
+constexpr double kAway_px = 2.0;
+// How far the holder may move between two frames, the search for it included.
+constexpr double kRigidReach_px = 38.0;
+// The far side so far (of the radius) from where the holder puts it, for so many frames: the holder is not to be
+// trusted.
+constexpr double kAstray_ratio = 0.08;
+constexpr int kAstrayFrames = 3;
+// Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
+// not seen undisturbed; of the shift told by the far side of the cell alone.
+constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
+// Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
+// none.
+constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
@@ -44,7 +58,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
                                const std::vector<FoundTool>& tools) {
   for (const FoundTool& tool : tools) {
     if (tool.half_width() >= 0.2 * circle.radius) continue;
-    if (holder_.valid && tool.direction.dot(holder_.direction) > 0.8) continue;
+    if (holder_.valid && tool.direction.dot(holder_direction()) > 0.8) continue;
     if (needle_.start(frame.image, tool, frame.noise)) return;
   }
   needle_.reset();
@@ -65,7 +79,7 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
       points.push_back(rest_.center + s * holder_.direction + v * across);
     }
   }
-  rigid_.learn(frame.image, points, frame.noise);
+  rigid_.learn(frame.image, points, rest_.center, frame.noise);
 }
 
 // How far the tip is past the resting membrane, px.
@@ -81,11 +95,42 @@ double CellFollower::measure_membrane_depth() const {
   return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
 }
 
+double CellFollower::membrane_sigma() const {
+  if (!needle_.valid()) return 0.0;
+  // The few points beside the axis share what the rigidity ties together: their mean sigma stands for all.
+  const NeedleEstimate& n = needle_.estimate();
+  const SnakeContour& outer = snakes_.outer();
+  double sum = 0.0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
+    const Eigen::Vector2d d = outer.points.col(i) - n.tip;
+    const double across = std::abs(n.direction.x() * d.y() - n.direction.y() * d.x());
+    if (across > n.tip_half_width + 4.0 || (outer.points.col(i) - center_now()).dot(n.direction) > 0.0) continue;
+    sum += outer.sigma_px[i];
+    ++count;
+  }
+  return count > 0 ? sum / count : kUnknownSigma_px;
+}
+
+double CellFollower::rest_sigma() const {
+  const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
+  const double rigid = rigid_.valid() ? rigid_.sigma_px(needle_.estimate().direction) : kFarSideSigma_px;
+  return std::hypot(rest, rigid);
+}
+
+double CellFollower::depth_sigma() const {
+  // Where the membrane under the needle is hidden, the tip that wraps it tells its depth.
+  const double tip =
+      needle_.valid() && needle_.estimate().tip_sigma > 0.0 ? needle_.estimate().tip_sigma : kUnknownSigma_px;
+  return std::hypot(std::min(membrane_sigma(), tip), rest_sigma());
+}
+
 void CellFollower::learn_rest() {
   const contour::Circle outer = fit(snakes_.outer().points);
   const double inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
-  if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius) return;
-  rest_.learn(outer.center - rigid_shift_, outer.radius, inner_radius);
+  const bool elsewhere = (outer.center - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
+  if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
+  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius);
 }
 
 // Mean confidence of the outer contour on the needle's side, where a dimple is or is not.
@@ -130,11 +175,16 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   rest_.inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
   // Membranes that are not one inside the other are none.
   if (rest_.inner_radius >= rest_.outer_radius) return false;
-  rigid_shift_.setZero();
+  motion_ = {};
+  motion_.pivot = rest_.center;
+  scene_.reset();
+  scene_.update(frame.image);
+  astray_frames_ = 0;
+  far_side_ = circle.center;
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
-  const bool entered = needle_.valid() && tip_depth() > 2.0 * options_.contact_px;
-  const bool through = entered && tip_depth() > 8.0 * options_.contact_px && membrane_depth_ < 0.5 * tip_depth();
+  const bool entered = needle_.valid() && tip_depth() > kEntered_px;
+  const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
   if (!entered) learn_rest();
@@ -142,11 +192,11 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   return true;
 }
 
-void CellFollower::follow_needle(const FrameInput& frame) {
+void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
   const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
     const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
-    const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px});
+    const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px, jump});
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
   } else if (frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
@@ -191,20 +241,62 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   snakes_.restore(best_outer, best_inner);
 }
 
+std::optional<Eigen::Vector2d> CellFollower::notice_jump(const FrameInput& frame) {
+  const PartTimer timer(frame.timings->rigid_us);
+  return scene_.update(frame.image);
+}
+
+// Rigid motion of the whole: by the holder where there is one, else by the far side, once the contour is known.
+void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump) {
+  const PartTimer timer(frame.timings->rigid_us);
+  if (rigid_.valid() && rigid_.track(frame.image, kRigidReach_px + jump.norm(), jump)) {
+    motion_ = rigid_.motion();
+  } else {
+    motion_.shift += jump;
+  }
+}
+
+// Without a holder the side away from the needle tells the rigid motion. With one it is a check: the long walls of a
+// pipette fit anywhere along themselves, and a cell may leave its holder; neither must look like an indentation. From
+// one frame to the next the far side moves with the holder, but for a share of the needle's own way; and while nothing
+// pushes the cell it is where the holder says.
+void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before) {
+  const Eigen::Vector2d far_before = far_side_;
+  far_side_ = far_side_center();
+  if (!rigid_.valid()) {
+    motion_.shift += far_side_ - center_now();
+    return;
+  }
+  const Eigen::Vector2d far_way = far_side_ - far_before, holder_way = center_now() - center_before;
+  // What the needle pushed, it pushed by its way against the cell.
+  const double push = needle_.valid() ? (needle_.motion() - far_way).norm() : 0.0;
+  if ((far_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push) {
+    rigid_.correct(frame.image, rigid_.motion().shift + far_way - holder_way);
+    motion_ = rigid_.motion();
+    return;
+  }
+  const bool pushed = contact_.state() != CellState::kFree || (needle_.valid() && tip_depth() > -kAway_px);
+  const bool astray = !pushed && (far_side_ - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
+  astray_frames_ = astray ? astray_frames_ + 1 : 0;
+  if (astray_frames_ < kAstrayFrames) return;
+  astray_frames_ = 0;
+  rest_.center = far_side_;
+  motion_ = {};
+  motion_.pivot = rest_.center;
+  learn_holder_motion(frame);
+}
+
 bool CellFollower::follow(const FrameInput& frame) {
   ++frames_followed_;
-  follow_needle(frame);
-  // Rigid motion of the whole: by the holder where there is one, else later by the far side.
-  const Eigen::Vector2d shift_before = rigid_shift_;
-  {
-    const PartTimer timer(frame.timings->rigid_us);
-    if (rigid_.valid() && rigid_.track(frame.image, 38.0, needle_.valid() ? needle_.motion() : Eigen::Vector2d::Zero()))
-      rigid_shift_ = rigid_.motion();
-  }
+  const std::optional<Eigen::Vector2d> jump = notice_jump(frame);
+  const Eigen::Vector2d center_before = center_now();
+  follow_rigid_motion(frame, jump.value_or(Eigen::Vector2d::Zero()));
+  // The holder's fit says better than the picture as a whole how far a jump went.
+  follow_needle(frame, jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
-  follow_contours(frame, rigid_shift_ - shift_before);
+  follow_contours(frame, center_now() - center_before);
   const bool good = snakes_.outer().score >= options_.min_tracking_score && plausible();
   bad_frames_ = good ? 0 : bad_frames_ + 1;
   if (!good) {
@@ -218,11 +310,10 @@ bool CellFollower::follow(const FrameInput& frame) {
   poor_frames_ = quality_ < 0.55 * first_quality_ ? poor_frames_ + 1 : 0;
   if (poor_frames_ >= 2 * options_.lost_after_frames) return false;
 
-  // Without a holder the side away from the needle tells the rigid motion.
-  if (!rigid_.valid()) rigid_shift_ = far_side_center() - rest_.center;
+  check_rigid_motion(frame, center_before);
   membrane_depth_ = measure_membrane_depth();
-  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid()});
-  const bool away = !needle_.valid() || tip_depth() < -2.0;
+  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma()});
+  const bool away = !needle_.valid() || tip_depth() < -kAway_px;
   if (contact_.state() == CellState::kFree && away) learn_rest();
   return true;
 }
@@ -248,7 +339,7 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius) cons
 
 // Centre of the resting circle through the part of the contour away from the needle, radius fixed.
 Eigen::Vector2d CellFollower::far_side_center() const {
-  Eigen::Vector2d center = center_now();
+  Eigen::Vector2d center = contour::centroid(snakes_.outer().points);
   const Eigen::Vector2d away = needle_.valid() ? needle_.estimate().direction : Eigen::Vector2d::Zero();
   for (int round = 0; round < 10; ++round) {
     Eigen::Matrix2d normal = 1e-6 * Eigen::Matrix2d::Identity();

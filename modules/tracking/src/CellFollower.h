@@ -10,6 +10,7 @@
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
 #include "RigidMotion.h"
+#include "SceneShift.h"
 #include "SoftZona.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -27,7 +28,7 @@ struct FrameInput {
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
 };
 
-/// The holding pipette as found with the cell, in the frame that moves with it.
+/// The holding pipette as found with the cell: where it was then.
 struct HolderLine {
   bool valid = false;
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, from the cell's centre along the pipette
@@ -56,11 +57,18 @@ class CellFollower {
   const HolderLine& holder() const noexcept { return holder_; }
   const RestGeometry& rest() const noexcept { return rest_; }
   CellState state() const noexcept { return contact_.state(); }
-  Eigen::Vector2d center_now() const { return rest_.center + rigid_shift_; }
+  /// Rigid motion since the cell was found, and where its resting centre is now.
+  const RigidMove& motion() const noexcept { return motion_; }
+  Eigen::Vector2d center_now() const { return motion_.apply(rest_.center); }
+  /// The holder's direction now.
+  Eigen::Vector2d holder_direction() const { return motion_.turn(holder_.direction); }
 
   /// How far tip and membrane are past the resting membrane along the needle's axis, px; needle needed.
   double tip_depth() const;
   double membrane_depth() const noexcept { return membrane_depth_; }
+  /// Standard deviations, px: of the contour under the needle; of the resting outline that both depths are taken from.
+  double membrane_sigma() const;
+  double rest_sigma() const;
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
@@ -69,11 +77,15 @@ class CellFollower {
   NeedleZone zone() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
-  void follow_needle(const FrameInput& frame);
+  std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
+  void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
+  void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest();
   double measure_membrane_depth() const;
+  double depth_sigma() const;
   double local_score() const;
   double quality_now() const;
   bool plausible() const;
@@ -84,15 +96,17 @@ class CellFollower {
   MembraneSnakes snakes_;
   SoftZona zona_;
   NeedleTracker needle_;
+  SceneShift scene_;
   RigidMotion rigid_;
+  RigidMove motion_;
+  Eigen::Vector2d far_side_ = Eigen::Vector2d::Zero();  // centre of the circle through the side away from the needle
   RestGeometry rest_;
   ContactLogic contact_;
   HolderLine holder_;
   SnakeContour outer_before_, inner_before_;
-  Eigen::Vector2d rigid_shift_ = Eigen::Vector2d::Zero();
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   bool touching_ = false;
-  int bad_frames_ = 0, poor_frames_ = 0, frames_followed_ = 0;
+  int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
 };
 
 }  // namespace pellucida

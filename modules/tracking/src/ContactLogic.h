@@ -16,49 +16,64 @@ class ContactLogic {
     double tip_px = 0.0;  ///< negative while the needle is away
     double membrane_px = 0.0;
     bool needle_seen = false;
+    double sigma_px = 0.25;  ///< standard deviation of either
   };
 
-  /// The state after this frame. Contact and release need `contact_confirm_frames` frames that agree; a puncture is the
-  /// membrane's leaving the tip behind by `puncture_drop_ratio` of its depth, and ends when the tip has left the cell.
+  /// The state after this frame.
+  /// Contact: a cumulative sum test (Page 1954) on the membrane's depth in units of its sigma; no single frame decides,
+  /// and a depth below `contact_px` counts for nothing. Release: two frames in a row with the membrane back or the tip
+  /// away. Puncture: the membrane leaves the tip behind by `puncture_drop_ratio` of its depth; it ends when the tip has
+  /// left the cell.
   CellState update(const Depths& now) {
     const double floor_px = 4.0 * options_.contact_px;
     if (state_ == CellState::kPunctured) {
-      if (now.needle_seen && now.tip_px < 0.0) state_ = CellState::kFree;
-      deepest_px_ = 0.0;
-      votes_ = 0;
+      if (now.needle_seen && now.tip_px < 0.0) reset(CellState::kFree);
       return state_;
     }
-    if (state_ == CellState::kContact && now.needle_seen) {
-      deepest_px_ = std::max(now.membrane_px, 0.9 * deepest_px_);
-      const bool left_behind = now.tip_px - now.membrane_px > options_.puncture_drop_ratio * deepest_px_;
-      if (deepest_px_ > floor_px && left_behind && now.tip_px > floor_px) return state_ = CellState::kPunctured;
+    if (state_ == CellState::kFree) {
+      // A membrane that moves while the tip is elsewhere is not pushed by it.
+      const bool near = now.needle_seen && now.tip_px > -std::max(options_.contact_px, 3.0 * now.sigma_px);
+      const double depth =
+          now.membrane_px >= options_.contact_px ? now.membrane_px / std::max(now.sigma_px, 0.05) : 0.0;
+      evidence_ = near ? std::max(0.0, evidence_ + std::min(depth - kAllowance, kMostOfOneFrame)) : 0.0;
+      if (evidence_ >= kDecision) {
+        reset(CellState::kContact);
+        deepest_px_ = now.membrane_px;
+      }
+      return state_;
     }
-    const bool touches = now.needle_seen && now.membrane_px > options_.contact_px && now.tip_px > 0.0;
-    const bool apart = now.needle_seen && (now.membrane_px < 0.5 * options_.contact_px || now.tip_px < -1.0);
-    const bool changes = state_ == CellState::kContact ? apart : touches;
-    votes_ = changes ? votes_ + 1 : 0;
-    if (votes_ >= options_.contact_confirm_frames) {
-      state_ = state_ == CellState::kContact ? CellState::kFree : CellState::kContact;
-      deepest_px_ = now.membrane_px;
-      votes_ = 0;
+    if (!now.needle_seen) return state_;
+    deepest_px_ = std::max(now.membrane_px, 0.9 * deepest_px_);
+    const bool left_behind = now.tip_px - now.membrane_px > options_.puncture_drop_ratio * deepest_px_;
+    if (deepest_px_ > floor_px && left_behind && now.tip_px > floor_px) {
+      state_ = CellState::kPunctured;
+      return state_;
     }
+    const bool apart =
+        now.membrane_px < 0.5 * options_.contact_px || now.tip_px < -std::max(options_.contact_px, 3.0 * now.sigma_px);
+    apart_frames_ = apart ? apart_frames_ + 1 : 0;
+    if (apart_frames_ >= kReleaseFrames) reset(CellState::kFree);
     return state_;
   }
 
   /// At the first sight of a cell: what that one frame shows.
   void reset(CellState first_sight) {
     state_ = first_sight;
-    votes_ = 0;
-    deepest_px_ = 0.0;
+    evidence_ = deepest_px_ = 0.0;
+    apart_frames_ = 0;
   }
 
   CellState state() const noexcept { return state_; }
 
  private:
+  // In standard deviations: what a frame must exceed to count, what decides, and the most that one frame may add.
+  static constexpr double kAllowance = 1.5, kDecision = 4.0, kMostOfOneFrame = 3.2;
+  static constexpr int kReleaseFrames = 2;
+
   TrackerOptions options_;
   CellState state_ = CellState::kFree;
-  int votes_ = 0;
-  double deepest_px_ = 0.0;
+  double evidence_ = 0.0, deepest_px_ = 0.0;
+  int apart_frames_ = 0;
 };
 
 }  // namespace pellucida

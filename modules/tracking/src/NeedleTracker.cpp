@@ -60,7 +60,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   const Eigen::Vector2d sideways = motion_ - motion_.dot(axis_.direction) * axis_.direction;
   const Eigen::Vector2d expected = cue.commanded_px.value_or(sideways + speed_ * axis_.direction);
   if (cue.commanded_px) speed_ = expected.dot(axis_.direction);
-  axis_.tip += expected;
+  axis_.tip += expected + cue.scene_jump_px;
   ahead_ = 0.0;
   Eigen::Matrix2d transition;
   transition << 1.0, 1.0, 0.0, 1.0;
@@ -74,7 +74,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
     // Knocked aside? Look further, from where it was too.
     double best = 0.0;
     NeedleAxis found = axis_;
-    const std::array<Eigen::Vector2d, 2> starts{before.tip + expected, before.tip};
+    const std::array<Eigen::Vector2d, 2> starts{before.tip + expected + cue.scene_jump_px, before.tip};
     for (const Eigen::Vector2d& from : starts) {
       const NeedleAxis axis{from, before.direction};
       double alike = 0.0;
@@ -127,7 +127,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   if (cue.in_the_clear && end.valid && shaft.support > 0.7 && std::abs(end.ahead - ahead_) < unit) learn(learn_ahead);
   axis_.tip += ahead_ * axis_.direction;
   ahead_ = 0.0;
-  motion_ = axis_.tip - before.tip;
+  motion_ = axis_.tip - before.tip - cue.scene_jump_px;
   fill(noise, shaft);
   return true;
 }

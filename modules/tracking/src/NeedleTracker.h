@@ -29,6 +29,7 @@ struct NeedleCue {
   double reach_px = 34.0;                       ///< how far the tip may be from where it is expected
   bool in_the_clear = false;                    ///< nothing touches or covers the tip, so its cone may be learnt
   std::optional<Eigen::Vector2d> commanded_px;  ///< the motion commanded since the last frame
+  Eigen::Vector2d scene_jump_px = Eigen::Vector2d::Zero();  ///< the whole picture jumped by about this
 };
 
 /// Follows the injection needle. Across, by the learnt look of the shaft (ShaftFit). Along, by a Kalman filter of place

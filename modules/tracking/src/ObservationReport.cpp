@@ -8,8 +8,31 @@
 namespace pellucida {
 namespace {
 
-// The share of the tip in the indentation; the rest is the contour, which rounds a steep dimple a little.
-constexpr double kTipShare = 0.8;
+// The contour rounds a steep dimple a little: what that adds to its sigma at the apex, px.
+constexpr double kRounding_px = 0.3;
+constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
+
+// The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
+// depth, weighted by their variances as long as they agree; the resting outline, from which both are taken, adds its
+// own.
+struct Depth {
+  double value_px = 0.0, sigma_px = 0.0;
+};
+Depth depth_of(const CellFollower& cell) {
+  const double membrane_sigma = std::hypot(cell.membrane_sigma(), kRounding_px);
+  const double told = cell.needle().estimate().tip_sigma;
+  const double tip_sigma = told > 0.0 ? std::max(told, 0.05) : kUsualTipSigma_px;
+  const double apart = std::abs(cell.tip_depth() - cell.membrane_depth());
+  Depth depth{cell.membrane_depth(), membrane_sigma};
+  if (cell.state() == CellState::kContact && apart < std::max(4.0, 4.0 * std::hypot(membrane_sigma, tip_sigma))) {
+    const double tip_weight = 1.0 / (tip_sigma * tip_sigma), rest_weight = 1.0 / (membrane_sigma * membrane_sigma);
+    const double share = tip_weight / (tip_weight + rest_weight);
+    depth.value_px = share * cell.tip_depth() + (1.0 - share) * cell.membrane_depth();
+    depth.sigma_px = std::sqrt(1.0 / (tip_weight + rest_weight));
+  }
+  depth.sigma_px = std::hypot(depth.sigma_px, cell.rest_sigma());
+  return depth;
+}
 
 MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Membrane which,
                          const Eigen::Vector2d& start_direction, double pixel_size_um) {
@@ -53,14 +76,10 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
   pose.outline_um = outline * pixel_size_um;
   out.needle = pose;
 
-  // Under the tip the membrane is where the tip is: two measures of one depth, averaged as long as they agree.
   const bool contact = cell.state() == CellState::kContact;
-  const double apart_px = std::abs(cell.tip_depth() - cell.membrane_depth());
-  const double depth_px = contact && apart_px < 4.0
-                              ? kTipShare * cell.tip_depth() + (1.0 - kTipShare) * cell.membrane_depth()
-                              : cell.membrane_depth();
-  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth_px) * pixel_size_um;
-  out.indentation_sigma_um = (cell.rest().seen_free ? 0.35 : 1.5) * pixel_size_um;
+  const Depth depth = depth_of(cell);
+  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth.value_px) * pixel_size_um;
+  out.indentation_sigma_um = depth.sigma_px * pixel_size_um;
   if (!contact) return;
   const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction);
   out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
@@ -69,20 +88,20 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
 
 void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_um) {
   HolderPose pose;
-  const Eigen::Vector2d across(-cell.holder().direction.y(), cell.holder().direction.x());
+  const Eigen::Vector2d across(-cell.holder_direction().y(), cell.holder_direction().x());
   const double sunk = std::min(0.8 * cell.holder().half_width, 0.95 * cell.rest().outer_radius);
   const double distance = std::sqrt(cell.rest().outer_radius * cell.rest().outer_radius - sunk * sunk);
-  const Eigen::Vector2d mouth = cell.center_now() + distance * cell.holder().direction + cell.holder().offset * across;
+  const Eigen::Vector2d mouth = cell.center_now() + distance * cell.holder_direction() + cell.holder().offset * across;
   pose.mouth_um = mouth * pixel_size_um;
-  pose.direction = cell.holder().direction;
+  pose.direction = cell.holder_direction();
   pose.outer_radius_um = cell.holder().half_width * pixel_size_um;
   pose.confidence = cell.holder().confidence;
   const double length = 1.5 * cell.rest().outer_radius;
   Eigen::Matrix2Xd outline(2, 4);
-  outline.col(0) = mouth + length * cell.holder().direction + cell.holder().half_width * across;
+  outline.col(0) = mouth + length * cell.holder_direction() + cell.holder().half_width * across;
   outline.col(1) = mouth + cell.holder().half_width * across;
   outline.col(2) = mouth - cell.holder().half_width * across;
-  outline.col(3) = mouth + length * cell.holder().direction - cell.holder().half_width * across;
+  outline.col(3) = mouth + length * cell.holder_direction() - cell.holder().half_width * across;
   pose.outline_um = outline * pixel_size_um;
   out.holder = pose;
 }
@@ -94,7 +113,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   out.state = cell.state();
   out.confidence = cell.confidence();
   const Eigen::Vector2d center = cell.center_now();
-  Eigen::Vector2d axis = cell.holder().valid ? Eigen::Vector2d(-cell.holder().direction) : Eigen::Vector2d::UnitX();
+  Eigen::Vector2d axis = cell.holder().valid ? Eigen::Vector2d(-cell.holder_direction()) : Eigen::Vector2d::UnitX();
   if (cell.needle().valid()) axis = -cell.needle().estimate().direction;
   out.outer = membrane(cell, cell.snakes().outer(), Membrane::kOuter, axis, pixel_size_um);
   if (cell.snakes().has_inner() && cell.snakes().inner().score > 0.25)
@@ -108,6 +127,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
     if (cell.zona().has_gap()) out.inner = membrane(cell, cell.zona().gap(), Membrane::kInner, axis, pixel_size_um);
   }
   out.center_um = center * pixel_size_um;
+  out.rotation_rad = cell.motion().angle_rad;
   out.rest_outer_radius_um = cell.rest().outer_radius * pixel_size_um;
   out.rest_inner_radius_um = cell.rest().inner_radius * pixel_size_um;
   if (cell.zona().valid()) {

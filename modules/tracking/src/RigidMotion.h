@@ -1,36 +1,78 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "FrameSampler.h"
 
 namespace pellucida {
 
+/// A rigid motion in the image plane: p -> pivot + shift + R(angle) (p - pivot), px; a positive angle turns +x to +y.
+struct RigidMove {
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+  double angle_rad = 0.0;
+  Eigen::Vector2d pivot = Eigen::Vector2d::Zero();
+
+  Eigen::Vector2d turn(const Eigen::Vector2d& v) const {
+    const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+    return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+  }
+  Eigen::Vector2d apply(const Eigen::Vector2d& p) const { return pivot + shift + turn(p - pivot); }
+  /// The inverse of `apply`.
+  Eigen::Vector2d undo(const Eigen::Vector2d& p) const {
+    const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+    const Eigen::Vector2d v = p - pivot - shift;
+    return pivot + Eigen::Vector2d(c * v.x() + s * v.y(), c * v.y() - s * v.x());
+  }
+};
+
 /// Follows a set of pixels that move together (the holding pipette) by least squares on their grey values, with gain
-/// and offset free: tells a drift of the stage from a deformation of the cell.
+/// and offset free: tells a drift or a turn of the stage from a deformation of the cell. The reference's gradients
+/// stand for the image's (turned with the motion), so that a round costs one sample a pixel (after Hager and Belhumeur
+/// 1998).
 class RigidMotion {
  public:
-  /// Keeps the look of the pixels `points` (px) of `image` as the reference.
-  /// False when, with pixel noise of standard deviation `noise`, they could not tell a motion in every direction to 0.1
-  /// px.
-  bool learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& points, double noise);
+  /// Chooses among `candidates` (px) those of `image` that tell most, and keeps their look as the reference. Turns are
+  /// measured about `pivot`. False when, with pixel noise of standard deviation `noise`, a shift could not be told in
+  /// every direction to 0.1 px; turns are followed only where the pixels tell them to 0.1 px at their farthest.
+  bool learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& candidates, const Eigen::Vector2d& pivot,
+             double noise);
 
-  /// Finds the motion since `learn`, px; starts from the last one, and from the last one plus `hint` (a motion
-  /// something else made, which the holder may share). `reach_px` bounds the step. False when the fit fails.
-  bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& hint);
+  /// Finds the motion since `learn`, px; starts from the last one moved by `jump` (0, or what the whole picture seems
+  /// to have jumped, good to a few px). `reach_px` bounds the step. False when the fit fails.
+  bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& jump);
 
-  const Eigen::Vector2d& motion() const noexcept { return motion_; }
-  bool valid() const noexcept { return !points_.empty(); }
-  void reset() noexcept { *this = RigidMotion(); }
+  /// Something surer says that the motion is about `shift`: the fit begun there is taken, or, where it fails, `shift`
+  /// itself with the last turn.
+  void correct(const FrameSampler& image, const Eigen::Vector2d& shift);
+
+  const RigidMove& motion() const noexcept { return motion_; }
+  /// Standard deviation of the shift along unit `direction`, px.
+  double sigma_px(const Eigen::Vector2d& direction) const noexcept;
+  bool valid() const noexcept { return !pixels_.empty(); }
+  void reset();
 
  private:
-  bool refine(const FrameSampler& image, Eigen::Vector2d& motion, double& residual) const;
+  // A pixel of the reference: place about the pivot, gradient, what a turn by 1 rad changes, grey value.
+  struct Pixel {
+    Eigen::Vector2d place, gradient;
+    double turn = 0.0, value = 0.0;
+  };
+  struct Fit {
+    RigidMove move;
+    double residual = 0.0;
+    bool good = false;
+  };
+  Fit refine(const FrameSampler& image, RigidMove start) const;
+  void average_in(const FrameSampler& image);
 
-  std::vector<Eigen::Vector2d> points_;
-  std::vector<double> values_;
+  std::vector<Pixel> pixels_;
   double noise_ = 0.0;
-  double spread_ = 0.0;  // standard deviation of the reference's grey values
-  Eigen::Vector2d motion_ = Eigen::Vector2d::Zero();
+  double spread_ = 0.0;      // standard deviation of the reference's grey values
+  bool turns_ = false;       // whether the pixels tell a turn
+  int frames_averaged_ = 1;  // in the reference's grey values
+  Eigen::Matrix2d shift_covariance_ = Eigen::Matrix2d::Zero();
+  RigidMove motion_;
 };
 
 }  // namespace pellucida
