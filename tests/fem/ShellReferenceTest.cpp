@@ -156,6 +156,26 @@ TEST(ShellReference, SofterBelowHalfPoisson) {
   EXPECT_NEAR(curve.steps.back().axial_force_uN / incompressible, std::sqrt(0.75 / 0.91), 0.05);
 }
 
+TEST(ShellReference, OtherGeometriesConvergeToo) {
+  const ShellOptions quick{.edge_length_ratio = 1.8};
+  const auto expect_complete = [&](const ShellSpecimen& specimen, const ShellContact& contact, double deepest_um) {
+    const ShellCurve curve = ShellReference(specimen, contact, quick).run(deepest_um, 0.1 * deepest_um);
+    EXPECT_EQ(curve.outcome, CurveOutcome::kComplete) << "stopped before " << curve.failed_indentation_um;
+    EXPECT_GT(curve.steps.back().axial_force_uN, 0.0);
+  };
+  ShellContact turned = contact_for_configuration(2);
+  turned.lateral_offset_um = -20.0;
+  turned.tip_radius_um = 8.0;
+  expect_complete({}, turned, 40.0);
+  ShellContact narrow = contact_for_configuration(3);
+  narrow.holder_ring_um = 8.0;
+  narrow.tip_radius_um = 2.0;
+  expect_complete({}, narrow, 30.0);
+  expect_complete({.mid_radius_um = 50.0, .thickness_um = 1.5}, {}, 25.0);
+  expect_complete({.mid_radius_um = 30.0, .thickness_um = 6.0, .poisson_ratio = 0.4}, {}, 35.0);
+  expect_complete({.mid_radius_um = 100.0, .thickness_um = 8.0}, contact_for_configuration(4, 30.0), 80.0);
+}
+
 TEST(ShellReference, ACancelledRunKeepsWhatItHas) {
   ShellReference reference({}, contact_for_configuration(1), kCoarse);
   std::stop_source stop;
