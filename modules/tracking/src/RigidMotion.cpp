@@ -7,9 +7,10 @@ namespace pellucida {
 namespace {
 
 constexpr std::size_t kMostPixels = 640;
-constexpr int kReferenceFrames = 16;  // the reference is the mean of that many
-constexpr double kJumpStep_px = 3.0;  // between the starts about a jump
-constexpr double kTellable_px = 0.1;  // a motion counts as told when its standard deviation is below this
+constexpr int kReferenceFrames = 16;    // the reference is the mean of that many
+constexpr double kJumpStep_px = 3.0;    // between the starts about a jump
+constexpr double kLeastContrast = 0.4;  // of the reference's, for a fit to be one
+constexpr double kTellable_px = 0.1;    // a motion counts as told when its standard deviation is below this
 
 // Central differences over three rows: pixel noise makes no gradient of its own.
 Eigen::Vector2d smooth_gradient(const FrameSampler& image, const Eigen::Vector2d& p) {
@@ -93,7 +94,8 @@ RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move) 
     then += pixel.value;
     now += image.sample(move.apply(move.pivot + pixel.place));
   }
-  double gain = now / std::max(then, 1e-9) - 1.0, offset = 0.0;
+  const double brighter = now / std::max(then, 1e-9);
+  double gain = brighter - 1.0, offset = 0.0;
   for (int round = 0; round < 14; ++round) {
     // Pixels that something else covers now (a membrane that bulges beside the rim) must not pull: tolerant at first,
     // then strict.
@@ -138,7 +140,8 @@ RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move) 
     if (way.norm() < 0.004 && std::abs(step[2]) < 1e-4 && round > 3) break;
   }
   fit.move = move;
-  fit.good = fit.residual < 0.6 * spread_;
+  // A flat grey fits anything with its contrast taken away.
+  fit.good = fit.residual < 0.6 * spread_ && 1.0 + gain > kLeastContrast * brighter;
   return fit;
 }
 
