@@ -13,11 +13,11 @@ function(pellucida_add_module NAME)
   target_link_libraries(pellucida_${NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} pellucida::build_options)
 endfunction()
 
-# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [TIMEOUT s] [WHOLE])
+# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [TIMEOUT s] [WHOLE] [LONG])
 # A GoogleTest program; each test case becomes a CTest test with the labels given. WHOLE: the program is one CTest test,
-# for cases that share an expensive preparation.
+# for cases that share an expensive preparation. LONG: the same, and it runs only with `ctest -C long`.
 function(pellucida_add_test NAME)
-  cmake_parse_arguments(ARG "WHOLE" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "WHOLE;LONG" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -30,8 +30,11 @@ function(pellucida_add_test NAME)
   # parts of a label.
   string(REPLACE ";" "+" label "${ARG_LABELS}")
   set(properties LABELS ${label} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "VTK_SMP_BACKEND_IN_USE=Sequential")
-  if(ARG_WHOLE)
-    add_test(NAME ${NAME} COMMAND ${NAME})
+  if(ARG_WHOLE OR ARG_LONG)
+    if(ARG_LONG)
+      set(configurations CONFIGURATIONS long)
+    endif()
+    add_test(NAME ${NAME} COMMAND ${NAME} ${configurations})
     set_tests_properties(${NAME} PROPERTIES ${properties})
   else()
     gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})

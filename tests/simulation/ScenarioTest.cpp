@@ -34,7 +34,7 @@ TEST(Scenario, ReadsEveryGroup) {
   const Scenario s = parse_scenario(
       R"({"description": "d", "seed": 9, "image": {"bit_depth": 16}, "cell": {"size_scale": 2}, "tools": {"mirrored": true},
           "motion": {"hold_s": 3}, "puncture": {"enabled": true}, "optics": {"noise": false}, "drift": {"x_um_per_s": -1},
-          "debris": {"count": 0}})",
+          "debris": {"count": 0}, "lamp": {"step_ratio": 0.6}, "bystander": {"cell_radius_um": 30}})",
       "test");
   EXPECT_EQ(s.description, "d");
   EXPECT_EQ(s.seed, 9u);
@@ -46,6 +46,8 @@ TEST(Scenario, ReadsEveryGroup) {
   EXPECT_FALSE(s.optics.noise);
   EXPECT_EQ(s.drift.x_um_per_s, -1);
   EXPECT_EQ(s.debris.count, 0);
+  EXPECT_EQ(s.lamp.step_ratio, 0.6);
+  EXPECT_EQ(s.bystander.cell_radius_um, 30);
 }
 
 TEST(Scenario, SaysWhichKeyIsUnknown) {

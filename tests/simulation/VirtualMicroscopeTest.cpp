@@ -179,6 +179,10 @@ INSTANTIATE_TEST_SUITE_P(
         Scene{"turned",
               R"({"image": {"frame_rate_hz": 2, "bit_depth": 16}, "tools": {"holder_angle_deg": 37, "configuration": 2},
                             "drift": {"x_um_per_s": 3}, "optics": {"noise": false}, "debris": {"count": 0}})"},
+        Scene{"rotating",
+              R"({"image": {"frame_rate_hz": 2, "bit_depth": 16}, "tools": {"configuration": 3},
+                            "drift": {"rotation_deg_per_s": 13, "x_um_per_s": -4, "jump_x_px": 17.3, "jump_y_px": -9, "jump_period_s": 1.1},
+                            "lamp": {"step_ratio": 0.7}, "optics": {"noise": false}, "debris": {"count": 0}})"},
         Scene{"fine", R"({"image": {"frame_rate_hz": 2, "bit_depth": 16, "pixel_size_um": 0.3},
                           "cell": {"center_x_um": 110, "center_y_um": 62}, "tools": {"configuration": 3},
                           "optics": {"noise": false}, "debris": {"count": 0}})"}),
@@ -207,6 +211,40 @@ TEST(VirtualMicroscope, TurnedImageIsTheTurnedImage) {
       for (int x = 0; x < 401; ++x) largest = std::max(largest, std::abs(pa[y * 401 + x] - pb[x * 401 + (400 - y)]));
     EXPECT_LE(largest, 655) << "frame " << one->frame_index;  // 1 % of full scale
   }
+}
+
+TEST(VirtualMicroscope, KeysLeftOutDrawNothing) {
+  // Every one of these changes the picture; none of them is in a scenario that does not name it.
+  const auto first_frame = [](const std::string& json) {
+    VirtualMicroscope microscope(scenario_of(json));
+    for (int k = 0; k < 40; ++k) microscope.skip();
+    return bytes_of(*microscope.next());
+  };
+  const auto plain = first_frame("{}");
+  for (const char* changed :
+       {R"({"drift": {"rotation_deg_per_s": 5}})", R"({"drift": {"jump_x_px": 10}})",
+        R"({"lamp": {"step_ratio": 0.9}})", R"({"lamp": {"flicker_ratio": 0.1, "flicker_hz": 0.7}})",
+        R"({"debris": {"touching_count": 3}})", R"({"debris": {"passing_count": 8}})",
+        R"({"bystander": {"cell_radius_um": 40}})", R"({"bystander": {"bubble_radius_um": 30}})"})
+    EXPECT_NE(plain, first_frame(changed)) << changed;
+  EXPECT_EQ(plain, first_frame(R"({"drift": {"jump_period_s": 0.2}, "lamp": {"step_time_s": 0.1, "flicker_hz": 9},
+      "debris": {"touching_radius_um": 5, "passing_speed_um_per_s": 10},
+      "bystander": {"cell_x_um": 200, "bubble_y_um": 200}})"));
+}
+
+TEST(VirtualMicroscope, SkippedFramesAreThoseNotDrawn) {
+  VirtualMicroscope all(scenario_of(std::string("{") + kShort + "}")),
+      some(scenario_of(std::string("{") + kShort + "}"));
+  const auto frames = all_frames(all);
+  std::size_t k = 1;
+  while (some.skip()) {
+    const auto frame = some.next();
+    if (!frame) break;
+    EXPECT_EQ(frame->frame_index, static_cast<long>(k));
+    EXPECT_EQ(bytes_of(*frame), frames.at(k));
+    k += 2;
+  }
+  EXPECT_GE(k, frames.size() - 1);
 }
 
 TEST(VirtualMicroscope, ToolsAreDrawnWhereTruthSaysThem) {

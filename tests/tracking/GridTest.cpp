@@ -27,20 +27,11 @@ struct Exception {
   Limits limits;
 };
 constexpr std::array kExceptions{
-    Exception{"pixel 0.4 um", {.tip_median_px = 1.8}},
-    Exception{"pixel 1.5 um", {kNoLimit, kNoLimit, kNoLimit, 1.0, 0.0, 1.0}},
-    Exception{"diameter 64 px", {kNoLimit, kNoLimit, 1.0, 0.1, 0.0, 1.0, 10}},
-    Exception{"defocus 1 um", {.tip_missing_ratio = 0.5}},
-    Exception{"jumps of 30 px", {0.4, kNoLimit, 1.5, 0.8}},
-    Exception{"holder at 0 deg", {.tip_median_px = kNoLimit}},
-    Exception{"holder at 17 deg", {.tip_median_px = kNoLimit}},
-    Exception{"holder at 45 deg", {.tip_median_px = kNoLimit}},
-    Exception{"holder at 270 deg", {.tip_median_px = kNoLimit}},
-    Exception{"holder at 315 deg", {kNoLimit, kNoLimit, kNoLimit, 0.1, 0.0, 1.0}},
-    Exception{"configuration 3 mirrored holder 180", {kNoLimit, kNoLimit, kNoLimit, 1.0, 0.0, 1.0}},
-    Exception{"needle defocus 1.5 um", {.tip_median_px = kNoLimit, .tip_missing_ratio = 1.0}},
-    Exception{"needle defocus 3 um", {0.5, 1.5, kNoLimit, 1.0}},
-    Exception{"perivitelline gap 4 um", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0, kNoLimit}},
+    Exception{"pixel 1.5 um", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0, kNoLimit}},
+    Exception{"diameter 64 px", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0, 10}},
+    Exception{"contrast 0.3", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0}},
+    Exception{"configuration 3 mirrored holder 180", {.lost = 5}},
+    Exception{"needle defocus 3 um", {.outer_median_px = 0.5, .tip_median_px = 3.0}},
 };
 
 Limits limits_of(std::string_view condition) {

@@ -118,7 +118,9 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   out.outer = membrane(cell, cell.snakes().outer(), Membrane::kOuter, axis, pixel_size_um);
   if (cell.snakes().has_inner() && cell.snakes().inner().score > 0.25)
     out.inner = membrane(cell, cell.snakes().inner(), Membrane::kInner, axis, pixel_size_um);
-  if (cell.zona().valid()) {
+  // A zona that does not lie round the oolemma is none.
+  const bool has_zona = cell.zona().valid() && cell.zona().rest_radius() > cell.rest().outer_radius;
+  if (has_zona) {
     // The snakes follow the oolemma: the zona's inner edge where it touches, the third membrane where a gap parts them.
     MembraneContour line =
         *std::exchange(out.outer, membrane(cell, cell.zona().outer(), Membrane::kOuter, axis, pixel_size_um));
@@ -130,7 +132,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   out.rotation_rad = cell.motion().angle_rad;
   out.rest_outer_radius_um = cell.rest().outer_radius * pixel_size_um;
   out.rest_inner_radius_um = cell.rest().inner_radius * pixel_size_um;
-  if (cell.zona().valid()) {
+  if (has_zona) {
     out.rest_outer_radius_um = cell.zona().rest_radius() * pixel_size_um;
     out.rest_inner_radius_um = cell.rest().outer_radius * pixel_size_um;
   }
