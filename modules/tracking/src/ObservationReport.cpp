@@ -41,7 +41,8 @@ MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Me
   const double arc = std::max(0.0, contour::ray_crossing_arc(snake.points, cell.center_now(), start_direction));
   MembraneContour result;
   result.membrane = which;
-  result.points_um = contour::resample(snake.points, n, arc) * pixel_size_um;
+  result.points_um = contour::resample(snake.points, n, arc);
+  result.points_um *= pixel_size_um;
   result.sigma_um.resize(n);
   result.confidence.resize(n);
   const double spacing = contour::arc_length(snake.points) / static_cast<double>(n);
@@ -69,12 +70,12 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
   const Eigen::Vector2d front = n.tip - n.tip_half_width * n.direction;
   const Eigen::Vector2d back = n.tip - length * n.direction;
   const double back_half_width = n.tip_half_width + n.widening * length;
-  Eigen::Matrix2Xd outline(2, 9);
+  Eigen::Matrix<double, 2, 9> outline;
   outline << n.tip, front + n.tip_half_width * across, back + back_half_width * across,
       front + n.tip_half_width * across, n.tip, front - n.tip_half_width * across, back - back_half_width * across,
       front - n.tip_half_width * across, n.tip;
   pose.outline_um = outline * pixel_size_um;
-  out.needle = pose;
+  out.needle = std::move(pose);
 
   const bool contact = cell.state() == CellState::kContact;
   const Depth depth = depth_of(cell);
@@ -97,13 +98,13 @@ void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_u
   pose.outer_radius_um = cell.holder().half_width * pixel_size_um;
   pose.confidence = cell.holder().confidence;
   const double length = 1.5 * cell.rest().outer_radius;
-  Eigen::Matrix2Xd outline(2, 4);
+  Eigen::Matrix<double, 2, 4> outline;
   outline.col(0) = mouth + length * cell.holder_direction() + cell.holder().half_width * across;
   outline.col(1) = mouth + cell.holder().half_width * across;
   outline.col(2) = mouth - cell.holder().half_width * across;
   outline.col(3) = mouth + length * cell.holder_direction() - cell.holder().half_width * across;
   pose.outline_um = outline * pixel_size_um;
-  out.holder = pose;
+  out.holder = std::move(pose);
 }
 
 }  // namespace
