@@ -7,48 +7,69 @@
 
 namespace pellucida {
 
-BlockMatrix::BlockMatrix(int node_count, const std::vector<std::pair<int, int>>& node_pairs)
-    : node_count_(node_count), rows_(static_cast<std::size_t>(node_count)), values_(3 * node_count, 3 * node_count) {
+BlockMatrix::BlockMatrix(int node_count, const std::vector<std::pair<int, int>>& node_pairs) {
   // Block rows of each block column, diagonal first.
-  for (int node = 0; node < node_count; ++node) rows_[static_cast<std::size_t>(node)].push_back(node);
-  for (const auto& [a, b] : node_pairs) rows_[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
-  for (auto& rows : rows_) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  }
+  std::vector<std::vector<int>> rows(static_cast<std::size_t>(node_count));
+  for (int node = 0; node < node_count; ++node) rows[static_cast<std::size_t>(node)].push_back(node);
+  for (const auto& [a, b] : node_pairs) rows[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
 
-  // Explicit zeros hold the places.
-  std::vector<Eigen::Triplet<double>> places;
-  for (int column = 0; column < node_count; ++column) {
-    for (const int row : rows_[static_cast<std::size_t>(column)]) {
-      for (int c = 0; c < 3; ++c) {
-        for (int r = 0; r < 3; ++r) places.emplace_back(3 * row + r, 3 * column + c, 0.0);
-      }
-    }
+  column_starts_.push_back(0);
+  for (auto& column : rows) {
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
+    block_rows_.insert(block_rows_.end(), column.begin(), column.end());
+    column_starts_.push_back(static_cast<int>(block_rows_.size()));
   }
-  values_.setFromTriplets(places.begin(), places.end());
-  values_.makeCompressed();
+  values_ = Eigen::VectorXd::Zero(9 * static_cast<Eigen::Index>(block_rows_.size()));
 }
 
 BlockSlot BlockMatrix::slot(int row, int column) const {
   const bool transposed = row < column;
   if (transposed) std::swap(row, column);
-  const auto& rows = rows_[static_cast<std::size_t>(column)];
-  const auto found = std::lower_bound(rows.begin(), rows.end(), row);
-  if (found == rows.end() || *found != row) {
+  const auto begin = block_rows_.begin() + column_starts_[static_cast<std::size_t>(column)];
+  const auto end = block_rows_.begin() + column_starts_[static_cast<std::size_t>(column) + 1];
+  const auto found = std::lower_bound(begin, end, row);
+  if (found == end || *found != row) {
     throw Error(ExitCode::kOurFault, "block matrix: nodes " + std::to_string(row) + " and " + std::to_string(column) +
                                          " aren't coupled in its pattern; name all terms before the solver is made");
   }
-  const auto place = found - rows.begin();
-  return {values_.outerIndexPtr()[3 * column] + 3 * static_cast<int>(place), 3 * static_cast<int>(rows.size()),
-          transposed};
+  return {9 * static_cast<int>(found - block_rows_.begin()), transposed};
 }
 
-void BlockMatrix::add_to_diagonal(double value) noexcept {
-  for (int node = 0; node < node_count_; ++node) {
-    const BlockSlot place = slot(node, node);
-    for (int k = 0; k < 3; ++k) values_.valuePtr()[place.first + k * place.stride + k] += value;
+void BlockMatrix::multiply(const Eigen::VectorXd& v, Eigen::VectorXd& product) const {
+  product.setZero(v.size());
+  const double* value = values_.data();
+  for (int column = 0; column < node_count(); ++column) {
+    const Eigen::Vector3d here = v.segment<3>(3 * column);
+    Eigen::Vector3d sum = Eigen::Map<const Eigen::Matrix3d>(value) * here;
+    value += 9;
+    for (int k = column_starts_[static_cast<std::size_t>(column)] + 1;
+         k < column_starts_[static_cast<std::size_t>(column) + 1]; ++k, value += 9) {
+      const Eigen::Map<const Eigen::Matrix3d> block(value);
+      const int row = block_rows_[static_cast<std::size_t>(k)];
+      product.segment<3>(3 * row) += block * here;
+      sum += block.transpose() * v.segment<3>(3 * row);
+    }
+    product.segment<3>(3 * column) += sum;
   }
+}
+
+Eigen::SparseMatrix<double> BlockMatrix::sparse() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(9 * block_rows_.size());
+  const double* value = values_.data();
+  for (int column = 0; column < node_count(); ++column) {
+    for (int k = column_starts_[static_cast<std::size_t>(column)];
+         k < column_starts_[static_cast<std::size_t>(column) + 1]; ++k) {
+      const int row = block_rows_[static_cast<std::size_t>(k)];
+      for (int c = 0; c < 3; ++c) {
+        for (int r = 0; r < 3; ++r) entries.emplace_back(3 * row + r, 3 * column + c, *value++);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(3 * node_count(), 3 * node_count());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 }  // namespace pellucida

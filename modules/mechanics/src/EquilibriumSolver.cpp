@@ -1,9 +1,10 @@
 #include "pellucida/mechanics/EquilibriumSolver.h"
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 #include <chrono>
 #include <cmath>
+
+#include "pellucida/mechanics/BlockLdlt.h"
 
 namespace pellucida {
 namespace {
@@ -45,9 +46,11 @@ std::string_view to_string(SolveStatus status) noexcept {
 class EquilibriumSolver::Impl {
  public:
   explicit Impl(EnergySum& energy)
-      : energy_(energy), hessian_(energy.node_count(), energy.coupled_nodes()), gradient_(3, energy.node_count()) {
+      : energy_(energy),
+        hessian_(energy.node_count(), energy.coupled_nodes()),
+        factor_(hessian_),
+        gradient_(3, energy.node_count()) {
     energy_.bind(&hessian_);
-    factor_.analyzePattern(hessian_.sparse());
   }
   ~Impl() { energy_.bind(nullptr); }
   Impl(const Impl&) = delete;
@@ -68,15 +71,10 @@ class EquilibriumSolver::Impl {
     has_factor_ = false;
     double shift = 0.0;
     for (int shifts = 0; shifts < 24; ++shifts) {
-      factor_.setShift(shift);
-      factor_.factorize(hessian_.sparse());
-      if (factor_.info() == Eigen::Success) {
-        const auto pivots = factor_.vectorD();
-        negative_count_ = static_cast<int>(pivots.size() - (pivots.array() > 0.0).count());
-        if (negative_count_ <= static_cast<int>(energy_.terms().size()) && refresh_rank_ones(x_um)) {
-          has_factor_ = true;
-          return shifts;
-        }
+      const bool factorized = factor_.factorize(hessian_, shift);
+      if (factorized && factor_.negative_count() <= rank_one_count() && refresh_rank_ones(x_um)) {
+        has_factor_ = true;
+        return shifts;
       }
       shift = shift > 0.0 ? 4.0 * shift : 1e-3 * energy_.force_scale_uN_per_um();
     }
@@ -87,8 +85,7 @@ class EquilibriumSolver::Impl {
   /// positive definite: S has as many negative eigenvalues as negative pivots, and H has fewer by those that
   /// C^-1 + G^T S^-1 G has (Haynsworth's inertia additivity on the matrix bordered by G).
   bool refresh_rank_ones(const Eigen::Matrix3Xd& x_um) {
-    Eigen::Index count = 0;
-    for (const EnergyTerm* term : energy_.terms()) count += term->has_rank_one() ? 1 : 0;
+    const Eigen::Index count = rank_one_count();
     directions_.resize(x_um.size(), count);
     solved_directions_.resize(x_um.size(), count);
     factors_.resize(count);
@@ -97,28 +94,31 @@ class EquilibriumSolver::Impl {
       if (!term->has_rank_one()) continue;
       factors_[k] = term->rank_one(x_um, gradient_);
       directions_.col(k) = flat(gradient_);
-      solved_directions_.col(k) = factor_.solve(directions_.col(k));
       ++k;
     }
+    solved_directions_ = directions_;
+    factor_.solve(solved_directions_);
     Eigen::MatrixXd capacitance = directions_.transpose() * solved_directions_;
     capacitance.diagonal() += factors_.cwiseInverse();
     capacitance_inverse_ = capacitance.inverse();
-    if (count == 0) return negative_count_ == 0;
+    if (count == 0) return factor_.negative_count() == 0;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(capacitance, Eigen::EigenvaluesOnly);
-    return negative_count_ == (spectrum.eigenvalues().array() < 0.0).count();
+    return factor_.negative_count() == (spectrum.eigenvalues().array() < 0.0).count();
   }
 
   /// M^-1 b with M = S + G C G^T, S as last factorised (Sherman, Morrison, Woodbury):
   /// S^-1 b - S^-1 G (C^-1 + G^T S^-1 G)^-1 G^T S^-1 b.
   Eigen::VectorXd apply_inverse(const Eigen::VectorXd& b) const {
-    Eigen::VectorXd x = factor_.solve(b);
+    Eigen::VectorXd x = b;
+    factor_.solve(x);
     if (factors_.size() > 0) x -= solved_directions_ * (capacitance_inverse_ * (directions_.transpose() * x));
     return x;
   }
 
   /// H v with the assembled Hessian.
   Eigen::VectorXd multiply(const Eigen::VectorXd& v) const {
-    Eigen::VectorXd product = hessian_.sparse().selfadjointView<Eigen::Lower>() * v;
+    Eigen::VectorXd product;
+    hessian_.multiply(v, product);
     if (factors_.size() > 0) product += directions_ * factors_.cwiseProduct(directions_.transpose() * v);
     return product;
   }
@@ -146,11 +146,16 @@ class EquilibriumSolver::Impl {
   }
 
  private:
+  int rank_one_count() const {
+    int count = 0;
+    for (const EnergyTerm* term : energy_.terms()) count += term->has_rank_one() ? 1 : 0;
+    return count;
+  }
+
   EnergySum& energy_;
   BlockMatrix hessian_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
+  BlockLdlt factor_;
   bool has_factor_ = false;
-  int negative_count_ = 0;  // pivots of the factorisation that aren't positive
   Eigen::Matrix3Xd gradient_;
   Eigen::MatrixXd directions_;           // G, (3n x k)
   Eigen::MatrixXd solved_directions_;    // S^-1 G
