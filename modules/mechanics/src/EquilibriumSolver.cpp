@@ -1,19 +1,25 @@
 #include "pellucida/mechanics/EquilibriumSolver.h"
 
-#include <Eigen/Dense>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "pellucida/mechanics/BlockLdlt.h"
+#include "NewtonSystem.h"
 
 namespace pellucida {
 namespace {
-// Conjugate gradients take about half a millisecond an iteration, a factorisation some twenty: measured, these limits
-// give the lowest mean and 90 % time of a frame on a ramp of 20 um/s.
-constexpr int kMostStepIterations = 2;
-constexpr int kMostTangentIterations = 8;
-constexpr double kStepAccuracy = 0.03;
-constexpr double kTangentAccuracy = 1e-4;
+
+/// A step's linear system is solved to this share of its right side at worst, at best to what converges in one go.
+constexpr double kCoarsestStep = 3e-2;
+constexpr double kFinestStep = 1e-4;
+/// The Hessian is assembled anew where a step shrinks the residual less than this.
+constexpr double kGoodShrinking = 0.1;
+/// Conjugate gradients that take as long as a factorisation give way to one; those that take half as long have the next
+/// solution begin with one. An iteration takes about a tenth of a factorisation.
+constexpr int kMostIterations = 10;
+constexpr int kManyIterations = 5;
+/// Accuracy of the tangent; a compliance has its square.
+constexpr double kTangentAccuracy = 3e-4;
 
 Eigen::Map<const Eigen::VectorXd> flat(const Eigen::Matrix3Xd& m) {
   return {m.data(), m.size()};
@@ -45,122 +51,38 @@ std::string_view to_string(SolveStatus status) noexcept {
 
 class EquilibriumSolver::Impl {
  public:
-  explicit Impl(EnergySum& energy)
-      : energy_(energy),
-        hessian_(energy.node_count(), energy.coupled_nodes()),
-        factor_(hessian_),
-        gradient_(3, energy.node_count()) {
-    energy_.bind(&hessian_);
-  }
-  ~Impl() { energy_.bind(nullptr); }
-  Impl(const Impl&) = delete;
-  Impl& operator=(const Impl&) = delete;
+  explicit Impl(EnergySum& sum) : energy(sum), system(sum) {}
 
-  EnergySum& energy() noexcept { return energy_; }
-  bool has_factor() const noexcept { return has_factor_; }
-
-  /// The sparse part of the Hessian at `x_um`.
-  void assemble(const Eigen::Matrix3Xd& x_um) {
-    hessian_.set_zero();
-    energy_.add(x_um, nullptr, &hessian_);
-  }
-
-  /// A positive definite factorisation of the assembled Hessian, with the rank-one parts of `x_um`. Returns the number
-  /// of shifts it took, -1 when none helps.
-  int factorize(const Eigen::Matrix3Xd& x_um) {
-    has_factor_ = false;
-    double shift = 0.0;
-    for (int shifts = 0; shifts < 24; ++shifts) {
-      const bool factorized = factor_.factorize(hessian_, shift);
-      if (factorized && factor_.negative_count() <= rank_one_count() && refresh_rank_ones(x_um)) {
-        has_factor_ = true;
-        return shifts;
+  /// The direction down from `gradient` into `step`, H being assembled. False when no shift makes H positive definite.
+  bool find_step(double accuracy, SolveReport& report) {
+    step.setZero(gradient.size());
+    ++report.iterations;
+    is_exact = false;
+    if (system.has_factor() && !wants_factor) {
+      const int taken = system.conjugate_gradients(-flat(gradient), accuracy, kMostIterations, step);
+      if (taken >= 0) {
+        report.conjugate_gradient_iterations += taken;
+        if (taken >= kManyIterations) wants_factor_next = true;
+        return true;
       }
-      shift = shift > 0.0 ? 4.0 * shift : 1e-3 * energy_.force_scale_uN_per_um();
     }
-    return -1;
+    const int shifts = system.factorize();
+    ++report.factorizations;
+    if (shifts < 0) return false;
+    report.shifts += shifts;
+    wants_factor = wants_factor_next = false;
+    system.apply_factor(-flat(gradient), step);
+    is_exact = true;
+    return true;
   }
 
-  /// Takes the rank-one parts G C G^T at `x_um` into the kept factorisation of S. False when H = S + G C G^T is not
-  /// positive definite: S has as many negative eigenvalues as negative pivots, and H has fewer by those that
-  /// C^-1 + G^T S^-1 G has (Haynsworth's inertia additivity on the matrix bordered by G).
-  bool refresh_rank_ones(const Eigen::Matrix3Xd& x_um) {
-    const Eigen::Index count = rank_one_count();
-    directions_.resize(x_um.size(), count);
-    solved_directions_.resize(x_um.size(), count);
-    factors_.resize(count);
-    Eigen::Index k = 0;
-    for (const EnergyTerm* term : energy_.terms()) {
-      if (!term->has_rank_one()) continue;
-      factors_[k] = term->rank_one(x_um, gradient_);
-      directions_.col(k) = flat(gradient_);
-      ++k;
-    }
-    solved_directions_ = directions_;
-    factor_.solve(solved_directions_);
-    Eigen::MatrixXd capacitance = directions_.transpose() * solved_directions_;
-    capacitance.diagonal() += factors_.cwiseInverse();
-    capacitance_inverse_ = capacitance.inverse();
-    if (count == 0) return factor_.negative_count() == 0;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(capacitance, Eigen::EigenvaluesOnly);
-    return factor_.negative_count() == (spectrum.eigenvalues().array() < 0.0).count();
-  }
-
-  /// M^-1 b with M = S + G C G^T, S as last factorised (Sherman, Morrison, Woodbury):
-  /// S^-1 b - S^-1 G (C^-1 + G^T S^-1 G)^-1 G^T S^-1 b.
-  Eigen::VectorXd apply_inverse(const Eigen::VectorXd& b) const {
-    Eigen::VectorXd x = b;
-    factor_.solve(x);
-    if (factors_.size() > 0) x -= solved_directions_ * (capacitance_inverse_ * (directions_.transpose() * x));
-    return x;
-  }
-
-  /// H v with the assembled Hessian.
-  Eigen::VectorXd multiply(const Eigen::VectorXd& v) const {
-    Eigen::VectorXd product;
-    hessian_.multiply(v, product);
-    if (factors_.size() > 0) product += directions_ * factors_.cwiseProduct(directions_.transpose() * v);
-    return product;
-  }
-
-  /// Conjugate gradients for H x = b, preconditioned by M, to a residual of `relative` in M's norm. False when H has a
-  /// direction that goes down, or when it takes longer than making a factorisation.
-  bool conjugate_gradients(const Eigen::VectorXd& b, double relative, int most_iterations, Eigen::VectorXd& x) const {
-    Eigen::VectorXd residual = b - multiply(x);
-    Eigen::VectorXd better = apply_inverse(residual);
-    Eigen::VectorXd direction = better;
-    double size = residual.dot(better);
-    const double goal = relative * relative * std::abs(b.dot(apply_inverse(b)));
-    for (int k = 0; k < most_iterations && size > goal; ++k) {
-      const Eigen::VectorXd product = multiply(direction);
-      const double curvature = direction.dot(product);
-      if (!(curvature > 0.0)) return false;
-      x += (size / curvature) * direction;
-      residual -= (size / curvature) * product;
-      better = apply_inverse(residual);
-      const double next = residual.dot(better);
-      direction = better + (next / size) * direction;
-      size = next;
-    }
-    return size <= goal;
-  }
-
- private:
-  int rank_one_count() const {
-    int count = 0;
-    for (const EnergyTerm* term : energy_.terms()) count += term->has_rank_one() ? 1 : 0;
-    return count;
-  }
-
-  EnergySum& energy_;
-  BlockMatrix hessian_;
-  BlockLdlt factor_;
-  bool has_factor_ = false;
-  Eigen::Matrix3Xd gradient_;
-  Eigen::MatrixXd directions_;           // G, (3n x k)
-  Eigen::MatrixXd solved_directions_;    // S^-1 G
-  Eigen::VectorXd factors_;              // C, (k)
-  Eigen::MatrixXd capacitance_inverse_;  // (C^-1 + G^T S^-1 G)^-1
+  EnergySum& energy;
+  NewtonSystem system;
+  Eigen::Matrix3Xd gradient, candidate, candidate_gradient;
+  Eigen::VectorXd step;
+  bool is_exact = false;           ///< the step comes from a factorisation made for it
+  bool wants_factor = false;       ///< conjugate gradients don't pay any more
+  bool wants_factor_next = false;  ///< nor will they in the next solution
 };
 
 EquilibriumSolver::EquilibriumSolver(EnergySum& energy) : impl_(std::make_unique<Impl>(energy)) {}
@@ -168,78 +90,51 @@ EquilibriumSolver::~EquilibriumSolver() = default;
 
 SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const EnergySum& model = impl_->energy();
+  Impl& my = *impl_;
+  const EnergySum& sum = my.energy;
+  const double tolerance_uN = options.tolerance_um * sum.force_scale_uN_per_um();
   SolveReport report;
-  const double tolerance_uN = options.tolerance_um * model.force_scale_uN_per_um();
-  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, x_um.cols());
-  Eigen::Matrix3Xd candidate, candidate_gradient;
+  const auto ended = [&](SolveStatus status) {
+    report.status = status;
+    return report;
+  };
 
-  double energy = model.add(x_um, &gradient, nullptr);
-  bool factor_is_good = impl_->has_factor();
-  bool conjugate_gradients_failed = false;
+  my.wants_factor = my.wants_factor || my.wants_factor_next;
+  my.wants_factor_next = false;
+  my.gradient.setZero(3, x_um.cols());
+  double energy = sum.add(x_um, &my.gradient, nullptr);
+  bool is_assembled = false;
   while (true) {
-    report.residual_uN = largest_column_norm(gradient);
-    if (!std::isfinite(energy) || !std::isfinite(report.residual_uN)) {
-      report.status = SolveStatus::kNotFinite;
-      return report;
-    }
-    if (report.residual_uN <= tolerance_uN) {
-      report.status = SolveStatus::kConverged;
-      return report;
-    }
-    if (report.iterations >= options.max_iterations) {
-      report.status = SolveStatus::kIterationBudget;
-      return report;
-    }
+    report.residual_uN = largest_column_norm(my.gradient);
+    if (!std::isfinite(energy) || !std::isfinite(report.residual_uN)) return ended(SolveStatus::kNotFinite);
+    if (report.residual_uN <= tolerance_uN) return ended(SolveStatus::kConverged);
+    if (report.iterations >= options.max_iterations) return ended(SolveStatus::kIterationBudget);
     if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > options.time_budget_s) {
-      report.status = SolveStatus::kTimeBudget;
-      return report;
+      return ended(SolveStatus::kTimeBudget);
     }
 
-    // The direction down: by the kept factorisation while that serves alone; by conjugate gradients on the Hessian of
-    // this shape, with the kept factorisation as preconditioner, while that is quick; else by a factorisation made
-    // here.
-    ++report.iterations;
-    bool is_exact = false;
-    bool has_step = false;
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(x_um.size());
-    if (impl_->has_factor() && impl_->refresh_rank_ones(x_um)) {
-      if (factor_is_good) {
-        step = -impl_->apply_inverse(flat(gradient));
-        has_step = true;
-      } else if (!conjugate_gradients_failed) {
-        impl_->assemble(x_um);
-        has_step = impl_->conjugate_gradients(-flat(gradient), kStepAccuracy, kMostStepIterations, step);
-      }
+    // The Hessian of this shape, or of one a good step away; the direction down.
+    if (!is_assembled) {
+      my.system.assemble(x_um);
+      if (my.system.has_factor() && !my.wants_factor) my.system.refresh_rank_ones();
+      is_assembled = true;
     }
-    if (!has_step) {
-      impl_->assemble(x_um);
-      const int shifts = impl_->factorize(x_um);
-      ++report.factorizations;
-      if (shifts < 0) {
-        report.status = SolveStatus::kNotPositiveDefinite;
-        return report;
-      }
-      report.shifts += shifts;
-      step = -impl_->apply_inverse(flat(gradient));
-      is_exact = true;
-    }
-    const double slope = step.dot(flat(gradient));
-    const double reach = largest_column_norm(Eigen::Map<const Eigen::Matrix3Xd>(step.data(), 3, x_um.cols()));
-    if (!std::isfinite(slope) || !std::isfinite(reach)) {
-      report.status = SolveStatus::kNotFinite;
-      return report;
-    }
+    const double accuracy = std::clamp(0.3 * tolerance_uN / report.residual_uN, kFinestStep, kCoarsestStep);
+    if (!my.find_step(accuracy, report)) return ended(SolveStatus::kNotPositiveDefinite);
+    const Eigen::Map<const Eigen::Matrix3Xd> step(my.step.data(), 3, x_um.cols());
+    const double slope = my.step.dot(flat(my.gradient));
+    const double reach = std::sqrt(step.colwise().squaredNorm().maxCoeff());
+    if (!std::isfinite(slope) || !std::isfinite(reach)) return ended(SolveStatus::kNotFinite);
 
     // Armijo, no node moving too far: accept when the energy drops by its share, or when only rounding is left to argue
     // about.
     double length = std::min(1.0, options.max_step_um / std::max(reach, 1e-12));
-    const double rounding = 1e-13 * (std::abs(energy) + model.force_scale_uN_per_um());
+    const double rounding = 1e-13 * (std::abs(energy) + sum.force_scale_uN_per_um());
     bool accepted = false;
-    for (int halving = 0; halving < (is_exact ? 30 : 2) && !accepted; ++halving) {
-      candidate = x_um + length * Eigen::Map<const Eigen::Matrix3Xd>(step.data(), 3, x_um.cols());
-      candidate_gradient.setZero(3, x_um.cols());
-      const double candidate_energy = model.add(candidate, &candidate_gradient, nullptr);
+    for (int halving = 0; halving < (my.is_exact ? 30 : 2) && !accepted; ++halving) {
+      my.candidate = x_um + length * step;
+      my.candidate_gradient.setZero(3, x_um.cols());
+      const double candidate_energy = sum.add(my.candidate, &my.candidate_gradient, nullptr);
       if (std::isfinite(candidate_energy) && candidate_energy <= energy + 1e-4 * length * slope + rounding) {
         accepted = true;
         energy = candidate_energy;
@@ -247,36 +142,49 @@ SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions&
         length *= 0.5;
       }
     }
-    if (!accepted && is_exact) {
-      report.status = SolveStatus::kNoDescent;
-      return report;
-    }
 
-    // A factorisation that no longer shrinks the residual well doesn't serve alone; a step that wasn't taken is worse.
-    if (accepted) {
-      factor_is_good = largest_column_norm(candidate_gradient) < 0.25 * report.residual_uN;
-      conjugate_gradients_failed = false;
-      x_um = candidate;
-      gradient = candidate_gradient;
-    } else {
-      conjugate_gradients_failed = !factor_is_good;
-      factor_is_good = false;
+    // A step that isn't taken: once more with a factorisation of its own.
+    if (!accepted) {
+      if (my.is_exact) return ended(SolveStatus::kNoDescent);
+      my.wants_factor = true;
+      is_assembled = false;
+      continue;
     }
+    is_assembled = largest_column_norm(my.candidate_gradient) < kGoodShrinking * report.residual_uN;
+    x_um.swap(my.candidate);
+    my.gradient.swap(my.candidate_gradient);
   }
+}
+
+LinearResponse EquilibriumSolver::respond(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& load,
+                                          const Eigen::Matrix3Xd& guess) {
+  Impl& my = *impl_;
+  my.system.assemble(x_um);
+  const Eigen::VectorXd right = flat(load);
+  my.step = flat(guess);
+  int taken = -1;
+  if (my.system.has_factor() && !my.wants_factor) {
+    taken = my.system.conjugate_gradients(right, kTangentAccuracy, kMostIterations, my.step);
+    if (taken >= kManyIterations) my.wants_factor_next = true;
+  }
+  LinearResponse response;
+  if (taken < 0) {
+    if (my.system.factorize() < 0) return {Eigen::Matrix3Xd::Zero(3, x_um.cols()), 0.0};
+    my.wants_factor = my.wants_factor_next = false;
+    my.system.apply_factor(right, my.step);
+  }
+  response.displacement = Eigen::Map<const Eigen::Matrix3Xd>(my.step.data(), 3, x_um.cols());
+
+  // 2 b.y - y.H y is stationary at y = H^-1 b: its error is the square of y's.
+  Eigen::VectorXd product;
+  my.system.multiply(my.step, product);
+  response.compliance = 2.0 * right.dot(my.step) - my.step.dot(product);
+  return response;
 }
 
 Eigen::Matrix3Xd EquilibriumSolver::apply_inverse_hessian(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& b,
                                                           const Eigen::Matrix3Xd& guess) {
-  const Eigen::VectorXd right = flat(b);
-  Eigen::VectorXd solution = flat(guess);
-  impl_->assemble(x_um);
-  const bool kept_serves = impl_->has_factor() && impl_->refresh_rank_ones(x_um) &&
-                           impl_->conjugate_gradients(right, kTangentAccuracy, kMostTangentIterations, solution);
-  if (!kept_serves) {
-    if (impl_->factorize(x_um) < 0) return Eigen::Matrix3Xd::Zero(3, x_um.cols());
-    solution = impl_->apply_inverse(right);
-  }
-  return Eigen::Map<const Eigen::Matrix3Xd>(solution.data(), 3, x_um.cols());
+  return respond(x_um, b, guess).displacement;
 }
 
 Eigen::Matrix3d EquilibriumSolver::tool_stiffness_uN_per_um(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_um) {

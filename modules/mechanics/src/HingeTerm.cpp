@@ -7,55 +7,46 @@
 namespace pellucida {
 namespace {
 
-using Vector12 = Eigen::Matrix<double, 12, 1>;
-using Matrix12 = Eigen::Matrix<double, 12, 12>;
-
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
+/// v w^T + w v^T.
+Eigen::Matrix3d symmetric_product(const Eigen::Vector3d& v, const Eigen::Vector3d& w) {
+  const Eigen::Matrix3d product = v * w.transpose();
+  return product + product.transpose();
 }
 
-/// One triangle's part of a hinge. With e = b - a, f = c - a, N = e x f, the angle changes by -q . dx_c and, at a and
-/// b, by what the height's foot t leaves to each: q = |e| N / |N|^2, t = f.e / |e|^2, so that d theta = q . ((1 - t)
-/// dx_a + t dx_b - dx_c) + (the other triangle's part).
+/// One triangle's part of a hinge. With e = b - a, f = c - a, N = e x f, n = N / |N|, the angle's gradient is -q in f
+/// and t q in e, where q = |e| / |N| n and t = f.e / |e|^2, the foot of the height.
 struct Wing {
+  Eigen::Vector3d n;
   Eigen::Vector3d q;
   double t = 0.0;
 };
 
 Wing wing(const Eigen::Vector3d& e, double e2, double e_length, const Eigen::Vector3d& f,
           const Eigen::Vector3d& normal) {
-  return {e_length / normal.squaredNorm() * normal, f.dot(e) / e2};
+  const double length = normal.norm();
+  const Eigen::Vector3d n = normal / length;
+  return {n, (e_length / length) * n, f.dot(e) / e2};
 }
 
-/// Adds the derivative of a wing's gradient to the hinge's Hessian of theta. `a b c` are the places (0..3) of the
-/// wing's nodes.
-void add_wing_hessian(const Eigen::Vector3d& e, double e2, double e_length, const Eigen::Vector3d& f,
-                      const Eigen::Vector3d& normal, const Wing& w, const std::array<int, 3>& place, double factor,
-                      Matrix12& hessian) {
-  const double n2 = normal.squaredNorm();
-  const Eigen::Vector3d unit = normal / std::sqrt(n2);
+/// The derivatives of a wing's gradient. With m = n x e, p = n x f, k = |e| / |N|^2:
+///   ff = k (m n^T + n m^T),  fe = -|q| / |e|^2 n e^T - k (p n^T + n p^T),  ee = s n^T + n s^T,
+///   s = m / (2 |e|^3) + t k p,
+/// from dn = -(n n^T - I) dN / |N|; of ee the symmetric part, since what is skew in it cancels between the two wings.
+struct WingHessian {
+  Eigen::Matrix3d ee, fe, ff;
+};
 
-  // dq = (e.de / |e|) N / |N|^2 + |e| / |N|^2 (I - 2 n n^T) dN,  dN = de x f + e x df.
-  const Eigen::Matrix3d mirror = (e_length / n2) * (Eigen::Matrix3d::Identity() - 2.0 * unit * unit.transpose());
-  const Eigen::Matrix3d dq_de = w.q / e2 * e.transpose() - mirror * skew(f);
-  const Eigen::Matrix3d dq_df = mirror * skew(e);
-  // dt = (e.df + f.de) / |e|^2 - 2 t e.de / |e|^2.
-  const Eigen::Vector3d dt_de = (f - 2.0 * w.t * e) / e2;
-  const Eigen::Vector3d dt_df = e / e2;
-
-  // In terms of the nodes: e = x_b - x_a, f = x_c - x_a.
-  const std::array<Eigen::Matrix3d, 3> dq{-dq_de - dq_df, dq_de, dq_df};
-  const std::array<Eigen::Vector3d, 3> dt{-dt_de - dt_df, dt_de, dt_df};
-  const std::array<double, 3> share{1.0 - w.t, w.t, -1.0};
-  const std::array<double, 3> share_of_t{-1.0, 1.0, 0.0};
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      hessian.block<3, 3>(3 * place[r], 3 * place[c]) +=
-          factor * (share[r] * dq[c] + (share_of_t[r] * w.q) * dt[c].transpose());
-    }
-  }
+WingHessian wing_hessian(const Eigen::Vector3d& e, double e2, double e_length, const Eigen::Vector3d& f,
+                         const Wing& w) {
+  const double q_length = w.q.norm();
+  const double k = q_length * q_length / e_length;
+  const Eigen::Vector3d m = w.n.cross(e);
+  const Eigen::Vector3d p = k * w.n.cross(f);
+  WingHessian hessian;
+  hessian.ff = symmetric_product(k * m, w.n);
+  hessian.fe = (-q_length / e2 * w.n) * e.transpose() - symmetric_product(p, w.n);
+  hessian.ee = symmetric_product(m / (2.0 * e_length * e2) + w.t * p, w.n);
+  return hessian;
 }
 
 }  // namespace
@@ -121,35 +112,53 @@ double HingeTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_u
 
     // The bend from rest, by the short way round, so that a fold past flat doesn't jump by a turn.
     const double theta = std::atan2(n1.cross(n2).dot(e) / e_length, n1.dot(n2));
-    const double bend = std::remainder(theta - hinge.rest_angle_rad, 2.0 * std::numbers::pi);
+    double bend = theta - hinge.rest_angle_rad;
+    if (std::abs(bend) > std::numbers::pi) bend -= std::copysign(2.0 * std::numbers::pi, bend);
     energy += 0.5 * hinge.stiffness_uN_um * bend * bend;
     if (!gradient_uN && !hessian) continue;
 
-    // Both wings' gradients of theta.
+    // Gradient of theta in e, f1, f2: those of b, c, d; a's is minus their sum. The second wing's normal runs as f x e,
+    // so the formulas for a wing hold for its opposite.
     const Wing w1 = wing(e, e2, e_length, f1, n1);
-    const Wing w2 = wing(e, e2, e_length, f2, n2);
-    Vector12 slope;
-    slope.segment<3>(0) = (1.0 - w1.t) * w1.q + (1.0 - w2.t) * w2.q;
-    slope.segment<3>(3) = w1.t * w1.q + w2.t * w2.q;
-    slope.segment<3>(6) = -w1.q;
-    slope.segment<3>(9) = -w2.q;
+    const Wing w2 = wing(e, e2, e_length, f2, -n2);
+    const Eigen::Vector3d slope_b = w1.t * w1.q - w2.t * w2.q;
+    const Eigen::Vector3d slope_c = -w1.q;
+    const Eigen::Vector3d slope_d = w2.q;
     const double moment = hinge.stiffness_uN_um * bend;
     if (gradient_uN) {
-      for (int k = 0; k < 4; ++k) gradient_uN->col(hinge.nodes[k]) += moment * slope.segment<3>(3 * k);
+      gradient_uN->col(hinge.nodes[0]) -= moment * (slope_b + slope_c + slope_d);
+      gradient_uN->col(hinge.nodes[1]) += moment * slope_b;
+      gradient_uN->col(hinge.nodes[2]) += moment * slope_c;
+      gradient_uN->col(hinge.nodes[3]) += moment * slope_d;
     }
 
-    // Stiffness times slope slope^T, plus the moment times the curvature of theta. The second wing runs its normal as f
-    // x e: with N = f2 x e = -(e x f2), its q is minus that of the plain formula, so the plain formula enters with a
-    // minus.
+    // Stiffness times slope slope^T, plus the moment times the curvature of theta; a's blocks from those of the others,
+    // since a translation does nothing.
     if (hessian) {
-      Matrix12 h = (hinge.stiffness_uN_um * slope) * slope.transpose();
-      add_wing_hessian(e, e2, e_length, f1, n1, w1, {0, 1, 2}, moment, h);
-      const Wing plain{-w2.q, w2.t};
-      add_wing_hessian(e, e2, e_length, f2, -n2, plain, {0, 1, 3}, -moment, h);
-      std::size_t k = 0;
-      for (int r = 0; r < 4; ++r) {
-        for (int c = 0; c <= r; ++c) hessian->add(slots_[n][k++], h.block<3, 3>(3 * r, 3 * c));
-      }
+      const WingHessian h1 = wing_hessian(e, e2, e_length, f1, w1);
+      const WingHessian h2 = wing_hessian(e, e2, e_length, f2, w2);
+      const double k = hinge.stiffness_uN_um;
+      const Eigen::Matrix3d bb = (k * slope_b) * slope_b.transpose() + moment * (h1.ee - h2.ee);
+      const Eigen::Matrix3d cb = (k * slope_c) * slope_b.transpose() + moment * h1.fe;
+      const Eigen::Matrix3d cc = (k * slope_c) * slope_c.transpose() + moment * h1.ff;
+      const Eigen::Matrix3d db = (k * slope_d) * slope_b.transpose() - moment * h2.fe;
+      const Eigen::Matrix3d dc = (k * slope_d) * slope_c.transpose();
+      const Eigen::Matrix3d dd = (k * slope_d) * slope_d.transpose() - moment * h2.ff;
+      const Eigen::Matrix3d ba = -(bb + cb.transpose() + db.transpose());
+      const Eigen::Matrix3d ca = -(cb + cc + dc.transpose());
+      const Eigen::Matrix3d da = -(db + dc + dd);
+      const Eigen::Matrix3d aa = -(ba + ca + da);
+      const auto& slots = slots_[n];
+      hessian->add(slots[0], aa);
+      hessian->add(slots[1], ba);
+      hessian->add(slots[2], bb);
+      hessian->add(slots[3], ca);
+      hessian->add(slots[4], cb);
+      hessian->add(slots[5], cc);
+      hessian->add(slots[6], da);
+      hessian->add(slots[7], db);
+      hessian->add(slots[8], dc);
+      hessian->add(slots[9], dd);
     }
   }
   return energy;

@@ -10,6 +10,9 @@ namespace {
 
 /// No single step of the needle is longer; farther depths are reached in several.
 constexpr double kLongestStep_um = 2.0;
+/// The tangent's change with depth is taken over no shorter way, and trusted over no longer one.
+constexpr double kShortestBend_um = 0.02;
+constexpr double kLongestBentStep_um = 1.0;
 /// A step that fails is halved down to this.
 constexpr double kShortestStep_um = 0.05;
 /// No single call spends more iterations: from rest to the deepest point takes about a hundred.
@@ -26,27 +29,44 @@ void Indenter::reset() {
   x_um_ = model_.rest().points_um;
   depth_um_ = 0.0;
   tangent_ = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
+  stiffness_uN_per_um_ = 0.0;
+  has_tangent_ = false;
+  has_bend_ = false;
 }
 
 SolveReport Indenter::step_to(double depth_um) {
-  // Start along the tangent, and keep the old shape for the case that it leads nowhere.
-  const Eigen::Matrix3Xd before = x_um_;
-  x_um_ += (depth_um - depth_um_) * tangent_;
+  // Start along the tangent, bent as it bent before, and keep the old shape for the case that it leads nowhere.
+  const double step_um = depth_um - depth_um_;
+  before_um_ = x_um_;
+  x_um_ += step_um * tangent_;
+  if (has_bend_ && std::abs(step_um) <= kLongestBentStep_um) x_um_ += (0.5 * step_um * step_um) * bend_per_um_;
   model_.set_depth(depth_um);
   SolveReport report = solver_.solve(x_um_, options_);
   if (report.status != SolveStatus::kConverged) {
-    x_um_ = before;
+    x_um_ = before_um_;
     model_.set_depth(depth_um_);
     return report;
   }
   depth_um_ = depth_um;
 
-  // The gradient depends on the depth through the tip's bond alone: H dx/dd = w_i push.
-  Eigen::Matrix3Xd pull = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
+  // The gradient depends on the depth through the tip's bond alone: H dx/dd = w_i push. The force follows the depth by
+  // sum_i w_i - (w push) . H^-1 (w push).
+  load_uN_per_um_.setZero(3, x_um_.cols());
+  double bond_uN_per_um = 0.0;
   for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
-    pull.col(model_.tip().nodes()[k]) = model_.tip().weights_uN_per_um()[k] * model_.setup().push;
+    const double weight = model_.tip().weights_uN_per_um()[k];
+    load_uN_per_um_.col(model_.tip().nodes()[k]) = weight * model_.setup().push;
+    bond_uN_per_um += weight;
   }
-  tangent_ = solver_.apply_inverse_hessian(x_um_, pull, tangent_);
+  LinearResponse response =
+      solver_.respond(x_um_, load_uN_per_um_, has_bend_ ? tangent_ + step_um * bend_per_um_ : tangent_);
+  stiffness_uN_per_um_ = bond_uN_per_um - response.compliance;
+  if (has_tangent_ && std::abs(step_um) >= kShortestBend_um) {
+    bend_per_um_ = (response.displacement - tangent_) / step_um;
+    has_bend_ = true;
+  }
+  tangent_.swap(response.displacement);
+  has_tangent_ = true;
   return report;
 }
 
@@ -60,6 +80,7 @@ IndentationState Indenter::advance_to(double depth_um) {
     const SolveReport report = step_to(target);
     total.status = report.status;
     total.iterations += report.iterations;
+    total.conjugate_gradient_iterations += report.conjugate_gradient_iterations;
     total.factorizations += report.factorizations;
     total.shifts += report.shifts;
     total.residual_uN = report.residual_uN;
@@ -79,10 +100,7 @@ IndentationState Indenter::advance_to(double depth_um) {
   state.tip_force_uN = model_.tip().force_uN(x_um_);
   state.holder_force_uN = model_.holder().force_uN(x_um_);
   state.push_force_uN = state.tip_force_uN.dot(model_.setup().push);
-  for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
-    const double lag = 1.0 - tangent_.col(model_.tip().nodes()[k]).dot(model_.setup().push);
-    state.stiffness_uN_per_um += model_.tip().weights_uN_per_um()[k] * lag;
-  }
+  state.stiffness_uN_per_um = stiffness_uN_per_um_;
   state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0;  // no -0
   state.volume_um3 = model_.volume().volume_um3(x_um_);
   state.report = total;

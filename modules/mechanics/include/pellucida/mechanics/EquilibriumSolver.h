@@ -30,10 +30,17 @@ struct SolveOptions {
 
 struct SolveReport {
   SolveStatus status = SolveStatus::kIterationBudget;
-  int iterations = 0;        ///< linear systems solved
-  int factorizations = 0;    ///< of those, with a factorisation made anew
-  int shifts = 0;            ///< times the Hessian wasn't positive definite and was shifted
-  double residual_uN = 0.0;  ///< largest residual force on a node
+  int iterations = 0;                     ///< linear systems solved
+  int conjugate_gradient_iterations = 0;  ///< spent on them
+  int factorizations = 0;                 ///< of those, with a factorisation made anew
+  int shifts = 0;                         ///< times the Hessian wasn't positive definite and was shifted
+  double residual_uN = 0.0;               ///< largest residual force on a node
+};
+
+/// How the equilibrium answers a small load b on the nodes.
+struct LinearResponse {
+  Eigen::Matrix3Xd displacement;  ///< y = H^-1 b (3 x n)
+  double compliance = 0.0;        ///< b . H^-1 b; its error is the square of the displacement's
 };
 
 /// Finds an equilibrium as a minimum of a sum of energies: Newton's method with a sparse LDL^T factorisation whose
@@ -54,9 +61,11 @@ class EquilibriumSolver {
   /// energy than before.
   SolveReport solve(Eigen::Matrix3Xd& x_um, const SolveOptions& options);
 
-  /// H^-1 b with the Hessian at `x_um` (3 x n), by conjugate gradients preconditioned with the kept factorisation, to a
-  /// relative residual of 1e-4; starts from `guess`. Where the Hessian turns out not to be positive definite, the
-  /// shifted one is used.
+  /// The answer to `load` (3 x n) with the Hessian at `x_um`, by conjugate gradients preconditioned with the kept
+  /// factorisation, to a relative residual of 3e-4; starts from `guess`. Where the Hessian turns out not to be positive
+  /// definite, the shifted one is used.
+  LinearResponse respond(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& load, const Eigen::Matrix3Xd& guess);
+  /// Its displacement alone.
   Eigen::Matrix3Xd apply_inverse_hessian(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& b,
                                          const Eigen::Matrix3Xd& guess);
 

@@ -21,7 +21,7 @@ struct IndentationState {
 };
 
 /// Pushes the needle into the model quasi-statically and keeps the solution from one depth to the next (warm start
-/// along the tangent; long ways are gone in steps).
+/// along the tangent and its bend; long ways are gone in steps).
 class Indenter {
  public:
   Indenter(const CellProfile& profile, const MembraneSetup& setup);
@@ -48,7 +48,13 @@ class Indenter {
   EquilibriumSolver solver_;
   SolveOptions options_;
   Eigen::Matrix3Xd x_um_;
-  Eigen::Matrix3Xd tangent_;
+  Eigen::Matrix3Xd tangent_;      // dx/dd
+  Eigen::Matrix3Xd bend_per_um_;  // d2x/dd2, by differences
+  Eigen::Matrix3Xd before_um_;
+  Eigen::Matrix3Xd load_uN_per_um_;  // w_i push
+  double stiffness_uN_per_um_ = 0.0;
+  bool has_tangent_ = false;
+  bool has_bend_ = false;
   double depth_um_ = 0.0;
 };
 
