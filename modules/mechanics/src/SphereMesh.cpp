@@ -57,8 +57,8 @@ Eigen::Vector3d graded(const Eigen::Vector3d& p, double grading) {
 TriangleMesh make_sphere_mesh(double radius_um, const SphereMeshOptions& options) {
   const int f = options.frequency;
   if (!(radius_um > 0.0)) throw UsageError("sphere mesh: the radius must be above 0 um");
-  if (f < 1 || f > 40)
-    throw UsageError("sphere mesh: the frequency is " + std::to_string(f) + "; give one from 1 to 40");
+  if (f < 1 || f > 100)
+    throw UsageError("sphere mesh: the frequency is " + std::to_string(f) + "; give one from 1 to 100");
   if (!(options.grading > 0.0)) throw UsageError("sphere mesh: the grading must be above 0");
 
   // Nodes on shared edges are one node: a node is known by the icosahedron's corners it lies between and its parts of

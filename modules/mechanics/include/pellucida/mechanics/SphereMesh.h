@@ -6,7 +6,7 @@ namespace pellucida {
 /// How the model's sphere is triangulated.
 struct SphereMeshOptions {
   int frequency =
-      8;  ///< each edge of an icosahedron in so many parts: 10 f^2 + 2 nodes. 1..40; even: nodes on the poles
+      8;  ///< each edge of an icosahedron in so many parts: 10 f^2 + 2 nodes. 1..100; even: nodes on the poles
   double grading = 1.0;  ///< > 0; nodes lie so many times closer at the +z pole than at the equator (and farther at -z)
 };
 

@@ -23,6 +23,16 @@ struct SpringConstants {
 /// connector: U = A_ij (K2 e^2 / 2 + K1 e^4 / 4). A connector softens to nothing at e^2 = -K2 / (3 K1) when K1 < 0.
 class SpringTerm final : public EnergyTerm {
  public:
+  /// One connector between the nodes i and j.
+  struct Spring {
+    int i = 0;
+    int j = 0;
+    double rest_length_um = 0.0;
+    double area_um2 = 0.0;  ///< A_ij
+    double k2_uN_per_um = 0.0;
+    double k1_uN_per_um = 0.0;
+  };
+
   SpringTerm(const TriangleMesh& rest, const std::vector<TrianglePair>& pairs, const SpringConstants& constants);
 
   /// Lays `constants` over the same connectors.
@@ -42,16 +52,9 @@ class SpringTerm final : public EnergyTerm {
   Eigen::VectorXd tension_uN_per_um(const Eigen::Matrix3Xd& x_um, const Eigen::VectorXd& node_areas_um2) const;
 
   std::size_t count() const noexcept { return springs_.size(); }
+  const std::vector<Spring>& springs() const noexcept { return springs_; }
 
  private:
-  struct Spring {
-    int i = 0;
-    int j = 0;
-    double rest_length_um = 0.0;
-    double area_um2 = 0.0;
-    double k2_uN_per_um = 0.0;
-    double k1_uN_per_um = 0.0;
-  };
   struct Slots {
     BlockSlot ii, jj, ij;
   };
