@@ -11,7 +11,7 @@ namespace {
 
 /// A step's linear system is solved to this share of its right side at worst, at best to what converges in one go.
 constexpr double kCoarsestStep = 3e-2;
-constexpr double kFinestStep = 1e-4;
+constexpr double kFinestStep = 1e-5;
 /// The Hessian is assembled anew where a step shrinks the residual less than this.
 constexpr double kGoodShrinking = 0.1;
 /// Conjugate gradients that take as long as a factorisation give way to one; those that take half as long have the next
@@ -119,7 +119,7 @@ SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions&
       if (my.system.has_factor() && !my.wants_factor) my.system.refresh_rank_ones();
       is_assembled = true;
     }
-    const double accuracy = std::clamp(0.3 * tolerance_uN / report.residual_uN, kFinestStep, kCoarsestStep);
+    const double accuracy = std::clamp(0.03 * tolerance_uN / report.residual_uN, kFinestStep, kCoarsestStep);
     if (!my.find_step(accuracy, report)) return ended(SolveStatus::kNotPositiveDefinite);
     const Eigen::Map<const Eigen::Matrix3Xd> step(my.step.data(), 3, x_um.cols());
     const double slope = my.step.dot(flat(my.gradient));

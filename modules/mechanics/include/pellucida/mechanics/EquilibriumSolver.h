@@ -22,7 +22,7 @@ std::string_view to_string(SolveStatus status) noexcept;
 
 struct SolveOptions {
   int max_iterations = 40;
-  double tolerance_um = 1e-5;  ///< converged when every node's residual force is below this times E h
+  double tolerance_um = 2e-6;  ///< converged when every node's residual force is below this times E h
   double max_step_um = 4.0;    ///< no node moves farther in one iteration
   /// No iteration begins later than this after the start. What a result holds then depends on the machine's speed.
   double time_budget_s = std::numeric_limits<double>::infinity();
