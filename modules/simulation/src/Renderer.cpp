@@ -278,20 +278,26 @@ void Renderer::count_light(long frame_index, float lamp) {
   const auto& optics = scenario_.optics;
   const float shot = static_cast<float>(1 / optics.full_well_electrons);
   const auto read = static_cast<float>(std::pow(optics.read_noise_electrons / optics.full_well_electrons, 2));
+  // Row by row: counted first, then turned into whole numbers, so that both loops use the machine's vectors.
+  const int width = light_.cols;
+  counted_.resize(static_cast<std::size_t>(width));
+  float* const counted = counted_.data();
   for (int y = 0; y < light_.rows; ++y) {
     const float* light = light_[y];
     auto* pixel = frame_.ptr<Pixel>(y);
     if (optics.noise) {
       // Shot noise has the square root of the light, read noise is the same everywhere.
       const float* noise = noise_.row(frame_index, y);
-      for (int x = 0; x < light_.cols; ++x) {
-        const float lit = lamp * light[x];
-        const float counted = lit + noise[x] * std::sqrt(std::max(0.0f, lit) * shot + read);
-        pixel[x] = static_cast<Pixel>(std::min(1.0f, std::max(0.0f, counted)) * kFull + 0.5f);
+      for (int x = 0; x < width; ++x) {
+        const float lit = lamp * light[x], positive = lit > 0.0f ? lit : 0.0f;
+        counted[x] = lit + noise[x] * std::sqrt(positive * shot + read);
       }
     } else {
-      for (int x = 0; x < light_.cols; ++x)
-        pixel[x] = static_cast<Pixel>(std::min(1.0f, std::max(0.0f, lamp * light[x])) * kFull + 0.5f);
+      for (int x = 0; x < width; ++x) counted[x] = lamp * light[x];
+    }
+    for (int x = 0; x < width; ++x) {
+      const float positive = counted[x] > 0.0f ? counted[x] : 0.0f, full = positive < 1.0f ? positive : 1.0f;
+      pixel[x] = static_cast<Pixel>(static_cast<int>(full * kFull + 0.5f));
     }
   }
 }

@@ -48,6 +48,7 @@ class Renderer {
   cv::Mat1f background_;  // ratio of full scale
   cv::Mat1f light_;       // the frame being drawn
   cv::Mat1f outer_distance_um_, inner_distance_um_, ooplasm_distance_um_, grain_;
+  std::vector<float> counted_;  // a row of light with its noise
   cv::Mat frame_;
 };
 
