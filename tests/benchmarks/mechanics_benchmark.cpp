@@ -94,6 +94,7 @@ void BM_ExplicitSteps(benchmark::State& state) {
   for (auto _ : state) times = measure_explicit_steps(profile, static_cast<int>(state.range(0)));
   state.counters["nodes"] = times.node_count;
   state.counters["ns_per_spring_step"] = times.ns_per_spring_step;
+  state.counters["plain_ns"] = times.plain_ns_per_spring_step;
   state.counters["naive_ns"] = times.naive_ns_per_spring_step;
   state.counters["lane_use"] = times.lane_use_ratio;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "InstructionSet.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/mechanics/BlockLdlt.h"
 #include "pellucida/mechanics/SphereMesh.h"
@@ -92,6 +93,21 @@ TEST(BlockLdlt, FactorisesAgainWithoutATraceOfTheLast) {
   again.solve(a);
   fresh.solve(b);
   EXPECT_EQ(a, b);
+}
+
+TEST(BlockLdlt, GivesTheSameBitsWithEveryInstructionSet) {
+  const Problem problem = random_problem(642, sphere_pairs(8), 25.0, 21u);
+  const Eigen::MatrixXd right = Eigen::MatrixXd::Random(3 * 642, 1);
+  std::vector<Eigen::MatrixXd> solutions;
+  for (const auto set : {InstructionSet::kPlain, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+    limit_instruction_set(set);
+    BlockLdlt factor(problem.matrix);
+    ASSERT_TRUE(factor.factorize(problem.matrix));
+    solutions.push_back(right);
+    factor.solve(solutions.back());
+  }
+  EXPECT_EQ(solutions[0], solutions[1]);
+  EXPECT_EQ(solutions[0], solutions[2]);
 }
 
 TEST(BlockLdlt, SaysWhenAPivotVanishes) {

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 
 #include "TestProfiles.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/mechanics/Indenter.h"
+#include "pellucida/mechanics/NormalObservationTerm.h"
 
 namespace pellucida {
 namespace {
@@ -101,6 +103,75 @@ TEST(EquilibriumStatus, ASpentBudgetIsSaidAndTheShapeStaysFinite) {
   // With means to go on, it goes on from there.
   indenter.set_options({});
   EXPECT_EQ(indenter.advance_to(20.0).report.status, SolveStatus::kConverged);
+}
+
+TEST(EquilibriumStatus, ASpentTimeIsSaid) {
+  const CellProfile profile = coarse_profile();
+  Indenter indenter(profile, setup_for_configuration(profile, 1));
+  SolveOptions no_time;
+  no_time.time_budget_s = 0.0;
+  indenter.set_options(no_time);
+  const IndentationState state = indenter.advance_to(0.05);
+  EXPECT_EQ(state.report.status, SolveStatus::kTimeBudget);
+  EXPECT_DOUBLE_EQ(state.depth_um, 0.0);
+}
+
+TEST(ToolStiffness, IsHowTheForceFollowsTheTool) {
+  const CellProfile profile = coarse_profile();
+  MembraneModel model(profile, setup_for_configuration(profile, 2));
+  EquilibriumSolver solver(model.energy());
+  Eigen::Matrix3Xd x = model.rest().points_um;
+  SolveOptions tight;
+  tight.tolerance_um = 1e-9;
+  model.set_depth(2.0);
+  ASSERT_EQ(solver.solve(x, tight).status, SolveStatus::kConverged);
+  const Eigen::Matrix3d stiffness = solver.tool_stiffness_uN_per_um(model.tip(), x);
+  EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-2 * stiffness.norm());
+
+  // Along the push, and towards the holder's side, against differences of equilibria.
+  const Eigen::Vector3d at = model.tip().displacement_um();
+  for (const Eigen::Vector3d& direction : {Eigen::Vector3d(0, 0, -1), Eigen::Vector3d(1, 0, 0)}) {
+    constexpr double kWay_um = 0.01;
+    std::array<Eigen::Vector3d, 2> force;
+    for (const int side : {0, 1}) {
+      Eigen::Matrix3Xd moved = x;
+      model.set_tip_displacement(at + (side == 0 ? -kWay_um : kWay_um) * direction);
+      ASSERT_EQ(solver.solve(moved, tight).status, SolveStatus::kConverged);
+      force[static_cast<std::size_t>(side)] = model.tip().force_uN(moved);
+    }
+    const Eigen::Vector3d slope = (force[1] - force[0]) / (2.0 * kWay_um);
+    EXPECT_LT((stiffness * direction - slope).norm(), 2e-2 * stiffness.norm());
+  }
+}
+
+TEST(SolverTerms, AWeakObservationPullsTheShapeButHardlyTheForce) {
+  const CellProfile profile = coarse_profile();
+  MembraneModel model(profile, setup_for_configuration(profile, 1));
+  NormalObservationTerm observation;
+  model.energy().add_term(observation);
+  EquilibriumSolver solver(model.energy());
+  Eigen::Matrix3Xd x = model.rest().points_um;
+  model.set_depth(2.0);
+  ASSERT_EQ(solver.solve(x, {}).status, SolveStatus::kConverged);
+  const Eigen::Vector3d without_uN = model.tip().force_uN(x);
+
+  // Seen half a micrometre outside of where the model is, on the flanks.
+  const Eigen::VectorXd areas = node_areas_um2(x, model.rest().triangles);
+  std::vector<NormalObservationTerm::Observed> observed;
+  for (int node = 0; node < x.cols(); ++node) {
+    const Eigen::Vector3d normal = x.col(node).normalized();
+    if (std::abs(normal.z()) > 0.5) continue;
+    observed.push_back(
+        {node, x.col(node) + 0.5 * normal, normal, areas[node], 1e-5 * profile.membrane_stiffness_uN_per_um()});
+  }
+  observation.set(observed);
+  const double before_um = observation.residual_rms_um(x);
+  ASSERT_EQ(solver.solve(x, {}).status, SolveStatus::kConverged);
+  EXPECT_LT(observation.residual_rms_um(x), before_um);
+  EXPECT_NEAR(model.tip().force_uN(x).norm(), without_uN.norm(), 0.02 * without_uN.norm());
+  // The observations' pull is part of the balance.
+  EXPECT_LT((model.tip().force_uN(x) + model.holder().force_uN(x) + observation.force_uN(x)).norm(),
+            2e-3 * without_uN.norm());
 }
 
 TEST(ForceCurve, WrongRequestsAreUsageErrors) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "InstructionSet.h"
 #include "TestProfiles.h"
 #include "pellucida/mechanics/ExplicitSprings.h"
 #include "pellucida/mechanics/Indenter.h"
@@ -261,6 +262,21 @@ TEST_P(Kernel, MovesLikeSymplecticEulerInDoublePrecision) {
   const double moved = (state.x_um - mesh_.points_um).cwiseAbs().maxCoeff();
   EXPECT_GT(moved, 0.1);
   EXPECT_LT((kernel.state().x_um - state.x_um).cwiseAbs().maxCoeff(), 1e-3 * moved);
+}
+
+TEST_P(Kernel, GivesTheSameBitsWithEveryInstructionSet) {
+  const MotionState state{shaken(mesh_.points_um, 0.05, 4u), Eigen::Matrix3Xd::Zero(3, mesh_.points_um.cols())};
+  std::vector<MotionState> ends;
+  for (const auto set : {InstructionSet::kPlain, InstructionSet::kAvx512}) {
+    limit_instruction_set(set);
+    ExplicitSprings kernel(mesh_, springs_, 1e-8, 1e-5);
+    kernel.set_state(state);
+    kernel.step(2e-6, 200);
+    ends.push_back(kernel.state());
+  }
+  EXPECT_EQ(ends[0].x_um, ends[1].x_um);
+  EXPECT_EQ(ends[0].v_um_per_s, ends[1].v_um_per_s);
+  EXPECT_NE(ends[0].x_um, state.x_um);
 }
 
 TEST_P(Kernel, LosesNoSmallStep) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "InstructionSet.h"
+
 namespace pellucida {
 namespace {
 
@@ -134,8 +136,6 @@ PELLUCIDA_INLINE void eliminate(double* panel, double* rest, int rows, int pivot
   }
 }
 
-using Elimination = void (*)(double*, double*, int, int, DenseWorkspace&);
-
 void eliminate_plain(double* panel, double* rest, int rows, int pivots, DenseWorkspace& workspace) {
   eliminate<2>(panel, rest, rows, pivots, workspace);
 }
@@ -152,20 +152,19 @@ __attribute__((target("avx512f,prefer-vector-width=512"))) void eliminate_avx512
 }
 #endif
 
-Elimination best_elimination() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f")) return eliminate_avx512;
-  if (__builtin_cpu_supports("avx2")) return eliminate_avx2;
-#endif
-  return eliminate_plain;
-}
-
 }  // namespace
 
 void eliminate_columns(double* panel, double* rest, int rows, int pivots, DenseWorkspace& workspace) {
-  static const Elimination elimination = best_elimination();
-  elimination(panel, rest, rows, pivots, workspace);
+  switch (instruction_set()) {
+#if defined(__x86_64__)
+    case InstructionSet::kAvx512:
+      return eliminate_avx512(panel, rest, rows, pivots, workspace);
+    case InstructionSet::kAvx2:
+      return eliminate_avx2(panel, rest, rows, pivots, workspace);
+#endif
+    default:
+      return eliminate_plain(panel, rest, rows, pivots, workspace);
+  }
 }
 
 }  // namespace pellucida

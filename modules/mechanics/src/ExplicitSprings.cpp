@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "InstructionSet.h"
 #include "RingOrder.h"
 
 namespace pellucida {
@@ -125,14 +126,6 @@ struct ExplicitSpringsKernel {
     run(s, dt_s, steps);
   }
 #endif
-
-  static auto best() {
-#if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2")) return run_avx2;
-#endif
-    return run_plain;
-  }
 };
 
 void ExplicitSprings::Nodes::resize(std::size_t count) {
@@ -251,8 +244,12 @@ MotionState ExplicitSprings::state() const {
 }
 
 void ExplicitSprings::step(double dt_s, int count) {
-  static const auto run = ExplicitSpringsKernel::best();
-  run(*this, static_cast<float>(dt_s), count);
+#if defined(__x86_64__)
+  if (instruction_set() >= InstructionSet::kAvx2) {
+    return ExplicitSpringsKernel::run_avx2(*this, static_cast<float>(dt_s), count);
+  }
+#endif
+  ExplicitSpringsKernel::run_plain(*this, static_cast<float>(dt_s), count);
 }
 
 Eigen::Matrix3Xd ExplicitSprings::spring_force_uN() {

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <limits>
 
+#include "InstructionSet.h"
 #include "pellucida/mechanics/ExplicitSprings.h"
 #include "pellucida/mechanics/Indenter.h"
 #include "pellucida/mechanics/SphereMesh.h"
@@ -84,14 +85,20 @@ ExplicitTimes measure_explicit_steps(CellProfile profile, int mesh_frequency, do
   times.node_count = static_cast<int>(n);
   times.spring_count = static_cast<int>(springs.count());
   times.lane_use_ratio = kernel.lane_use_ratio();
-  times.ns_per_spring_step = times.naive_ns_per_spring_step = std::numeric_limits<double>::infinity();
+  times.ns_per_spring_step = times.plain_ns_per_spring_step = times.naive_ns_per_spring_step =
+      std::numeric_limits<double>::infinity();
   const int round = std::max(1, static_cast<int>(2e6 / static_cast<double>(springs.count())));
   const double each_ns = 1e3 / (static_cast<double>(springs.count()) * round);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(2.0 * seconds);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(3.0 * seconds);
   do {
     double start_us = thread_time_us();
     kernel.step(kStep_s, round);
     times.ns_per_spring_step = std::min(times.ns_per_spring_step, each_ns * (thread_time_us() - start_us));
+    limit_instruction_set(InstructionSet::kPlain);
+    start_us = thread_time_us();
+    kernel.step(kStep_s, round);
+    times.plain_ns_per_spring_step = std::min(times.plain_ns_per_spring_step, each_ns * (thread_time_us() - start_us));
+    limit_instruction_set(InstructionSet::kAvx512);
     start_us = thread_time_us();
     for (int k = 0; k < round; ++k) {
       naive_step(springs, profile.node_mass_kg, profile.damping_uN_s_per_um, kStep_s, state, force);

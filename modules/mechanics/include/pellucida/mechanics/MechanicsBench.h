@@ -24,6 +24,7 @@ struct ExplicitTimes {
   int node_count = 0;
   int spring_count = 0;
   double ns_per_spring_step = 0.0;        ///< ExplicitSprings
+  double plain_ns_per_spring_step = 0.0;  ///< the same without AVX2
   double naive_ns_per_spring_step = 0.0;  ///< the same equations, one connector at a time in double precision
   double lane_use_ratio = 0.0;
 };

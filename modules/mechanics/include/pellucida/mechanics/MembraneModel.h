@@ -44,6 +44,8 @@ class MembraneModel {
   void set_holder(const Eigen::Vector3d& direction);
   /// Moves the needle `depth_um` along its push.
   void set_depth(double depth_um) { tip_.set_displacement(depth_um * setup_.push); }
+  /// Moves the needle anywhere from where it first touched.
+  void set_tip_displacement(const Eigen::Vector3d& displacement_um) { tip_.set_displacement(displacement_um); }
 
   /// The membrane's own elastic force on each node, uN (3 x n): that of springs and hinges.
   Eigen::Matrix3Xd elastic_force_uN(const Eigen::Matrix3Xd& x_um) const;

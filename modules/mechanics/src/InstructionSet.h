@@ -1,0 +1,14 @@
+#pragma once
+
+namespace pellucida {
+
+/// What the hot loops are compiled for besides the plain x86-64 (or whatever the machine is).
+enum class InstructionSet { kPlain, kAvx2, kAvx512 };
+
+/// The best this machine has, but no better than the limit.
+InstructionSet instruction_set() noexcept;
+
+/// Sets the limit for the whole program: to compare, results are the same to the last bit.
+void limit_instruction_set(InstructionSet best) noexcept;
+
+}  // namespace pellucida
