@@ -14,6 +14,15 @@ void NeedleLook::resize(double step, double inside, double outside) {
     for (std::vector<float>& table : *tables) table.assign(count, 0.0F);
 }
 
+void NeedleLook::reshape(double step, double inside, double outside) {
+  const NeedleLook before = *this;
+  resize(step, inside, outside);
+  for (int side = 0; side < 2; ++side) {
+    for (int i = 0; i < count(); ++i)
+      tables_[static_cast<std::size_t>(side)][static_cast<std::size_t>(i)] = before.value(side, (i - zero_) * step_);
+  }
+}
+
 float NeedleLook::value(int side, double d) const noexcept {
   const std::vector<float>& table = tables_[static_cast<std::size_t>(side)];
   const double x = d / step_ + zero_;
@@ -81,19 +90,17 @@ void NeedleLook::finish(double keep) {
   }
 }
 
-void NeedleLook::shift(double by) {
-  for (int side = 0; side < 2; ++side) {
-    // Into the sums, which are free between frames.
-    auto& moved = sums_[static_cast<std::size_t>(side)];
-    for (int i = 0; i < count(); ++i) moved[static_cast<std::size_t>(i)] = value(side, (i - zero_) * step_ + by);
-    tables_[static_cast<std::size_t>(side)].swap(moved);
-  }
+void NeedleLook::shift(int side, double by) {
+  // Into the sums, which are free between frames.
+  auto& moved = sums_[static_cast<std::size_t>(side)];
+  for (int i = 0; i < count(); ++i) moved[static_cast<std::size_t>(i)] = value(side, (i - zero_) * step_ + by);
+  tables_[static_cast<std::size_t>(side)].swap(moved);
 }
 
-double NeedleLook::mark() const {
+double NeedleLook::mark(int side) const {
   const double sign = depth() < 0.0 ? -1.0 : 1.0;
   const auto height = [&](double d) {
-    return is_line_ ? sign * mean_at(d) : -sign * (mean_at(d + step_) - mean_at(d - step_));
+    return is_line_ ? sign * value(side, d) : -sign * (value(side, d + step_) - value(side, d - step_));
   };
   const double reach = std::min(0.6 * std::min(inside(), outside()), 3.0 * step_);
   double best = 0.0;

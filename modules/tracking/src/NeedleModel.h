@@ -23,6 +23,8 @@ class NeedleLook {
  public:
   /// Empty tables from `-inside` to `outside` px, `step` px apart.
   void resize(double step, double inside, double outside);
+  /// The same look on a table of another size.
+  void reshape(double step, double inside, double outside);
   bool empty() const noexcept { return tables_[0].empty(); }
   double step() const noexcept { return step_; }
   double inside() const noexcept { return zero_ * step_; }
@@ -40,11 +42,10 @@ class NeedleLook {
   void add_sample(int side, double d, float value, float weight);
   void finish(double keep);
 
-  /// Moves the zero of the distance by `by` px outwards: f(d) becomes f(d + by).
-  void shift(double by);
-  /// Where the outline's mark is, on the mean of both sides: the extremum of the line next to 0, else the steepest
-  /// place of the flank.
-  double mark() const;
+  /// Moves a side's zero of the distance by `by` px outwards: f(d) becomes f(d + by).
+  void shift(int side, double by);
+  /// Where a side's outline has its mark: the extremum of the line next to 0, else the steepest place of the flank.
+  double mark(int side) const;
   /// Whether it is a line: the inside recovers towards the medium.
   bool is_line() const noexcept { return is_line_; }
   void set_line(bool line) noexcept { is_line_ = line; }

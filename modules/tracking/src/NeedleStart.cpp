@@ -212,7 +212,8 @@ void fit_line(const std::vector<double>& x, const std::vector<double>& y, double
 
 }  // namespace
 
-std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTool& tool, double noise) {
+std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTool& tool, double noise,
+                                        double skip_px) {
   const Eigen::Vector2d inwards = -tool.direction, across(-inwards.y(), inwards.x());
   const Eigen::Vector2d on_line =
       tool.origin + tool.offset() * Eigen::Vector2d(-tool.direction.y(), tool.direction.x());
@@ -225,8 +226,8 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
     const Eigen::Vector2d p = on_line + (out - t) * tool.direction + middle * across;
     return image.inside(p + half * across, 1.0) && image.inside(p - half * across, 1.0);
   };
-  double begin = 0.0;
-  while (begin < 0.5 * out && !whole(begin, 0.0, broad + 2.0)) begin += 1.0;
+  double begin = skip_px;
+  while (begin < skip_px + 0.5 * out && !whole(begin, 0.0, broad + 2.0)) begin += 1.0;
   const Eigen::Vector2d entry = on_line + out * tool.direction;
 
   // What it looks like where it comes in.
@@ -247,9 +248,14 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
 
   NeedleGuess guess;
   NeedleLook& look = guess.model.look;
-  guess.model.unit_px = std::clamp(blur / 1.2, 1.0, 8.0);
   look.set_line(is_line);
-  look.resize(0.5 * guess.model.unit_px, 4.0 * blur + 1.0, std::max(4.0, 4.5 * blur + 1.0));
+  // The tables follow the blur: out of focus at the border, the needle may be in focus at its tip.
+  const auto shape = [&] {
+    guess.model.unit_px = std::clamp(blur / 1.2, 1.0, 8.0);
+    look.reshape(0.5 * guess.model.unit_px, 4.0 * blur + 1.0, std::max(4.0, 4.5 * blur + 1.0));
+  };
+  look.resize(0.5, 1.0, 1.0);
+  shape();
   learn(section, outline, 0.0, look);
 
   // Inwards, block by block. The needle ends where going on no longer pays: where the sum of the blocks' likeness, less
@@ -295,7 +301,17 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
     // The look follows slowly: out of focus it changes along the shaft.
     if (alike > 0.85) {
       for (float& value : section.values) value = value / static_cast<float>(like.medium) - 1.0F;
-      learn(section, {here.middle - centre, here.half_width}, 0.8, look);
+      learn(section, {here.middle - centre, here.half_width}, 0.7, look);
+      // The outline stays where the look has its mark.
+      const double mark = std::clamp(0.5 * (look.mark(0) + look.mark(1)), -0.3 * blur, 0.3 * blur);
+      look.shift(0, mark);
+      look.shift(1, mark);
+      here.half_width = std::max(0.6, here.half_width + mark);
+      half_width.back() += mark;
+      if (const double sharper = look.blur(); sharper < 0.85 * blur) {
+        blur = sharper;
+        shape();
+      }
     }
     last = here;
     last_good = t;
@@ -305,6 +321,7 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
   middle.resize(count_at_end);
   half_width.resize(count_at_end);
   guess.length_px = end - begin;
+  guess.strength = guess.length_px * std::abs(look.depth());
   if (way.size() < 3 || guess.length_px < 12.0) return std::nullopt;
 
   // Axis and cone from the stretch next to the tip.

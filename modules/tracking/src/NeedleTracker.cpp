@@ -3,27 +3,61 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "NeedleStart.h"
+#include <vector>
 
 namespace pellucida {
 namespace {
 
-constexpr double kBehindUnits = 85.0;  // of the shaft looked at behind the tip
+constexpr double kBehind = 85.0, kMostBehind = 170.0;  // units, and px at most, of the shaft looked at behind the tip
 constexpr int kLearnFrames = 40;
 // Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.6, kFirstAnchor = 1.0, kClearAnchor = 0.3;
+
+// A shaft that is far out of focus where it comes in may be in focus near its tip: looks at it anew from further in.
+NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise) {
+  for (const double part : {0.6, 0.85}) {
+    const double blur = guess.model.look.blur(), left = (1.0 - part) * guess.length_px;
+    if (blur < 3.0 || left < 12.0) break;
+    FoundTool tool;
+    tool.origin = guess.axis.at(left, 0.0);
+    tool.direction = -guess.axis.direction;
+    tool.offset_to = guess.model.cone.half_width(left) + 0.7 * blur;
+    tool.offset_from = -tool.offset_to;
+    std::optional<NeedleGuess> nearer = guess_needle(image, tool, noise, part * guess.length_px);
+    if (!nearer || nearer->model.look.blur() > 0.85 * blur) continue;
+    nearer->length_px += part * guess.length_px;
+    nearer->strength = std::max(nearer->strength, guess.strength);
+    guess = std::move(*nearer);
+  }
+  return guess;
+}
 
 }  // namespace
 
 bool NeedleTracker::start(const FrameSampler& image, const FoundTool& tool, double noise) {
   reset();
   std::optional<NeedleGuess> guess = guess_needle(image, tool, noise);
-  if (!guess) return false;
-  axis_ = guess->axis;
-  model_ = std::move(guess->model);
-  visible_px_ = guess->length_px;
+  return guess && start(image, sharpened(image, std::move(*guess), noise), noise);
+}
+
+bool NeedleTracker::start_anywhere(const FrameSampler& image, const GrayImage& gray, double noise) {
+  reset();
+  std::vector<NeedleGuess> guesses;
+  for (const FoundTool& tool : find_tools(gray))
+    if (std::optional<NeedleGuess> guess = guess_needle(image, tool, noise)) guesses.push_back(std::move(*guess));
+  std::stable_sort(guesses.begin(), guesses.end(),
+                   [](const NeedleGuess& a, const NeedleGuess& b) { return a.strength > b.strength; });
+  for (NeedleGuess& guess : guesses)
+    if (start(image, sharpened(image, std::move(guess), noise), noise)) return true;
+  reset();
+  return false;
+}
+
+bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double noise) {
+  reset();
+  axis_ = guess.axis;
+  model_ = std::move(guess.model);
   prepare();
   // Fit, look for the end, learn; each round knows better what it looks for.
   ShaftResult shaft;
@@ -123,8 +157,10 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
     return false;
   }
   now_.evidence = evidence | (cue.commanded_px ? kCommandedMotion : kNoNeedleEvidence);
-  const double learn_ahead = end.ahead;
-  if (cue.in_the_clear && end.valid && shaft.support > 0.7 && std::abs(end.ahead - ahead_) < unit) learn(learn_ahead);
+  // Learning costs more than following: once the look is known, a frame now and then is enough.
+  const bool due = model_.frames < 12 || ++frames_since_learning_ >= 6;
+  if (cue.in_the_clear && due && end.valid && shaft.support > 0.7 && std::abs(end.ahead - ahead_) < unit)
+    learn(end.ahead);
   axis_.tip += ahead_ * axis_.direction;
   ahead_ = 0.0;
   motion_ = axis_.tip - before.tip - cue.scene_jump_px;
@@ -148,17 +184,17 @@ void NeedleTracker::take_dimple(const Eigen::Vector2d& apex, double sigma_px) {
 }
 
 void NeedleTracker::prepare() {
-  shaft_.prepare(model_, kBehindUnits * model_.unit_px);
+  shaft_.prepare(model_, std::min(kBehind * model_.unit_px, kMostBehind));
   tip_.prepare(model_);
 }
 
 // The outline is where the look has its mark.
 void NeedleTracker::set_zero() {
-  const double mark = model_.look.mark();
-  if (std::abs(mark) < 0.005) return;
-  model_.look.shift(mark);
-  model_.cone.move(mark, mark);
-  axis_.tip += mark * axis_.direction;
+  const double left = model_.look.mark(0), right = model_.look.mark(1), wider = 0.5 * (left + right);
+  model_.look.shift(0, left);
+  model_.look.shift(1, right);
+  model_.cone.move(wider, wider);
+  axis_.tip += wider * axis_.direction + 0.5 * (right - left) * axis_.across();
 }
 
 // Brings the axis onto the shaft.
@@ -222,6 +258,7 @@ void NeedleTracker::update(double ahead, double variance) {
 }
 
 void NeedleTracker::learn(double end_ahead) {
+  frames_since_learning_ = 0;
   const bool first_clear = model_.frames > 0 && !clear_seen_;
   model_.frames = first_clear ? 2 : std::min(model_.frames + 1, kLearnFrames);
   clear_seen_ = clear_seen_ || first_clear;

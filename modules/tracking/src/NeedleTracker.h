@@ -5,6 +5,7 @@
 #include "FrameSampler.h"
 #include "MembraneSnakes.h"
 #include "NeedleModel.h"
+#include "NeedleStart.h"
 #include "ShaftFit.h"
 #include "TipFinder.h"
 #include "ToolFinder.h"
@@ -41,6 +42,10 @@ class NeedleTracker {
   /// Looks for the tip along a tool found by voting. False when the tool's edges can't be followed.
   bool start(const FrameSampler& image, const FoundTool& tool, double noise);
 
+  /// Looks for a needle anywhere in an image, with no cell to go by: of the tools that lines alone suggest, the longest
+  /// and darkest. `gray` is the same image. For now and then, not for every frame: about 20 ms.
+  bool start_anywhere(const FrameSampler& image, const GrayImage& gray, double noise);
+
   /// Follows it from the last frame. False when it isn't seen.
   bool track(const FrameSampler& image, double noise, const NeedleCue& cue);
 
@@ -60,6 +65,7 @@ class NeedleTracker {
     bool valid = false;
     double ahead = 0.0, variance = 0.0;
   };
+  bool start(const FrameSampler& image, NeedleGuess guess, double noise);
   void prepare();
   void set_zero();
   ShaftResult align(const FrameSampler& image, double noise, int rounds);
@@ -75,12 +81,12 @@ class NeedleTracker {
   ShaftFit shaft_;
   TipFinder tip_;
   Eigen::Vector2d motion_ = Eigen::Vector2d::Zero();
-  double visible_px_ = 0.0;
   // Along the needle: place (relative to axis_.tip) and speed (px a frame), and their covariance.
   double ahead_ = 0.0, speed_ = 0.0;
   Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
   double unrest_ = 1.0;        // px: how much the speed has been changing from frame to frame
   double anchor_sigma_ = 1.0;  // px: how well the cone's place on the needle is known
+  int frames_since_learning_ = 0;
   bool clear_seen_ = false;
   bool valid_ = false;
 };

@@ -22,4 +22,9 @@ struct FoundTool {
 /// Straight edges outside the cell, by voting of gradient pixels, grouped into tools; strongest first.
 std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle& cell);
 
+/// The same without a cell: long straight edges anywhere, paired where they run alongside each other within a tenth of
+/// the image. Each pair comes twice, once for each end it may have come in from; offsets count from the image's centre.
+/// Strongest first, at most 16.
+std::vector<FoundTool> find_tools(const GrayImage& image);
+
 }  // namespace pellucida

@@ -1,0 +1,276 @@
+// The needle's parts on pictures drawn here: a cone with a round tip, as two dark lines or as a dark wedge, of known
+// place, direction and blur.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <random>
+#include <vector>
+
+#include "GrayImage.h"
+#include "HolderFinder.h"
+#include "NeedleTracker.h"
+#include "ToolFinder.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kWidth = 420, kHeight = 340;
+
+struct Drawing {
+  Eigen::Vector2d tip{180.3, 171.6};
+  double angle_rad = 0.0;  // of the shaft, from the tip outwards
+  double tip_radius = 2.0, slope = 0.045, blur = 1.0, noise = 0.01;
+  bool wedge = false;
+  // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
+  double membrane_ahead = -1.0;
+  unsigned seed = 1;
+
+  Eigen::Vector2d direction() const { return {-std::cos(angle_rad), -std::sin(angle_rad)}; }
+};
+
+void PrintTo(const Drawing& d, std::ostream* out) {
+  *out << (d.wedge ? "wedge" : "lines") << " at " << d.angle_rad << " rad, blur " << d.blur << ", noise " << d.noise;
+}
+
+// An 8-bit picture that lives as long as this.
+struct Picture {
+  std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(kWidth * kHeight);
+
+  ImageView view() const {
+    ImageView v;
+    v.data = pixels.data();
+    v.format = PixelFormat::kGray8;
+    v.width_px = kWidth;
+    v.height_px = kHeight;
+    v.row_bytes = kWidth;
+    v.pixel_size_um = 1.0;
+    return v;
+  }
+};
+
+Picture draw(const Drawing& d) {
+  Picture picture;
+  std::mt19937 random(d.seed);
+  std::normal_distribution<double> noise(0.0, d.noise);
+  const Eigen::Vector2d back = -d.direction(), across(-back.y(), back.x());
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const Eigen::Vector2d from = Eigen::Vector2d(x, y) - d.tip;
+      const double s = from.dot(back), v = std::abs(from.dot(across));
+      const double distance = s < d.tip_radius ? std::hypot(s - d.tip_radius, v) - d.tip_radius
+                                               : v - d.tip_radius - d.slope * (s - d.tip_radius);
+      double light = 0.55 + 0.0002 * x;
+      light *= d.wedge ? 1.0 - 0.4 * 0.5 * std::erfc(distance / (d.blur * std::sqrt(2.0)))
+                       : 1.0 - 0.45 * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
+      if (d.membrane_ahead >= 0.0) {
+        const double off = (s + d.membrane_ahead) / 1.2;
+        light *= 1.0 - 0.4 * std::exp(-0.5 * off * off);
+      }
+      picture.pixels[static_cast<std::size_t>(y * kWidth + x)] =
+          static_cast<std::uint8_t>(std::clamp(255.0 * (light + noise(random)) + 0.5, 0.0, 255.0));
+    }
+  }
+  return picture;
+}
+
+// The tool as voting would give it: a degree and two pixels off.
+FoundTool tool_of(const Drawing& d) {
+  FoundTool tool;
+  tool.origin = d.tip + Eigen::Vector2d(-20.0, 5.0);
+  const double angle = d.angle_rad + 0.015;
+  tool.direction = {std::cos(angle), std::sin(angle)};
+  const double offset = (d.tip - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x())) + 1.5;
+  tool.offset_from = offset - 12.0 - d.blur;
+  tool.offset_to = offset + 12.0 + d.blur;
+  return tool;
+}
+
+struct Error {
+  double along = 0.0, across = 0.0;
+};
+Error error_of(const NeedleTracker& needle, const Drawing& d) {
+  const Eigen::Vector2d off = needle.estimate().tip - d.tip, u = d.direction();
+  return {off.dot(u), off.dot(Eigen::Vector2d(-u.y(), u.x()))};
+}
+
+class AnyNeedle : public testing::TestWithParam<Drawing> {};
+
+TEST_P(AnyNeedle, TipAndAxisAreFoundToAFractionOfAPixel) {
+  const Drawing d = GetParam();
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  NeedleTracker needle;
+  ASSERT_TRUE(needle.start(image, tool_of(d), noise_level(image)));
+  const Error error = error_of(needle, d);
+  EXPECT_NEAR(error.along, 0.0, 0.35 * std::max(1.0, d.blur));
+  EXPECT_NEAR(error.across, 0.0, 0.2 * std::max(1.0, d.blur));
+  EXPECT_GT(needle.estimate().direction.dot(d.direction()), std::cos(0.01));
+}
+
+Drawing with(double angle_rad, double blur, bool wedge, double noise) {
+  Drawing d;
+  d.angle_rad = angle_rad;
+  d.blur = blur;
+  d.wedge = wedge;
+  d.noise = noise;
+  return d;
+}
+INSTANTIATE_TEST_SUITE_P(Looks, AnyNeedle,
+                         testing::Values(with(0.0, 1.0, false, 0.01), with(0.7, 1.0, false, 0.01),
+                                         with(1.6, 1.0, false, 0.01), with(2.9, 1.3, false, 0.01),
+                                         with(4.0, 1.0, false, 0.01), with(5.2, 0.8, false, 0.01),
+                                         with(0.3, 1.0, false, 0.04), with(0.3, 2.5, false, 0.01),
+                                         with(0.2, 1.0, true, 0.01), with(3.6, 1.5, true, 0.01)),
+                         [](const testing::TestParamInfo<Drawing>& chosen) {
+                           return "case" + std::to_string(chosen.index);
+                         });
+
+// Follows a needle that goes forward by `step` px a frame, `clear` frames in the clear, then up to a membrane that it
+// pushes before it.
+std::vector<Error> push(Drawing d, double step, int clear_frames, int contact_frames, NeedleTracker& needle,
+                        int* within_sigma = nullptr) {
+  std::vector<Error> errors;
+  Picture picture = draw(d);
+  if (!needle.start(FrameSampler(picture.view()), tool_of(d), 0.01)) return errors;
+  for (int k = 0; k < clear_frames + contact_frames; ++k) {
+    const bool clear = k < clear_frames;
+    d.tip += step * d.direction();
+    d.membrane_ahead = clear ? -1.0 : 0.0;
+    d.seed = static_cast<unsigned>(10 + k);
+    picture = draw(d);
+    const FrameSampler image(picture.view());
+    NeedleCue cue;
+    cue.in_the_clear = clear;
+    if (!needle.track(image, noise_level(image), cue)) return {};
+    errors.push_back(error_of(needle, d));
+    if (within_sigma && std::abs(errors.back().along) <= needle.estimate().tip_sigma) ++*within_sigma;
+  }
+  return errors;
+}
+
+TEST(NeedleTracker, FollowsIntoAMembraneThatHidesItsEnd) {
+  NeedleTracker needle;
+  int within_sigma = 0;
+  const std::vector<Error> errors = push({}, 1.3, 12, 12, needle, &within_sigma);
+  ASSERT_EQ(errors.size(), 24U);
+  for (const Error& error : errors) {
+    EXPECT_NEAR(error.along, 0.0, 0.6);
+    EXPECT_NEAR(error.across, 0.0, 0.15);
+  }
+  EXPECT_TRUE(needle.estimate().evidence & kKnownCone);
+  EXPECT_GE(within_sigma, 12);
+}
+
+TEST(NeedleTracker, AStopIsNotSmeared) {
+  NeedleTracker needle;
+  Drawing d;
+  ASSERT_EQ(push(d, 3.0, 8, 0, needle).size(), 8U);
+  d.tip += 24.0 * d.direction();
+  d.seed = 99;
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  ASSERT_TRUE(needle.track(image, noise_level(image), {34.0, true, {}}));
+  EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.3);
+}
+
+TEST(NeedleTracker, AJumpAsideIsFoundAgain) {
+  NeedleTracker needle;
+  Drawing d;
+  ASSERT_EQ(push(d, 1.0, 6, 0, needle).size(), 6U);
+  d.tip += 6.0 * d.direction() + Eigen::Vector2d(18.0, -24.0);
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  ASSERT_TRUE(needle.track(image, noise_level(image), {34.0, true, {}}));
+  EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.4);
+  EXPECT_NEAR(error_of(needle, d).across, 0.0, 0.2);
+}
+
+TEST(NeedleTracker, TheCommandedMotionSaysSoAndHelps) {
+  NeedleTracker needle;
+  Drawing d;
+  ASSERT_EQ(push(d, 1.0, 6, 0, needle).size(), 6U);
+  d.tip += 6.0 * d.direction() + 9.0 * d.direction();
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  ASSERT_TRUE(needle.track(image, noise_level(image), {34.0, true, 9.0 * d.direction()}));
+  EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.3);
+  EXPECT_TRUE(needle.estimate().evidence & kCommandedMotion);
+}
+
+TEST(NeedleTracker, TheDimpleIsWeighedByItsSigmaAndRefusedWhenFarOff) {
+  NeedleTracker needle;
+  ASSERT_FALSE(push({}, 1.0, 6, 4, needle).empty());
+  const NeedleEstimate before = needle.estimate();
+  needle.take_dimple(before.tip + 20.0 * before.direction, 0.3);
+  EXPECT_EQ(needle.estimate().tip, before.tip);
+  EXPECT_FALSE(needle.estimate().evidence & kDimple);
+  needle.take_dimple(before.tip + 0.2 * before.direction, before.tip_sigma);
+  EXPECT_NEAR((needle.estimate().tip - before.tip).dot(before.direction), 0.1, 1e-6);
+  EXPECT_LT(needle.estimate().tip_sigma, before.tip_sigma);
+  EXPECT_TRUE(needle.estimate().evidence & kDimple);
+}
+
+TEST(NeedleTracker, AnEmptyPictureIsNoNeedle) {
+  Picture picture;
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(140.0, 3.0);
+  for (std::uint8_t& p : picture.pixels) p = static_cast<std::uint8_t>(noise(random));
+  const FrameSampler image(picture.view());
+  NeedleTracker needle;
+  EXPECT_FALSE(needle.start(image, tool_of({}), noise_level(image)));
+  GrayImage gray;
+  load(picture.view(), gray);
+  EXPECT_FALSE(needle.start_anywhere(image, gray, noise_level(image)));
+}
+
+TEST(NeedleTracker, IsFoundWithNoCellToGoBy) {
+  for (const bool wedge : {false, true}) {
+    const Drawing d = with(0.4, 1.2, wedge, 0.01);
+    const Picture picture = draw(d);
+    const FrameSampler image(picture.view());
+    GrayImage gray;
+    load(picture.view(), gray);
+    NeedleTracker needle;
+    ASSERT_TRUE(needle.start_anywhere(image, gray, noise_level(image))) << (wedge ? "wedge" : "lines");
+    EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.5) << (wedge ? "wedge" : "lines");
+    EXPECT_NEAR(error_of(needle, d).across, 0.0, 0.2) << (wedge ? "wedge" : "lines");
+  }
+}
+
+// A pipette of two thick walls with rounded rims that ends beside a round cell.
+TEST(HolderFinder, AxisWidthAndMouthAreThoseDrawn) {
+  Picture picture;
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  const Eigen::Vector2d center(250.0, 170.0);
+  const double radius = 60.0, mouth = 56.0, middle_of_wall = 25.0, wall = 5.0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double along = center.x() - x, aside = std::abs(y - center.y());
+      const double ring = std::hypot(along, aside) - radius;
+      const double side = std::abs(aside - middle_of_wall), back = along - (mouth + wall);
+      const double distance = (back >= 0.0 ? side : std::hypot(back, side)) - wall;
+      double light =
+          0.55 * (1.0 - 0.4 * std::exp(-0.5 * ring * ring)) * (1.0 - 0.5 * std::exp(-0.5 * distance * distance / 1.7));
+      light += noise(random);
+      picture.pixels[static_cast<std::size_t>(y * kWidth + x)] = static_cast<std::uint8_t>(255.0 * light + 0.5);
+    }
+  }
+  const FrameSampler image(picture.view());
+  GrayImage gray;
+  load(picture.view(), gray);
+  const contour::Circle cell{center, radius, 1.0, 0.0};
+  const std::optional<HolderFit> holder = find_holder(image, find_tools(gray, cell), cell, noise_level(image));
+  ASSERT_TRUE(holder.has_value());
+  EXPECT_LT(holder->direction.x(), -0.999);
+  EXPECT_NEAR(holder->offset, 0.0, 0.7);
+  EXPECT_NEAR(holder->half_width, middle_of_wall + wall, 1.0);
+  EXPECT_TRUE(holder->mouth_seen);
+  EXPECT_NEAR(holder->mouth.x(), center.x() - mouth, 2.0);
+  EXPECT_GT(holder->confidence, 0.5);
+}
+
+}  // namespace
+}  // namespace pellucida
