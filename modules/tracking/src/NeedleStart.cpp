@@ -8,7 +8,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kChance = 0.7;  // likeness a place without a needle may have
+constexpr double kChance = 0.55;  // likeness a place without a needle may have
 
 // The mean cross-section of a block of the tool's length, relative to the medium on its two sides.
 struct CrossSection {
@@ -301,9 +301,9 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
     // The look follows slowly: out of focus it changes along the shaft.
     if (alike > 0.85) {
       for (float& value : section.values) value = value / static_cast<float>(like.medium) - 1.0F;
-      learn(section, {here.middle - centre, here.half_width}, 0.7, look);
+      learn(section, {here.middle - centre, here.half_width}, 0.85, look);
       // The outline stays where the look has its mark.
-      const double mark = std::clamp(0.5 * (look.mark(0) + look.mark(1)), -0.3 * blur, 0.3 * blur);
+      const double mark = std::clamp(0.5 * (look.mark(0) + look.mark(1)), -0.1 * blur, 0.1 * blur);
       look.shift(0, mark);
       look.shift(1, mark);
       here.half_width = std::max(0.6, here.half_width + mark);

@@ -12,7 +12,7 @@ constexpr double kBehind = 85.0, kMostBehind = 170.0;  // units, and px at most,
 constexpr int kLearnFrames = 40;
 // Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
 // about; of the cone's place when the needle was first seen in contact.
-constexpr double kEndFloor = 0.08, kEndHidden = 0.6, kFirstAnchor = 1.0, kClearAnchor = 0.3;
+constexpr double kEndFloor = 0.08, kEndHidden = 0.6, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 
 // A shaft that is far out of focus where it comes in may be in focus near its tip: looks at it anew from further in.
 NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise) {
@@ -26,6 +26,8 @@ NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise
     tool.offset_from = -tool.offset_to;
     std::optional<NeedleGuess> nearer = guess_needle(image, tool, noise, part * guess.length_px);
     if (!nearer || nearer->model.look.blur() > 0.85 * blur) continue;
+    // It must not end earlier than it did.
+    if ((nearer->axis.tip - guess.axis.tip).dot(guess.axis.direction) < -2.0 * blur) continue;
     nearer->length_px += part * guess.length_px;
     nearer->strength = std::max(nearer->strength, guess.strength);
     guess = std::move(*nearer);
@@ -73,11 +75,11 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
     prepare();
   }
   shaft = align(image, noise, 2);
-  if (!shaft.found || !end.valid) return false;
+  if (!shaft.found) return false;
   end = find_end(image, noise, shaft, 6.0 * model_.unit_px, true);
   if (end.valid) axis_.tip += end.ahead * axis_.direction;
-  // Whether a membrane is at the tip isn't known yet.
-  anchor_sigma_ = kFirstAnchor * model_.unit_px;
+  // Whether a membrane is at the tip isn't known yet; an end not seen clearly is known to a block of the first search.
+  anchor_sigma_ = (end.valid ? kFirstAnchor : kBlurredEnd) * model_.unit_px;
   covariance_ << anchor_sigma_ * anchor_sigma_, 0.0, 0.0, 4.0;
   now_.evidence = kShaftEdges | kTipEnd;
   fill(noise, shaft);
