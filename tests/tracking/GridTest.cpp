@@ -17,7 +17,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 struct Limits {
   double outer_median_px = 0.3, outer_p95_px = 0.8;
   double tip_median_px = 0.5, tip_missing_ratio = 0.1;
-  double coverage_low = 0.60, coverage_high = 0.83;  ///< of the outer contour's sigmas; the aim: 0.60..0.76
+  double coverage_low = 0.60, coverage_high = 0.85;  ///< of the outer contour's sigmas; the aim: 0.60..0.76
   double confident_and_wrong = 0, lost = 0;          ///< frames
 };
 
