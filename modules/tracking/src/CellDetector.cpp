@@ -1,7 +1,9 @@
 #include "CellDetector.h"
 
 #include <cmath>
+#include <numbers>
 
+#include "LevelSetOutline.h"
 #include "RingSearch.h"
 #include "ZonaSearch.h"
 
@@ -9,6 +11,9 @@ namespace pellucida {
 namespace {
 
 constexpr double kSecondScore = 0.35;  // a second dark line that counts
+constexpr double kFaintest = 0.1;      // of the line's contrast: what counts as grain in looking for a border
+constexpr double kHintShare = 0.5;     // of the score needed, where a person says there is a cell
+constexpr double kUnsureShare = 0.4;   // of the score needed: below, there is nothing for a level set to start from
 
 // The image at all scales, each level half the size of the one before.
 struct Pyramid {
@@ -28,6 +33,7 @@ struct Pyramid {
 struct Judged {
   RingEdge ring;
   int level = 0;
+  bool from_outline = false;  // along a drawn outline or a level set's, else round a centre
   double scale() const noexcept { return 1 << level; }
 };
 
@@ -51,12 +57,42 @@ Judged judge(const Pyramid& pyramid, const CellCandidate& candidate) {
   return best;
 }
 
-// The best of all proposals.
-Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options) {
+// Whether an edge, in px of `level`, can be a cell's at all: size, transparency, and the point a person clicked on.
+bool acceptable(const Pyramid& pyramid, const Judged& judged, const TrackerOptions& options,
+                const std::optional<Eigen::Vector2d>& inside) {
+  const contour::Circle& circle = judged.ring.circle;
+  const double diameter = 2.0 * circle.radius * judged.scale();
+  if (diameter < options.min_cell_diameter_px || diameter > options.max_cell_diameter_px) return false;
+  if (inside && !contour::contains(judged.ring.edge.points, *inside / judged.scale())) return false;
+  return translucent(pyramid.levels[static_cast<std::size_t>(judged.level)], circle);
+}
+
+// Rings of every size round a click, which is somewhere near the cell's middle.
+void add_click(const Pyramid& pyramid, const Eigen::Vector2d& inside, const TrackerOptions& options,
+               std::vector<CellCandidate>& candidates) {
+  for (int level = 0; level < static_cast<int>(pyramid.levels.size()); ++level) {
+    for (const double radius : {11.0, 16.0, 23.0}) {
+      const double full = radius * (1 << level);
+      if (2.0 * full < options.min_cell_diameter_px || 2.0 * full > options.max_cell_diameter_px) continue;
+      candidates.push_back({inside, full, level, 0.0});
+    }
+  }
+}
+
+// The best of all proposals; with `inside`, of those that hold that point.
+Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options,
+                      const std::optional<Eigen::Vector2d>& inside) {
   Judged best;
   double best_votes = 0.0;
   std::vector<contour::Circle> known;
-  for (const CellCandidate& candidate : propose_cells(pyramid.levels, options)) {
+  std::vector<CellCandidate> candidates = propose_cells(pyramid.levels, options);
+  if (inside) {
+    std::erase_if(candidates, [&](const CellCandidate& candidate) {
+      return (candidate.center - *inside).norm() > 1.1 * candidate.radius;
+    });
+    add_click(pyramid, *inside, options, candidates);
+  }
+  for (const CellCandidate& candidate : candidates) {
     // Neighbouring levels and bands propose the same ring again.
     const bool again = std::any_of(known.begin(), known.end(), [&](const contour::Circle& circle) {
       return (circle.center - candidate.center).norm() < 0.2 * circle.radius &&
@@ -68,21 +104,59 @@ Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options) {
     Judged here = judge(pyramid, candidate);
     const contour::Circle& circle = here.ring.circle;
     if (here.ring.score > 0.3) known.push_back({circle.center * here.scale(), circle.radius * here.scale(), 1.0, 0.0});
-    const double diameter = 2.0 * circle.radius * here.scale();
-    if (diameter < options.min_cell_diameter_px || diameter > options.max_cell_diameter_px) continue;
-    if (here.ring.score > best.ring.score &&
-        translucent(pyramid.levels[static_cast<std::size_t>(here.level)], circle)) {
-      best = std::move(here);
-      best_votes = candidate.votes;
-    }
+    if (here.ring.score <= best.ring.score || !acceptable(pyramid, here, options, inside)) continue;
+    best = std::move(here);
+    best_votes = candidate.votes;
   }
   return best;
+}
+
+// The level on which an outline of `radius` px is about as large as the rings of the voting.
+int level_for(const Pyramid& pyramid, double radius) {
+  int level = 0;
+  while (level + 1 < static_cast<int>(pyramid.levels.size()) && radius / (1 << level) > 24.0) ++level;
+  return level;
+}
+
+// The closed edge along an outline (full image px), by the same measure as those round a centre.
+Judged judge_along(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline, double reach_ratio) {
+  const double radius = std::sqrt(std::abs(contour::signed_area(outline)) / std::numbers::pi);
+  Judged result;
+  result.level = level_for(pyramid, radius);
+  result.from_outline = true;
+  const double reach = reach_ratio * radius / result.scale();
+  result.ring = best_along(pyramid.levels[static_cast<std::size_t>(result.level)],
+                           contour::positively_oriented(outline) / result.scale(), reach, reach, {1.3},
+                           pyramid.noises[static_cast<std::size_t>(result.level)], kAnyEdgeKind, 64);
+  return result;
+}
+
+// A level set from a rough outline into the edges near by, judged like any other edge.
+Judged settle(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline) {
+  const auto refined = refine_by_level_set(pyramid.levels.front(), outline);
+  return refined ? judge_along(pyramid, *refined, 0.15) : Judged{};
+}
+
+RingEdge at_scale(RingEdge ring, double scale) {
+  ring.edge.points *= scale;
+  ring.circle.center *= scale;
+  ring.circle.radius *= scale;
+  ring.edge.scale_px *= scale;
+  return ring;
 }
 
 // The same edge at full resolution, in a narrow ring; a dark line where there is one.
 RingEdge at_full_resolution(const Pyramid& pyramid, const Judged& coarse, double sigma_ratio) {
   Eigen::Vector2d center = coarse.ring.circle.center * coarse.scale();
   double radius = coarse.ring.circle.radius * coarse.scale();
+  if (coarse.from_outline) {
+    const double sigma = std::clamp(sigma_ratio * radius, 1.2, 2.5);
+    const RingEdge fine =
+        best_along(pyramid.levels.front(), coarse.ring.edge.points * coarse.scale(), 0.12 * radius, 0.12 * radius,
+                   {sigma, 2.0 * sigma}, pyramid.noises.front(), {coarse.ring.edge.kind, {1.0, 0.0}});
+    if (fine.score >= 0.5 * coarse.ring.score) return fine;
+    return at_scale(coarse.ring, coarse.scale());
+  }
   // Each level centres the ring for the next.
   for (int level = coarse.level - 1; level >= 1; --level) {
     const double scale = 1 << level;
@@ -94,15 +168,10 @@ RingEdge at_full_resolution(const Pyramid& pyramid, const Judged& coarse, double
     radius = found.circle.radius * scale;
   }
   const double sigma = std::clamp(sigma_ratio * radius, 1.2, 2.5);
-  RingEdge fine = best_in_ring(pyramid.levels.front(), center, 0.75 * radius, 1.25 * radius, {sigma, 2.0 * sigma},
-                               pyramid.noises.front(), {coarse.ring.edge.kind, {1.0, 0.0}});
+  const RingEdge fine = best_in_ring(pyramid.levels.front(), center, 0.75 * radius, 1.25 * radius, {sigma, 2.0 * sigma},
+                                     pyramid.noises.front(), {coarse.ring.edge.kind, {1.0, 0.0}});
   if (fine.score >= 0.5 * coarse.ring.score) return fine;
-  fine = coarse.ring;
-  fine.edge.points *= coarse.scale();
-  fine.circle.center *= coarse.scale();
-  fine.circle.radius *= coarse.scale();
-  fine.edge.scale_px *= coarse.scale();
-  return fine;
+  return at_scale(coarse.ring, coarse.scale());
 }
 
 // The second membrane, and the third: what lies beside the edge found first.
@@ -151,12 +220,14 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
   }
 
   // An oolemma alone: the soft outer edge of a thick zona, and the gap between the two.
+  // A difference far below the line's own contrast is a halo's tail or a stain, not a border.
   if (kind.line <= 0.0) return cell;
-  if (auto soft = find_soft_outer_edge(image, first.edge, first.circle, noise)) {
+  const double least_contrast = std::hypot(noise, kFaintest * first.amplitude);
+  if (auto soft = find_soft_outer_edge(image, first.edge, first.circle, least_contrast)) {
     cell.outer = std::move(*soft);
     cell.inner = first.edge;
     cell.circle = contour::fit_circle(cell.outer.points, 0.06 * radius);
-    if (auto gap = find_gap_edge(image, first.edge, first.circle, cell.outer, noise)) {
+    if (auto gap = find_gap_edge(image, first.edge, first.circle, cell.outer, least_contrast)) {
       cell.oolemma = std::move(cell.inner);
       cell.inner = std::move(gap);
     }
@@ -166,10 +237,27 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
 
 }  // namespace
 
-std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options, const DetectionHint*) {
+std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
+                                        const DetectionHint* hint) {
   const Pyramid pyramid(image, options);
-  const Judged best = best_candidate(pyramid, options);
-  if (best.ring.score < options.min_detection_score) return std::nullopt;
+  const bool drawn = hint != nullptr && hint->outline.cols() >= 3;
+  const std::optional<Eigen::Vector2d> inside = hint != nullptr && !drawn ? std::optional(hint->inside) : std::nullopt;
+  // A person has said that there is a cell: less evidence will do.
+  const double needed = (hint != nullptr ? kHintShare : 1.0) * options.min_detection_score;
+
+  Judged best = drawn ? judge_along(pyramid, hint->outline, 0.25) : best_candidate(pyramid, options, inside);
+  if (drawn && !acceptable(pyramid, best, options, inside)) best = {};
+
+  // Unsure, or time does not count: a level set from the best guess, which may do better.
+  const bool unsure = best.ring.score < needed && best.ring.score >= kUnsureShare * needed;
+  if (unsure || drawn || options.quality == TrackerOptions::Quality::kHigh) {
+    const Eigen::Matrix2Xd start = drawn ? hint->outline : at_scale(best.ring, best.scale()).edge.points;
+    Judged settled = settle(pyramid, start);
+    if (settled.ring.score > best.ring.score && acceptable(pyramid, settled, options, inside))
+      best = std::move(settled);
+  }
+  if (best.ring.score < needed) return std::nullopt;
+
   constexpr double kSigmaRatio = 0.02;  // of the radius
   const RingEdge first = at_full_resolution(pyramid, best, kSigmaRatio);
   const double sigma = std::clamp(kSigmaRatio * first.circle.radius, 1.2, 2.5);

@@ -39,15 +39,18 @@ struct DetectedCell {
   }
 };
 
-/// A person's hint in px: `inside` is a point in the cell; `outline`, (2 x n), may be empty.
+/// A person's hint in px: `outline` (2 x n, closed, any orientation) where it has three points or more, else `inside`,
+/// a point in the cell.
 struct DetectionHint {
   Eigen::Vector2d inside = Eigen::Vector2d::Zero();
   Eigen::Matrix2Xd outline;
 };
 
-/// Finds the roundest, most completely closed edge of an image: gradient voting over a pyramid for centres, then a
-/// closed shortest path in the unrolled ring, then a search for the second membrane beside it. Nothing when no
-/// candidate reaches `options.min_detection_score`.
+/// Finds a cell: gradient voting over a pyramid proposes centres, round each the best closed path in the unrolled ring
+/// is judged, and what lies beside the best one is its second membrane. Where that leaves doubt, and always with
+/// `options.quality` high, a level set starts from the best guess and its outline is judged by the same measure. With a
+/// hint only rings that hold the point, or the edge along the outline, come into question, and half the score will do.
+/// Nothing when no candidate reaches the score needed.
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
                                         const DetectionHint* hint = nullptr);
 

@@ -16,8 +16,16 @@ std::vector<GradientPixel> strong_gradients(const GrayImage& image) {
   cv::Mat gx, gy;
   cv::Scharr(input, gx, CV_32F, 1, 0, 1.0 / 32.0, 0, cv::BORDER_REPLICATE);
   cv::Scharr(input, gy, CV_32F, 0, 1, 1.0 / 32.0, 0, cv::BORDER_REPLICATE);
-  cv::Mat magnitude;
+  cv::Mat magnitude, light;
   cv::magnitude(gx, gy, magnitude);
+  // Contrast counts against the light round about (Weber): a glaring pipette must not outvote a faint outline in the
+  // dark.
+  cv::blur(input, light, {25, 25}, {-1, -1}, cv::BORDER_REPLICATE);
+  double darkest = 0.0;
+  cv::minMaxLoc(light, &darkest, nullptr);
+  light = light - 0.8 * darkest;
+  cv::Mat sharp = magnitude.clone();
+  cv::divide(magnitude, light + 1e-3, magnitude);
   std::vector<float> sorted;
   for (int y = 1; y < image.height; y += 2) {
     for (int x = 1; x < image.width; x += 2) sorted.push_back(magnitude.at<float>(y, x));
@@ -34,7 +42,7 @@ std::vector<GradientPixel> strong_gradients(const GrayImage& image) {
     for (int x = 1; x < image.width - 1; ++x) {
       const float m = magnitude.at<float>(y, x);
       if (m < low) continue;
-      pixels.push_back({static_cast<float>(x), static_cast<float>(y), gx.at<float>(y, x) / m, gy.at<float>(y, x) / m,
+      pixels.push_back({static_cast<float>(x), static_cast<float>(y), gx.at<float>(y, x) / sharp.at<float>(y, x), gy.at<float>(y, x) / sharp.at<float>(y, x),
                         std::min(m, high) / high});
     }
   }

@@ -8,19 +8,31 @@ namespace {
 
 constexpr float kShows = 1.5F;  // an edge shows where its feature is that many times the ring's own spread
 
-// A ring unrolled: row i is a ray, column j the radius from + j step.
+// A circle's points, and what points away from its centre there.
+void circle_points(const Eigen::Vector2d& center, double radius, int count, Eigen::Matrix2Xd& points,
+                   Eigen::Matrix2Xd& normals) {
+  points.resize(2, count);
+  normals.resize(2, count);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    normals.col(i) = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    points.col(i) = center + radius * normals.col(i);
+  }
+}
+
+// A ring unrolled: row i is a ray from base point i outwards, column j the distance j step along it.
 class Ring {
  public:
-  Ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to, int rays, int most_columns)
-      : image_(image), center_(center), from_(from), step_(std::max(0.5, (to - from) / most_columns)) {
-    const int columns = static_cast<int>(std::floor((to - from) / step_)) + 1;
-    directions_.resize(2, rays);
-    values_.resize(rays, columns);
+  Ring(const GrayImage& image, Eigen::Matrix2Xd base, Eigen::Matrix2Xd directions, double width, int most_columns)
+      : image_(image),
+        step_(std::max(0.5, width / most_columns)),
+        base_(std::move(base)),
+        directions_(std::move(directions)) {
+    const int columns = static_cast<int>(std::floor(width / step_)) + 1;
+    values_.resize(base_.cols(), columns);
     std::vector<float> profile(static_cast<std::size_t>(columns));
-    for (int i = 0; i < rays; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / rays;
-      directions_.col(i) = Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      image.sample_line(center + from * directions_.col(i), step_ * directions_.col(i), columns, profile.data());
+    for (int i = 0; i < rays(); ++i) {
+      image.sample_line(base_.col(i), step_ * directions_.col(i), columns, profile.data());
       for (int j = 0; j < columns; ++j) values_(i, j) = profile[static_cast<std::size_t>(j)];
     }
   }
@@ -28,7 +40,7 @@ class Ring {
   int rays() const noexcept { return static_cast<int>(values_.rows()); }
   int columns() const noexcept { return static_cast<int>(values_.cols()); }
   double step() const noexcept { return step_; }
-  Eigen::Vector2d point(int ray, int column) const { return center_ + (from_ + column * step_) * directions_.col(ray); }
+  Eigen::Vector2d point(int ray, int column) const { return base_.col(ray) + column * step_ * directions_.col(ray); }
   bool inside(const Eigen::Vector2d& p) const noexcept { return image_.inside(p, 1.0); }
 
   // The feature everywhere, smoothed once over neighbouring rays; the border value continues outside.
@@ -48,9 +60,8 @@ class Ring {
 
  private:
   const GrayImage& image_;
-  Eigen::Vector2d center_;
-  double from_, step_;
-  Eigen::Matrix2Xd directions_;
+  double step_;
+  Eigen::Matrix2Xd base_, directions_;
   Eigen::MatrixXf values_;  // (rays x columns): filters run over whole columns
 };
 
@@ -70,7 +81,7 @@ Eigen::MatrixXf reward_of(const Eigen::MatrixXf& feature, double spread) {
 
 // Judges one closed path of a ring.
 RingEdge judge(const Ring& ring, const std::vector<int>& path, const Eigen::MatrixXf& feature,
-               const Eigen::MatrixXf& reward, double tolerance) {
+               const Eigen::MatrixXf& reward, double tolerance, bool shape_known) {
   const int count = ring.rays();
   RingEdge found;
   found.edge.points.resize(2, count);
@@ -93,7 +104,7 @@ RingEdge judge(const Ring& ring, const std::vector<int>& path, const Eigen::Matr
   found.edge.contrast = sum / visible;
   found.circle = contour::fit_circle(found.edge.points, tolerance);
   // Complete, clear against its surroundings, round, and within the image.
-  const double round = std::clamp((found.circle.inlier_ratio - 0.45) / 0.3, 0.0, 1.0);
+  const double round = shape_known ? 1.0 : std::clamp((found.circle.inlier_ratio - 0.45) / 0.3, 0.0, 1.0);
   const double clear = std::clamp((found.edge.contrast - 1.3) / 1.7, 0.0, 1.0);
   const double whole = std::clamp((static_cast<double>(inside) / count - 0.6) / 0.3, 0.0, 1.0);
   // In clutter other edges of the same profile are stronger every now and then; a cell's edge leads nearly everywhere.
@@ -102,14 +113,10 @@ RingEdge judge(const Ring& ring, const std::vector<int>& path, const Eigen::Matr
   return found;
 }
 
-}  // namespace
-
-RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
-                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
-                      int rays) {
+// The best closed edge of the kinds and scales given.
+RingEdge best_of(const Ring& ring, std::initializer_list<double> sigmas, double noise,
+                 std::initializer_list<EdgeKind> kinds, double tolerance, bool shape_known) {
   RingEdge best;
-  if (!(to > from)) return best;
-  const Ring ring(image, center, from, to, rays, 120);
   Eigen::MatrixXf feature, signed_feature, reward;
   for (const double sigma : sigmas) {
     EdgeKind filtered{0.0, 0.0};
@@ -126,7 +133,7 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
       }
       signed_feature = negative ? Eigen::MatrixXf(-feature) : feature;
       reward = reward_of(signed_feature, spread);
-      RingEdge found = judge(ring, best_closed_path(reward, 2, 0.6F), signed_feature, reward, 0.06 * to);
+      RingEdge found = judge(ring, best_closed_path(reward, 2, 0.6F), signed_feature, reward, tolerance, shape_known);
       found.edge.kind = kind;
       found.edge.scale_px = sigma;
       // A dark line has bright fringes and steps beside it: those must do clearly better to be taken for the edge
@@ -138,13 +145,38 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
   return best;
 }
 
+}  // namespace
+
+RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, double from, double to,
+                      std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
+                      int rays) {
+  if (!(to > from)) return {};
+  Eigen::Matrix2Xd points, normals;
+  circle_points(center, from, rays, points, normals);
+  return best_of(Ring(image, std::move(points), std::move(normals), to - from, 120), sigmas, noise, kinds, 0.06 * to,
+                 false);
+}
+
+RingEdge best_along(const GrayImage& image, const Eigen::Matrix2Xd& outline, double inward, double outward,
+                    std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
+                    int rays) {
+  Eigen::Matrix2Xd points = contour::resample(outline, rays);
+  const double tolerance = 0.06 * std::sqrt(std::max(0.0, contour::signed_area(points)) / std::numbers::pi);
+  Eigen::Matrix2Xd normals = contour::outward_normals(points);
+  points -= inward * normals;
+  return best_of(Ring(image, std::move(points), std::move(normals), inward + outward, 120), sigmas, noise, kinds,
+                 tolerance, true);
+}
+
 std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image, const Eigen::Vector2d& center,
                                                           double radius, double sigma, double noise,
                                                           const std::pair<double, double>* known) {
   // A first look is coarse; a second one round what is known is fine.
   const double from = known ? known->second - 0.12 * radius : 0.62 * radius;
   const double to = known ? known->first + 0.12 * radius : 1.4 * radius;
-  const Ring ring(image, center, from, to, known ? 128 : 96, known ? 110 : 80);
+  Eigen::Matrix2Xd points, normals;
+  circle_points(center, from, known ? 128 : 96, points, normals);
+  const Ring ring(image, std::move(points), std::move(normals), to - from, known ? 110 : 80);
   const EdgeFilter filter(sigma, ring.step(), {1.0, 0.0});
   Eigen::MatrixXf feature;
   ring.features(filter, feature);
@@ -153,8 +185,8 @@ std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image
   const double widest = known ? 1.5 * (known->first - known->second) : 0.3 * radius;
   const int gap_to = std::max(gap_from + 2, static_cast<int>(widest / ring.step()));
   const PathPair paths = best_closed_path_pair(reward, reward, gap_from, gap_to, 0.5F, 0.9F);
-  RingEdge outer = judge(ring, paths.outer, feature, reward, 0.06 * radius);
-  RingEdge inner = judge(ring, paths.inner, feature, reward, 0.06 * radius);
+  RingEdge outer = judge(ring, paths.outer, feature, reward, 0.06 * radius, false);
+  RingEdge inner = judge(ring, paths.inner, feature, reward, 0.06 * radius, false);
   const double least = std::min(outer.edge.coverage, inner.edge.coverage);
   const double faint = std::min(outer.amplitude, inner.amplitude), strong = std::max(outer.amplitude, inner.amplitude);
   if (least < 0.62 || faint < 0.35 * strong) return std::nullopt;

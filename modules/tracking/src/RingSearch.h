@@ -26,6 +26,12 @@ RingEdge best_in_ring(const GrayImage& image, const Eigen::Vector2d& center, dou
                       std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
                       int rays = 96);
 
+/// The same round an outline (closed, positive area) instead of a circle, from `inward` px inside to `outward` px
+/// outside of it. Its shape is known, so that roundness does not count.
+RingEdge best_along(const GrayImage& image, const Eigen::Matrix2Xd& outline, double inward, double outward,
+                    std::initializer_list<double> sigmas, double noise, std::initializer_list<EdgeKind> kinds,
+                    int rays = 96);
+
 /// Two dark lines side by side, found together (outer, inner): a zona whose edges are alike would make a single path
 /// hop between them. Nothing where one of them is not closed or far fainter than the other, or no brighter band parts
 /// them.

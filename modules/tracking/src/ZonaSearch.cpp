@@ -79,7 +79,7 @@ class Surroundings {
     found.edge.scale_px = kWindow_ratio * radius_ / 3.0;
     found.edge.coverage = static_cast<double>(seen) / std::max(visible, 1);
     found.edge.contrast = sum / std::max(visible, 1);
-    if (visible < 0.4 * kRays || found.edge.coverage < 0.6) return std::nullopt;
+    if (visible < 0.4 * kRays || found.edge.coverage < 0.7) return std::nullopt;
     Eigen::Matrix2Xd clear(2, static_cast<Eigen::Index>(shown.size()));
     for (std::size_t k = 0; k < shown.size(); ++k) clear.col(static_cast<Eigen::Index>(k)) = shown[k];
     found.circle = contour::fit_circle(clear, 0.06 * radius_);
