@@ -42,8 +42,8 @@ std::vector<GradientPixel> strong_gradients(const GrayImage& image) {
     for (int x = 1; x < image.width - 1; ++x) {
       const float m = magnitude.at<float>(y, x);
       if (m < low) continue;
-      pixels.push_back({static_cast<float>(x), static_cast<float>(y), gx.at<float>(y, x) / sharp.at<float>(y, x), gy.at<float>(y, x) / sharp.at<float>(y, x),
-                        std::min(m, high) / high});
+      pixels.push_back({static_cast<float>(x), static_cast<float>(y), gx.at<float>(y, x) / sharp.at<float>(y, x),
+                        gy.at<float>(y, x) / sharp.at<float>(y, x), std::min(m, high) / high});
     }
   }
   return pixels;

@@ -9,8 +9,10 @@ namespace pellucida {
 namespace {
 
 constexpr int kRays = 120;
-constexpr float kLeastEvidence = 0.25F;  // nats per sample, above what texture alone brings about
-constexpr float kEnough = 1.0F;          // rewards saturate: a long faint border beats a short glaring one
+constexpr float kLeastEvidence = 0.25F;   // nats per sample, above what texture alone brings about
+constexpr double kLeastZona_ratio = 0.2;  // of the oolemma's radius: thinner zonas show two lines
+constexpr double kLeastZona_px = 12.0;    // as far as a dark line's own halo reaches
+constexpr float kEnough = 1.0F;           // rewards saturate: a long faint border beats a short glaring one
 
 // Where the ray at `angle` from `center` leaves the outline.
 double outline_radius(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center,
