@@ -111,10 +111,10 @@ Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options,
   return best;
 }
 
-// The level on which an outline of `radius` px is about as large as the rings of the voting.
+// The level on which an outline of `radius` px is a small part of the image, yet shows its line.
 int level_for(const Pyramid& pyramid, double radius) {
   int level = 0;
-  while (level + 1 < static_cast<int>(pyramid.levels.size()) && radius / (1 << level) > 24.0) ++level;
+  while (level + 1 < static_cast<int>(pyramid.levels.size()) && radius / (1 << level) > 48.0) ++level;
   return level;
 }
 
@@ -127,14 +127,14 @@ Judged judge_along(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline, doub
   const double reach = reach_ratio * radius / result.scale();
   result.ring = best_along(pyramid.levels[static_cast<std::size_t>(result.level)],
                            contour::positively_oriented(outline) / result.scale(), reach, reach, {1.3},
-                           pyramid.noises[static_cast<std::size_t>(result.level)], kAnyEdgeKind, 64);
+                           pyramid.noises[static_cast<std::size_t>(result.level)], kAnyEdgeKind);
   return result;
 }
 
 // A level set from a rough outline into the edges near by, judged like any other edge.
 Judged settle(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline) {
   const auto refined = refine_by_level_set(pyramid.levels.front(), outline);
-  return refined ? judge_along(pyramid, *refined, 0.15) : Judged{};
+  return refined ? judge_along(pyramid, *refined, 0.3) : Judged{};
 }
 
 RingEdge at_scale(RingEdge ring, double scale) {
@@ -245,7 +245,7 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   // A person has said that there is a cell: less evidence will do.
   const double needed = (hint != nullptr ? kHintShare : 1.0) * options.min_detection_score;
 
-  Judged best = drawn ? judge_along(pyramid, hint->outline, 0.25) : best_candidate(pyramid, options, inside);
+  Judged best = drawn ? judge_along(pyramid, hint->outline, 0.35) : best_candidate(pyramid, options, inside);
   if (drawn && !acceptable(pyramid, best, options, inside)) best = {};
 
   // Unsure, or time does not count: a level set from the best guess, which may do better.

@@ -58,7 +58,7 @@ void vote(const std::vector<GradientPixel>& pixels, float from, float to, cv::Ma
       // Half a pixel more, and truncation rounds.
       float x = p.x + from * dx + 0.5F, y = p.y + from * dy + 0.5F;
       for (float r = from; r <= to; r += 1.0F, x += dx, y += dy) {
-        if (x < 0.0F || y < 0.0F) continue;
+        if (!(x >= 0.0F && y >= 0.0F)) continue;
         const int column = static_cast<int>(x), row = static_cast<int>(y);
         if (column >= votes.cols || row >= votes.rows) continue;
         votes.at<float>(row, column) += p.weight / r;

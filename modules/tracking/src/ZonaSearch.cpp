@@ -81,7 +81,7 @@ class Surroundings {
     found.edge.scale_px = kWindow_ratio * radius_ / 3.0;
     found.edge.coverage = static_cast<double>(seen) / std::max(visible, 1);
     found.edge.contrast = sum / std::max(visible, 1);
-    if (visible < 0.4 * kRays || found.edge.coverage < 0.7) return std::nullopt;
+    if (visible < 0.4 * kRays || found.edge.coverage < 0.7 || found.edge.contrast < 0.55) return std::nullopt;
     Eigen::Matrix2Xd clear(2, static_cast<Eigen::Index>(shown.size()));
     for (std::size_t k = 0; k < shown.size(); ++k) clear.col(static_cast<Eigen::Index>(k)) = shown[k];
     found.circle = contour::fit_circle(clear, 0.06 * radius_);
@@ -140,8 +140,8 @@ std::optional<FoundEdge> find_soft_outer_edge(const GrayImage& image, const Foun
     const Surroundings around(image, center, r, from, to, noise);
     Eigen::VectorXd least(kRays);
     for (int i = 0; i < kRays; ++i)
-      least[i] =
-          outline_radius(oolemma.points, center, around.directions().col(i)) + 1.4 * Surroundings::kWindow_ratio * r;
+      least[i] = outline_radius(oolemma.points, center, around.directions().col(i)) +
+                 std::max(kLeastZona_ratio * r, kLeastZona_px);
     // The outermost clear border is the zona's end: gap, halo and grain lie within.
     std::optional<Border> outermost;
     while (std::optional<Border> further = around.best_beyond(least)) {
