@@ -232,8 +232,9 @@ void MembraneSnakes::refine(const FrameSampler& image, double noise, SnakeContou
     snake.confidence[i] = peak.curvature < 0.0 ? std::clamp(1.4 * clear, 0.0, 1.0) : 0.0;
     (void)relative;
     curvature[i] = -peak.curvature / (kStep * kStep);
-    snake.sigma_px[i] =
-        curvature[i] > 1e-9 ? noise * filter.slope_noise_gain() * smoothing_gain / curvature[i] : reach_px;
+    snake.sigma_px[i] = curvature[i] > 1e-9
+                            ? std::min(reach_px, noise * filter.slope_noise_gain() * smoothing_gain / curvature[i])
+                            : reach_px;
     rigidity[i] = options_.rigidity * (snake.is_soft() ? kSoftRigidity : 1.0);
     if (!needle) continue;
 

@@ -175,8 +175,8 @@ std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image
   const double from = known ? known->second - 0.12 * radius : 0.62 * radius;
   const double to = known ? known->first + 0.12 * radius : 1.4 * radius;
   Eigen::Matrix2Xd points, normals;
-  circle_points(center, from, known ? 128 : 96, points, normals);
-  const Ring ring(image, std::move(points), std::move(normals), to - from, known ? 110 : 80);
+  circle_points(center, from, 128, points, normals);
+  const Ring ring(image, std::move(points), std::move(normals), to - from, 110);
   const EdgeFilter filter(sigma, ring.step(), {1.0, 0.0});
   Eigen::MatrixXf feature;
   ring.features(filter, feature);
