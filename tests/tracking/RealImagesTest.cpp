@@ -147,11 +147,9 @@ TEST(RealImages, TheInjectedOocyteIsFoundWithModestConfidence) {
               seen.needle ? "seen" : "not seen", std::string(to_string(seen.state)).c_str(), seen.confidence);
   EXPECT_LT(seen.confidence, 0.6);
   // The needle comes from the right and its tip lies in the cell's left half.
-  // Its edges run together in the dark ooplasm, so that it may be missed; it must not be put elsewhere.
-  if (seen.needle) {
-    EXPECT_LT(seen.needle->direction.x(), -0.98);
-    EXPECT_LT(seen.needle->tip_um.x() / kPixelSize_um, 200.0);
-  }
+  ASSERT_TRUE(seen.needle.has_value());
+  EXPECT_LT(seen.needle->direction.x(), -0.98);
+  EXPECT_LT(seen.needle->tip_um.x() / kPixelSize_um, 200.0);
   // The cell's middle, as an eye would set it.
   EXPECT_NEAR(seen.center_um.x() / kPixelSize_um, 215.0, 15.0);
   EXPECT_NEAR(seen.center_um.y() / kPixelSize_um, 290.0, 15.0);
