@@ -143,7 +143,7 @@ FuzzImage draw_fuzz_image(int width_px, int height_px, PixelFormat format, int r
       }
       put(image, x, y, value);
     }
-  image.shows_a_cell = content == FuzzContent::kCell || content == FuzzContent::kCheckers;
+  image.shows_a_cell = content == FuzzContent::kCell;
   return image;
 }
 

@@ -25,9 +25,7 @@ class ByteReader {
 struct FuzzImage {
   std::vector<std::uint8_t> bytes;
   ImageView view;
-  /// Something like a cell was drawn, or a large square, which the detection takes for a small round cell: the tracker
-  /// may be sure of it.
-  bool shows_a_cell = false;
+  bool shows_a_cell = false;  ///< something like a cell was drawn: a tracker may be sure of it
 };
 
 /// What an image shows.
