@@ -28,14 +28,14 @@ contour::Circle fit(const Eigen::Matrix2Xd& points) {
 }
 
 // 1 for an outline most of which lies on its circle, as a cell's does even with a dimple in it; less for one that lies
-// beside it all round, as a square's does: half its points are 5 % of the radius off where doubt begins.
+// beside it all round, as a square's does: half its points are 4 % of the radius off where doubt begins.
 double roundness(const Eigen::Matrix2Xd& points, const contour::Circle& circle) {
   std::vector<double> off(static_cast<std::size_t>(points.cols()));
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     off[static_cast<std::size_t>(i)] = std::abs((points.col(i) - circle.center).norm() - circle.radius);
   const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
   std::nth_element(off.begin(), middle, off.end());
-  return std::clamp(1.7 - 14.0 * *middle / circle.radius, 0.3, 1.0);
+  return std::clamp(1.8 - 20.0 * *middle / circle.radius, 0.3, 1.0);
 }
 
 // The whole image in floating point: for searches, not for following.
