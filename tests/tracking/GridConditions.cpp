@@ -113,7 +113,7 @@ void add_light(GridBuilder& grid) {
   for (const double contrast : {1.0, 0.6, 0.3})
     grid.vary("contrast " + number(contrast), [&](Scenario& s) { s.optics.contrast = contrast; }).representative =
         contrast == 0.3;
-  grid.vary("no halo, no relief", [](Scenario& s) { s.optics.halo = s.optics.relief = 0.0; });
+  grid.vary("no halo and no relief", [](Scenario& s) { s.optics.halo = s.optics.relief = 0.0; });
   grid.vary("halo 2", [](Scenario& s) { s.optics.halo = 2.0; });
   grid.vary("relief 2", [](Scenario& s) { s.optics.relief = 2.0; }).representative = true;
   grid.vary("coarse grain", [](Scenario& s) { s.optics.granularity = 2.5; });
@@ -185,7 +185,7 @@ void add_tools(GridBuilder& grid) {
 
 void add_dish(GridBuilder& grid) {
   grid.vary("debris touching", [](Scenario& s) { s.debris.touching_count = 8; }).representative = true;
-  grid.vary("debris touching, large", [](Scenario& s) {
+  grid.vary("large debris touching", [](Scenario& s) {
     s.debris.touching_count = 4;
     s.debris.touching_radius_um = 6.0;
   });

@@ -27,11 +27,9 @@ struct Exception {
   Limits limits;
 };
 constexpr std::array kExceptions{
-    Exception{"pixel 1.5 um", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0, kNoLimit}},
-    Exception{"diameter 64 px", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0, 10}},
-    Exception{"contrast 0.3", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0}},
-    Exception{"configuration 3 mirrored holder 180", {.lost = 5}},
-    Exception{"needle defocus 3 um", {.outer_median_px = 0.5, .tip_median_px = 3.0}},
+    Exception{"pixel 1.5 um", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0}},
+    Exception{"diameter 64 px", {.confident_and_wrong = 1}},
+    Exception{"needle defocus 3 um", {.tip_median_px = 1.6}},
 };
 
 Limits limits_of(std::string_view condition) {
