@@ -79,13 +79,18 @@ void add_click(const Pyramid& pyramid, const Eigen::Vector2d& inside, const Trac
   }
 }
 
-// The best of all proposals; with `inside`, of those that hold that point.
+// The best of all proposals; with `inside`, of those that hold that point; not within `elsewhere`.
 Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options,
-                      const std::optional<Eigen::Vector2d>& inside) {
+                      const std::optional<Eigen::Vector2d>& inside, const contour::Circle* elsewhere) {
   Judged best;
   double best_votes = 0.0;
   std::vector<contour::Circle> known;
   std::vector<CellCandidate> candidates = propose_cells(pyramid.levels, options);
+  if (elsewhere != nullptr) {
+    std::erase_if(candidates, [&](const CellCandidate& candidate) {
+      return (candidate.center - elsewhere->center).norm() < elsewhere->radius;
+    });
+  }
   if (inside) {
     std::erase_if(candidates, [&](const CellCandidate& candidate) {
       return (candidate.center - *inside).norm() > 1.1 * candidate.radius;
@@ -238,14 +243,14 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
 }  // namespace
 
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
-                                        const DetectionHint* hint) {
+                                        const DetectionHint* hint, const contour::Circle* elsewhere) {
   const Pyramid pyramid(image, options);
   const bool drawn = hint != nullptr && hint->outline.cols() >= 3;
   const std::optional<Eigen::Vector2d> inside = hint != nullptr && !drawn ? std::optional(hint->inside) : std::nullopt;
   // A person has said that there is a cell: less evidence will do.
   const double needed = (hint != nullptr ? kHintShare : 1.0) * options.min_detection_score;
 
-  Judged best = drawn ? judge_along(pyramid, hint->outline, 0.35) : best_candidate(pyramid, options, inside);
+  Judged best = drawn ? judge_along(pyramid, hint->outline, 0.35) : best_candidate(pyramid, options, inside, elsewhere);
   if (drawn && !acceptable(pyramid, best, options, inside)) best = {};
 
   // Unsure, or time does not count: a level set from the best guess, which may do better.

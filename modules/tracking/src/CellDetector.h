@@ -51,8 +51,10 @@ struct DetectionHint {
 /// `options.quality` high, a level set starts from the best guess and its outline is judged by the same measure. With a
 /// hint only rings that hold the point, or the edge along the outline, come into question, and half the score will do.
 /// Nothing when no candidate reaches the score needed.
+/// `elsewhere`: a circle whose inside is not looked at again.
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
-                                        const DetectionHint* hint = nullptr);
+                                        const DetectionHint* hint = nullptr,
+                                        const contour::Circle* elsewhere = nullptr);
 
 /// A centre the voting proposes (full image px).
 struct CellCandidate {

@@ -53,15 +53,9 @@ NeedleZone CellFollower::zone() const {
 }
 
 void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
-  holder_.valid = false;
-  std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
-  // The holder is broad, the needle narrow.
-  for (const FoundTool& tool : tools) {
-    if (tool.half_width() < 0.2 * circle.radius) continue;
-    holder_ = {true, tool.direction, tool.offset(), tool.half_width(),
-               std::clamp(tool.strength / (3.0 * circle.radius), 0.0, 1.0)};
-    break;
-  }
+  const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
+  motion_ = {};
+  holder_ = find_holder(frame.image, tools, circle, frame.noise);
   find_needle(frame, circle, tools);
 }
 
@@ -69,7 +63,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
                                const std::vector<FoundTool>& tools) {
   for (const FoundTool& tool : tools) {
     if (tool.half_width() >= 0.2 * circle.radius) continue;
-    if (holder_.valid && tool.direction.dot(holder_direction()) > 0.8) continue;
+    if (holder_ && tool.direction.dot(holder_direction()) > 0.8) continue;
     if (needle_.start(frame.image, tool, frame.noise)) return;
   }
   needle_.reset();
@@ -79,15 +73,15 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
 // along the pipette, so the pixels go close to the membrane and not far up the shaft.
 void CellFollower::learn_holder_motion(const FrameInput& frame) {
   rigid_.reset();
-  if (!holder_.valid) return;
-  const Eigen::Vector2d across(-holder_.direction.y(), holder_.direction.x());
+  if (!holder_) return;
+  const Eigen::Vector2d across(-holder_->direction.y(), holder_->direction.x());
   std::vector<Eigen::Vector2d> points;
-  const double half = holder_.half_width + 6.0;
+  const double half = holder_->half_width + 6.0;
   const double cell_radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
   for (double s = 0.7 * cell_radius; s < 1.6 * cell_radius; s += 1.0) {
-    for (double v = holder_.offset - half; v <= holder_.offset + half; v += 1.0) {
+    for (double v = holder_->offset - half; v <= holder_->offset + half; v += 1.0) {
       if (std::hypot(s, v) < cell_radius + 3.0) continue;
-      points.push_back(rest_.center + s * holder_.direction + v * across);
+      points.push_back(rest_.center + s * holder_->direction + v * across);
     }
   }
   rigid_.learn(frame.image, points, rest_.center, frame.noise);

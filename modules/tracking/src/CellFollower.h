@@ -6,6 +6,7 @@
 #include "ContactLogic.h"
 #include "FrameSampler.h"
 #include "GrayImage.h"
+#include "HolderFinder.h"
 #include "MembraneSnakes.h"
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
@@ -28,15 +29,6 @@ struct FrameInput {
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
 };
 
-/// The holding pipette as found with the cell: where it was then.
-struct HolderLine {
-  bool valid = false;
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, from the cell's centre along the pipette
-  double offset = 0.0;                                   ///< px, its axis beside the centre, across `direction`
-  double half_width = 0.0;                               ///< px
-  double confidence = 0.0;
-};
-
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together
 /// here, in px. What is not found, or lost for good, is the caller's to look for anew.
 class CellFollower {
@@ -54,14 +46,15 @@ class CellFollower {
   /// Round the snakes' oolemma, where the zona's outer edge is soft.
   const SoftZona& zona() const noexcept { return zona_; }
   const NeedleTracker& needle() const noexcept { return needle_; }
-  const HolderLine& holder() const noexcept { return holder_; }
+  /// The holding pipette as it was found with the cell; `motion()` takes it to where it is now.
+  const std::optional<HolderFit>& holder() const noexcept { return holder_; }
   const RestGeometry& rest() const noexcept { return rest_; }
   CellState state() const noexcept { return contact_.state(); }
   /// Rigid motion since the cell was found, and where its resting centre is now.
   const RigidMove& motion() const noexcept { return motion_; }
   Eigen::Vector2d center_now() const { return motion_.apply(rest_.center); }
-  /// The holder's direction now.
-  Eigen::Vector2d holder_direction() const { return motion_.turn(holder_.direction); }
+  /// The holder's direction now; holder needed.
+  Eigen::Vector2d holder_direction() const { return motion_.turn(holder_->direction); }
 
   /// How far tip and membrane are past the resting membrane along the needle's axis, px; needle needed.
   double tip_depth() const;
@@ -102,7 +95,7 @@ class CellFollower {
   Eigen::Vector2d far_side_ = Eigen::Vector2d::Zero();  // centre of the circle through the side away from the needle
   RestGeometry rest_;
   ContactLogic contact_;
-  HolderLine holder_;
+  std::optional<HolderFit> holder_;
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   bool touching_ = false;

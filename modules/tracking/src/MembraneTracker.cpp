@@ -8,6 +8,12 @@
 #include "TrackerChecks.h"
 
 namespace pellucida {
+namespace {
+
+// A needle with no cell: how far it may go between two frames, and when it counts as gone.
+constexpr double kNeedleReach_px = 34.0, kLeastNeedleConfidence = 0.1;
+
+}  // namespace
 
 class MembraneTracker::Impl {
  public:
@@ -26,6 +32,7 @@ class MembraneTracker::Impl {
       width_px_ = view.width_px;
       height_px_ = view.height_px;
       has_cell_ = false;
+      lone_needle_.reset();
       frames_since_detection_ = options_.redetect_interval_frames;
     }
     if (hint_) {
@@ -38,10 +45,20 @@ class MembraneTracker::Impl {
       detect(frame);
     }
 
+    if (has_cell_) {
+      lone_needle_.reset();
+    } else {
+      follow_lone_needle(frame);
+    }
+
     const PartTimer timer(timings_.report_us);
     Observation out;
-    if (has_cell_) out = report(cell_, view.pixel_size_um);
-    if (!has_cell_) out.state = ever_ ? CellState::kLost : CellState::kNoCell;
+    if (has_cell_) {
+      out = report(cell_, view.pixel_size_um);
+    } else {
+      out.state = ever_ ? CellState::kLost : CellState::kNoCell;
+      if (lone_needle_.valid()) out.needle = needle_pose(lone_needle_.estimate(), view.pixel_size_um);
+    }
     out.time_s = time_s;
     out.frame_index = frame_index;
     return out;
@@ -65,7 +82,28 @@ class MembraneTracker::Impl {
     load(frame.view, whole_);
     const std::optional<DetectedCell> found = detect_cell(whole_, options_, hint ? &*hint : nullptr);
     has_cell_ = found && cell_.start(frame, *found);
+    // The cell on the holding pipette is the one that is worked on, not a bystander or a bubble that looks as round.
+    if (found && !hint && !(has_cell_ && has_tools())) {
+      const std::optional<DetectedCell> other = detect_cell(whole_, options_, nullptr, &found->circle);
+      const bool better = other && cell_.start(frame, *other) && has_tools();
+      if (better) has_cell_ = true;
+      if (!better && has_cell_) has_cell_ = cell_.start(frame, *found);
+    }
     ever_ = ever_ || has_cell_;
+  }
+
+  bool has_tools() const { return cell_.holder() || cell_.needle().valid(); }
+
+  // A needle without a cell is followed too: it is looked for together with a cell.
+  void follow_lone_needle(const FrameInput& frame) {
+    const PartTimer timer(timings_.needle_us);
+    if (lone_needle_.valid()) {
+      const bool seen =
+          lone_needle_.track(frame.image, frame.noise, {kNeedleReach_px, true, frame.needle_motion_px, {0.0, 0.0}});
+      if (!seen && lone_needle_.estimate().confidence < kLeastNeedleConfidence) lone_needle_.reset();
+    } else if (frames_since_detection_ == 0 && !lone_needle_.start_anywhere(frame.image, whole_, frame.noise)) {
+      lone_needle_.reset();
+    }
   }
 
   std::optional<DetectionHint> hint_px(double pixel_size_um) const {
@@ -82,6 +120,7 @@ class MembraneTracker::Impl {
   TrackerOptions options_;
   TrackerTimings timings_;
   CellFollower cell_;
+  NeedleTracker lone_needle_;
   GrayImage whole_;
   std::optional<CellHint> hint_;
   bool has_cell_ = false, ever_ = false;

@@ -57,6 +57,37 @@ MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Me
 
 void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_um) {
   const NeedleEstimate& n = cell.needle().estimate();
+  out.needle = needle_pose(n, pixel_size_um);
+
+  const bool contact = cell.state() == CellState::kContact;
+  const Depth depth = depth_of(cell);
+  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth.value_px) * pixel_size_um;
+  out.indentation_sigma_um = depth.sigma_px * pixel_size_um;
+  if (!contact) return;
+  const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction);
+  out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
+                                                       entry + cell.membrane_depth() * n.direction, -n.direction);
+}
+
+void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_um) {
+  const HolderFit& found = *cell.holder();
+  HolderPose pose;
+  pose.direction = cell.holder_direction();
+  const Eigen::Vector2d mouth = cell.motion().apply(found.mouth);
+  const Eigen::Vector2d side = found.half_width * Eigen::Vector2d(-pose.direction.y(), pose.direction.x());
+  const Eigen::Vector2d back = mouth + 1.5 * cell.rest().outer_radius * pose.direction;
+  pose.mouth_um = mouth * pixel_size_um;
+  pose.outer_radius_um = found.half_width * pixel_size_um;
+  pose.confidence = found.confidence;
+  Eigen::Matrix<double, 2, 4> outline;
+  outline << back + side, mouth + side, mouth - side, back - side;
+  pose.outline_um = outline * pixel_size_um;
+  out.holder = std::move(pose);
+}
+
+}  // namespace
+
+NeedlePose needle_pose(const NeedleEstimate& n, double pixel_size_um) {
   NeedlePose pose;
   pose.tip_um = n.tip * pixel_size_um;
   pose.direction = n.direction;
@@ -75,46 +106,15 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
       front + n.tip_half_width * across, n.tip, front - n.tip_half_width * across, back - back_half_width * across,
       front - n.tip_half_width * across, n.tip;
   pose.outline_um = outline * pixel_size_um;
-  out.needle = std::move(pose);
-
-  const bool contact = cell.state() == CellState::kContact;
-  const Depth depth = depth_of(cell);
-  out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth.value_px) * pixel_size_um;
-  out.indentation_sigma_um = depth.sigma_px * pixel_size_um;
-  if (!contact) return;
-  const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction);
-  out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
-                                                       entry + cell.membrane_depth() * n.direction, -n.direction);
+  return pose;
 }
-
-void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_um) {
-  HolderPose pose;
-  const Eigen::Vector2d across(-cell.holder_direction().y(), cell.holder_direction().x());
-  const double sunk = std::min(0.8 * cell.holder().half_width, 0.95 * cell.rest().outer_radius);
-  const double distance = std::sqrt(cell.rest().outer_radius * cell.rest().outer_radius - sunk * sunk);
-  const Eigen::Vector2d mouth = cell.center_now() + distance * cell.holder_direction() + cell.holder().offset * across;
-  pose.mouth_um = mouth * pixel_size_um;
-  pose.direction = cell.holder_direction();
-  pose.outer_radius_um = cell.holder().half_width * pixel_size_um;
-  pose.confidence = cell.holder().confidence;
-  const double length = 1.5 * cell.rest().outer_radius;
-  Eigen::Matrix<double, 2, 4> outline;
-  outline.col(0) = mouth + length * cell.holder_direction() + cell.holder().half_width * across;
-  outline.col(1) = mouth + cell.holder().half_width * across;
-  outline.col(2) = mouth - cell.holder().half_width * across;
-  outline.col(3) = mouth + length * cell.holder_direction() - cell.holder().half_width * across;
-  pose.outline_um = outline * pixel_size_um;
-  out.holder = std::move(pose);
-}
-
-}  // namespace
 
 Observation report(const CellFollower& cell, double pixel_size_um) {
   Observation out;
   out.state = cell.state();
   out.confidence = cell.confidence();
   const Eigen::Vector2d center = cell.center_now();
-  Eigen::Vector2d axis = cell.holder().valid ? Eigen::Vector2d(-cell.holder_direction()) : Eigen::Vector2d::UnitX();
+  Eigen::Vector2d axis = cell.holder() ? Eigen::Vector2d(-cell.holder_direction()) : Eigen::Vector2d::UnitX();
   if (cell.needle().valid()) axis = -cell.needle().estimate().direction;
   out.outer = membrane(cell, cell.snakes().outer(), Membrane::kOuter, axis, pixel_size_um);
   if (cell.snakes().has_inner() && cell.snakes().inner().score > 0.25)
@@ -139,7 +139,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   }
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);
-  if (cell.holder().valid) fill_holder(cell, out, pixel_size_um);
+  if (cell.holder()) fill_holder(cell, out, pixel_size_um);
   return out;
 }
 

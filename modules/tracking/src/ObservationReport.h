@@ -8,4 +8,7 @@ namespace pellucida {
 /// outlines, rest shape, indentation. Time and frame number are the caller's to fill in.
 Observation report(const CellFollower& cell, double pixel_size_um);
 
+/// The needle in um, with its outline.
+NeedlePose needle_pose(const NeedleEstimate& needle, double pixel_size_um);
+
 }  // namespace pellucida
