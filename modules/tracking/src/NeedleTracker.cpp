@@ -167,7 +167,10 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   ahead_ = 0.0;
   motion_ = axis_.tip - before.tip - cue.scene_jump_px;
   fill(noise, shaft);
-  return true;
+  // A black or blinding frame leaves nothing to divide by.
+  if (now_.tip.allFinite() && now_.direction.allFinite() && std::isfinite(now_.confidence)) return true;
+  reset();
+  return false;
 }
 
 void NeedleTracker::take_dimple(const Eigen::Vector2d& apex, double sigma_px) {
