@@ -90,6 +90,17 @@ TEST(SceneData, TheNeedlesFirstPointIsItsTip) {
   EXPECT_DOUBLE_EQ(point[0], 10.0);
 }
 
+TEST(SceneData, TheToolsSayHowSureTheyAreAndWhatTold) {
+  Observation seen = two_squares();
+  seen.needle->confidence = 0.75;
+  seen.needle->tip_sigma_um = 0.125;
+  seen.needle->evidence = kShaftEdges | kKnownCone;
+  const auto data = make_tools(seen);
+  EXPECT_FLOAT_EQ(data->GetCellData()->GetArray("confidence")->GetComponent(0, 0), 0.75F);
+  EXPECT_FLOAT_EQ(data->GetCellData()->GetArray("tip_sigma_um")->GetComponent(0, 0), 0.125F);
+  EXPECT_EQ(data->GetCellData()->GetArray("evidence")->GetComponent(0, 0), 5);
+}
+
 TEST(SceneData, AnEmptyObservationGivesEmptyStampedData) {
   EXPECT_EQ(make_membranes({})->GetNumberOfCells(), 0);
   EXPECT_EQ(make_tools({})->GetNumberOfCells(), 0);

@@ -138,18 +138,30 @@ vtkSmartPointer<vtkPolyData> make_tools(const Observation& observation) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   auto lines = vtkSmartPointer<vtkCellArray>::New();
   auto tool = named_array<vtkIntArray>(array_name::kTool);
+  auto evidence = named_array<vtkIntArray>(array_name::kEvidence);
+  auto confidence = named_array<vtkFloatArray>(array_name::kConfidence);
+  auto tip_sigma = named_array<vtkFloatArray>(array_name::kTipSigma);
 
-  const auto append = [&](const Contour_um& outline_um, int kind) {
+  const auto append = [&](const Contour_um& outline_um, int kind, double sure, double sigma_um, unsigned told_by) {
     append_line(lines, append_points(points, outline_um), outline_um.cols(), false);
     tool->InsertNextValue(kind);
+    confidence->InsertNextValue(static_cast<float>(sure));
+    tip_sigma->InsertNextValue(static_cast<float>(sigma_um));
+    evidence->InsertNextValue(static_cast<int>(told_by));
   };
-  if (observation.needle && observation.needle->outline_um.cols() > 0) append(observation.needle->outline_um, 0);
-  if (observation.holder && observation.holder->outline_um.cols() > 0) append(observation.holder->outline_um, 1);
+  if (observation.needle && observation.needle->outline_um.cols() > 0) {
+    const NeedlePose& needle = *observation.needle;
+    append(needle.outline_um, 0, needle.confidence, needle.tip_sigma_um, needle.evidence);
+  }
+  if (observation.holder && observation.holder->outline_um.cols() > 0)
+    append(observation.holder->outline_um, 1, observation.holder->confidence, 0.0, kNoNeedleEvidence);
 
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   data->SetLines(lines);
-  data->GetCellData()->AddArray(tool);
+  for (vtkDataArray* array : {static_cast<vtkDataArray*>(tool.Get()), static_cast<vtkDataArray*>(confidence.Get()),
+                              static_cast<vtkDataArray*>(tip_sigma.Get()), static_cast<vtkDataArray*>(evidence.Get())})
+    data->GetCellData()->AddArray(array);
   stamp(data, observation.time_s, observation.frame_index);
   return data;
 }

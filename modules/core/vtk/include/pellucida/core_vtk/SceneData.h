@@ -17,6 +17,8 @@ inline constexpr const char* kMembrane = "membrane";             ///< 0 outer, 1
 inline constexpr const char* kConfidence = "confidence";         ///< points of a contour, 0..1
 inline constexpr const char* kSigma = "sigma_um";                ///< points of a contour
 inline constexpr const char* kTool = "tool";                     ///< cells: 0 needle, 1 holder
+inline constexpr const char* kEvidence = "evidence";  ///< cells of the tools: NeedleEvidence's bits; 0 for the holder
+inline constexpr const char* kTipSigma = "tip_sigma_um";         ///< cells of the tools; 0 for the holder
 inline constexpr const char* kForce = "force_uN";                ///< points of the surface, 3 components
 inline constexpr const char* kForceSigma = "force_sigma_uN";     ///< points of the surface
 inline constexpr const char* kDisplacement = "displacement_um";  ///< points of the surface, 3 components
@@ -46,7 +48,8 @@ ImageView view_of(const vtkImageData* frame);
 /// data the stamp, `center_um`, `axis` and `rest_radius_um`. z = 0.
 vtkSmartPointer<vtkPolyData> make_membranes(const Observation& observation);
 
-/// Needle and holder as open polylines; cell array `tool` (0 needle, 1 holder); the needle's first point is its tip.
+/// Needle and holder as open polylines; cell arrays `tool` (0 needle, 1 holder), `confidence`, `tip_sigma_um` and
+/// `evidence` (what told where the tip is: the bits of NeedleEvidence); the needle's first point is its tip.
 vtkSmartPointer<vtkPolyData> make_tools(const Observation& observation);
 
 }  // namespace pellucida
