@@ -11,8 +11,6 @@ namespace pellucida {
 
 #define PELLUCIDA_INLINE __attribute__((always_inline)) inline
 
-constexpr std::size_t kInterleavedRuns = 4;
-
 /// The loops over the groups and over the nodes, to be inlined into a function for each instruction set. No product is
 /// fused with a sum and square roots and quotients are exact, so every instruction set gives the same bits.
 struct ExplicitSpringsKernel {
@@ -186,20 +184,6 @@ ExplicitSprings::ExplicitSprings(const TriangleMesh& rest, const SpringTerm& spr
     group.k2[l] = static_cast<float>(scale * p.spring->k2_uN_per_um);
     group.k1[l] = static_cast<float>(scale * p.spring->k1_uN_per_um);
   }
-
-  // Neighbouring groups share nodes: taken one after the other, each would wait for what the last has written. Several
-  // distant runs in turn don't.
-  std::vector<Group> groups;
-  std::vector<Sides> sides;
-  const std::size_t run = (groups_.size() + kInterleavedRuns - 1) / kInterleavedRuns;
-  for (std::size_t k = 0; k < run; ++k) {
-    for (std::size_t g = k; g < groups_.size(); g += run) {
-      groups.push_back(groups_[g]);
-      sides.push_back(sides_[g]);
-    }
-  }
-  groups_.swap(groups);
-  sides_.swap(sides);
 }
 
 namespace {
