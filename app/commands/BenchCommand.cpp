@@ -12,6 +12,7 @@
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
+#include "pellucida/mechanics/MechanicsBench.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionReader.h"
@@ -94,7 +95,7 @@ Json bench_tracking(const BenchArguments& arguments) {
           {"frames_per_s", figures.frames_per_s}};
 }
 
-Json bench_mechanics(const Rounds& rounds) {
+Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
   print_row("reconstruction, a frame", rounds.step_us.at("reconstruction"));
   print_row("mechanics, a frame", rounds.step_us.at("mechanics"));
   const Scene* modelled = nullptr;
@@ -102,7 +103,14 @@ Json bench_mechanics(const Rounds& rounds) {
     if (scene.model) modelled = &scene;
   }
   const auto nodes = modelled ? const_cast<vtkPolyData*>(modelled->model.get())->GetNumberOfPoints() : 0;
-  return {{"nodes", nodes}, {"step_us", to_json(rounds.step_us.at("mechanics"))}};
+  const CellProfile profile = load_profile(profile_name);
+  const ExplicitTimes explicit_steps = measure_explicit_steps(profile, profile.mesh_frequency);
+  std::printf("%-28s %9.2f ns a spring a step, %d springs\n", "explicit time steps", explicit_steps.ns_per_spring_step,
+              explicit_steps.spring_count);
+  return {{"nodes", nodes},
+          {"springs", explicit_steps.spring_count},
+          {"step_us", to_json(rounds.step_us.at("mechanics"))},
+          {"ns_per_spring_step", explicit_steps.ns_per_spring_step}};
 }
 
 Json bench_pipeline(const Rounds& rounds) {
@@ -160,7 +168,7 @@ void bench(const BenchArguments& arguments) {
     const SourceInfo source = open_any_source(arguments.source, {})->info();
     const Rounds rounds = run_rounds(arguments);
     if (rounds.frame_count == 0) throw NothingMeasuredError(arguments.source + ": it has no frames");
-    if (wanted("mechanics")) report["mechanics"] = bench_mechanics(rounds);
+    if (wanted("mechanics")) report["mechanics"] = bench_mechanics(rounds, arguments.pipeline.profile);
     if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds);
     if (wanted("session")) report["session"] = bench_session(rounds, source);
   }

@@ -34,23 +34,57 @@ class Locator {
     return static_cast<int>(node);
   }
 
-  Place find(const Eigen::Vector3d& direction) const {
-    // The triangle that has the direction most inside.
-    const int start = nearest(direction);
+  /// From `node` uphill to the nearest, as a rule.
+  int climb(int node, const Eigen::Vector3d& direction) const {
+    double height = directions_.col(node).dot(direction);
+    for (bool higher = true; higher;) {
+      higher = false;
+      for (const int t : triangles_of_[static_cast<std::size_t>(node)]) {
+        for (int corner = 0; corner < 3; ++corner) {
+          const int other = triangles_(corner, t);
+          if (directions_.col(other).dot(direction) <= height) continue;
+          height = directions_.col(other).dot(direction);
+          node = other;
+          higher = true;
+        }
+        if (higher) break;
+      }
+    }
+    return node;
+  }
+
+  /// `near_node`: a node to start from, the nearer the quicker; set to the nearest.
+  Place find(const Eigen::Vector3d& direction, int& near_node) const {
+    // The triangle that has the direction inside: nearly always one at the nearest node, else one a ring farther, else
+    // the one that has it least outside.
+    near_node = climb(near_node, direction);
     Place best;
     double best_inside = -1e9;
-    for (const int near : triangles_of_[static_cast<std::size_t>(start)]) {
-      for (int corner = 0; corner < 3; ++corner) {
-        for (const int t : triangles_of_[static_cast<std::size_t>(triangles_(corner, near))]) {
-          Eigen::Matrix3d corners;
-          for (int k = 0; k < 3; ++k) corners.col(k) = directions_.col(triangles_(k, t));
-          Eigen::Vector3d shares = corners.inverse() * direction;
-          shares /= shares.sum();
-          if (shares.minCoeff() <= best_inside) continue;
-          best_inside = shares.minCoeff();
-          best = {{triangles_(0, t), triangles_(1, t), triangles_(2, t)}, shares};
-        }
+    const auto has_inside = [&](int t) {
+      Eigen::Matrix3d corners;
+      for (int k = 0; k < 3; ++k) corners.col(k) = directions_.col(triangles_(k, t));
+      Eigen::Vector3d shares = corners.inverse() * direction;
+      shares /= shares.sum();
+      if (shares.minCoeff() > best_inside) {
+        best_inside = shares.minCoeff();
+        best = {{triangles_(0, t), triangles_(1, t), triangles_(2, t)}, shares};
       }
+      return best_inside >= 0.0;
+    };
+    const auto any_of = [&](int node) {
+      const auto& triangles = triangles_of_[static_cast<std::size_t>(node)];
+      return std::any_of(triangles.begin(), triangles.end(), has_inside);
+    };
+    const auto is_found_round = [&](int node) {
+      if (any_of(node)) return true;
+      const auto& round = triangles_of_[static_cast<std::size_t>(node)];
+      return std::any_of(round.begin(), round.end(), [&](int t) {
+        return any_of(triangles_(0, t)) || any_of(triangles_(1, t)) || any_of(triangles_(2, t));
+      });
+    };
+    if (!is_found_round(near_node)) {
+      near_node = nearest(direction);
+      is_found_round(near_node);
     }
     // Rounding may leave it a hair outside.
     best.shares = best.shares.cwiseMax(0.0);
@@ -71,10 +105,11 @@ ForceTransfer::ForceTransfer(const Eigen::Matrix3Xd& model_directions, const Eig
     : extensive_(surface_directions.cols(), model_directions.cols()),
       intensive_(surface_directions.cols(), model_directions.cols()) {
   const Locator locator(model_directions, triangles);
+  int near_node = 0;
   std::vector<Eigen::Triplet<double>> interpolation, lumps;
   Eigen::VectorXd received = Eigen::VectorXd::Zero(model_directions.cols());
   for (Eigen::Index s = 0; s < surface_directions.cols(); ++s) {
-    const Place place = locator.find(surface_directions.col(s));
+    const Place place = locator.find(surface_directions.col(s), near_node);
     for (int k = 0; k < 3; ++k) {
       const double share = place.shares[k];
       interpolation.emplace_back(static_cast<int>(s), place.nodes[static_cast<std::size_t>(k)], share);
