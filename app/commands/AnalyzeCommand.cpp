@@ -16,6 +16,7 @@ struct AnalyzeArguments {
   std::string output;
   PipelineOptions pipeline;
   SourceOptions source;
+  std::string quality = "live";
   bool no_frames = false;
   int job_count = 1;
 };
@@ -24,8 +25,10 @@ void analyze(const AnalyzeArguments& arguments) {
   if (arguments.job_count < 1) {
     throw UsageError("--jobs " + std::to_string(arguments.job_count) + ": give a number of 1 or more");
   }
+  PipelineOptions pipeline = arguments.pipeline;
+  if (arguments.quality == "high") pipeline.tracker.quality = TrackerOptions::Quality::kHigh;
   const auto source = open_any_source(arguments.input, arguments.source);
-  const BatchResult result = measure_session(*source, arguments.pipeline, arguments.job_count, arguments.output,
+  const BatchResult result = measure_session(*source, pipeline, arguments.job_count, arguments.output,
                                              {.frames = !arguments.no_frames}, command_line());
   std::cout << summary(result, arguments.output);
   require_measured(result, arguments.input);
@@ -47,6 +50,12 @@ void add_analyze_command(CLI::App& app) {
   command
       ->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
                    "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
+      ->capture_default_str();
+  command
+      ->add_option("--quality", arguments->quality,
+                   "live: as fast as the camera; high: the cell is found with level sets as well, for recordings where "
+                   "time doesn't count")
+      ->check(CLI::IsMember({"live", "high"}))
       ->capture_default_str();
   command->add_flag("--no-frames", arguments->no_frames, "leave the images out of the session");
   command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps side by side, same numbers")

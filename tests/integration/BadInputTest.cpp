@@ -73,6 +73,8 @@ TEST_F(BadInputOnAVideo, UnknownPixelSizeNamesTheOption) {
 }
 
 TEST_F(BadInputOnAVideo, UnknownProfileNamesTheKnownOnes) {
+  expect("analyze " + quoted("v.avi") + " --pixel-size-um 0.825 --quality best --output " + quoted("s"), 2,
+         {"--quality", "live", "high"});
   expect("analyze " + quoted("v.avi") + " --pixel-size-um 0.825 --profile frog --output " + quoted("s"), 2,
          {"frog", "mouse-oocyte"});
   EXPECT_FALSE(fs::exists(at("s")));

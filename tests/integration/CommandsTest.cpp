@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -41,6 +42,23 @@ TEST(Commands, ForcePassesTheMeasuredPuncturePoint) {
   const auto force_uN = table.column("force_uN");
   EXPECT_DOUBLE_EQ(force_uN[0], 0.0);
   EXPECT_NEAR(force_uN[force_uN.size() - 1], 7.5, 0.075);
+}
+
+// A third of a second of the virtual microscope, measured both ways; the session says how it was asked for.
+TEST(Commands, AnalyzeTakesTheQualityAsked) {
+  const auto folder = test::fresh_folder("commands_quality", testing::TempDir());
+  std::ofstream(folder / "short.json") << R"({"image": {"duration_s": 0.3}})";
+  for (const std::string quality : {"live", "high"}) {
+    const auto session = folder / quality;
+    const auto outcome = test::run_program("analyze 'virtual:" + (folder / "short.json").string() + "' --quality " +
+                                               quality + " --no-frames --output '" + session.string() + "'",
+                                           folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("free"), std::string::npos) << outcome.out;
+    std::ifstream in(session / "session.json");
+    const std::string record((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    EXPECT_NE(record.find("--quality " + quality), std::string::npos) << record.substr(0, 400);
+  }
 }
 
 // With no display the main job runs headless: a session that checks out, and a picture that shows something.

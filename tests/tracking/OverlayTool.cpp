@@ -2,13 +2,17 @@
 // a line a frame and draws the contours over chosen frames.
 //   tracking_overlay virtual:NAME [--every N] [--draw F,F,...] [--out PREFIX]
 //   tracking_overlay IMAGE_OR_VIDEO... [--every N] [--draw F,F,...] [--out PREFIX] [--pixel-size-um X]
+//   --plain: contours on a plain ground, for pictures that must not be shown; --reference FILE: lines drawn by eye,
+//   a point "x y" (px) a row, an empty row between lines.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <sstream>
 #include <string>
 
 #include "pellucida/core_vtk/SceneData.h"
@@ -23,12 +27,33 @@ struct Choice {
   std::vector<long> draw;
   std::string out = "overlay";
   double pixel_size_um = 0.5;
+  bool plain = false;
+  std::vector<Contour_um> reference_px;
 };
 
-void draw(const cv::Mat& grey, const Observation& seen, double pixel_size_um, const std::string& file) {
+// Polylines of a text file: a point a row, an empty row between lines.
+std::vector<Contour_um> read_polylines(const std::string& file) {
+  std::ifstream in(file);
+  std::vector<Contour_um> lines(1, Contour_um(2, 0));
+  for (std::string row; std::getline(in, row);) {
+    std::istringstream numbers(row);
+    Eigen::Vector2d p;
+    if (numbers >> p.x() >> p.y()) {
+      lines.back().conservativeResize(2, lines.back().cols() + 1);
+      lines.back().rightCols(1) = p;
+    } else if (lines.back().cols() > 0) {
+      lines.emplace_back(2, 0);
+    }
+  }
+  return lines;
+}
+
+void draw(const cv::Mat& grey, const Observation& seen, double pixel_size_um, const std::string& file,
+          const Choice& choice) {
   cv::Mat picture;
   cv::normalize(grey, picture, 0, 255, cv::NORM_MINMAX, CV_8U);
   cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
+  if (choice.plain) picture.setTo(cv::Scalar(245, 245, 245));
   cv::Rect crop(0, 0, grey.cols, grey.rows);
   if (seen.outer) {
     const int reach = static_cast<int>(2.0 * seen.rest_outer_radius_um / pixel_size_um);
@@ -46,8 +71,10 @@ void draw(const cv::Mat& grey, const Observation& seen, double pixel_size_um, co
     for (Eigen::Index i = 0; i + (closed ? 0 : 1) < points.cols(); ++i)
       cv::line(picture, place(points.col(i)), place(points.col((i + 1) % points.cols())), colour, 1, cv::LINE_AA, 4);
   };
-  if (seen.outer) line(seen.outer->points_um, {0, 255, 0}, true);
+  for (const Contour_um& reference : choice.reference_px) line(reference * pixel_size_um, {60, 60, 200}, false);
+  if (seen.outer) line(seen.outer->points_um, choice.plain ? cv::Scalar(0, 140, 0) : cv::Scalar(0, 255, 0), true);
   if (seen.inner) line(seen.inner->points_um, {0, 128, 255}, true);
+  if (seen.oolemma) line(seen.oolemma->points_um, {255, 0, 255}, true);
   if (seen.needle) line(seen.needle->outline_um, {255, 80, 80}, false);
   if (seen.holder) line(seen.holder->outline_um, {255, 255, 0}, false);
   cv::imwrite(file, picture);
@@ -93,7 +120,7 @@ void run_virtual(const std::string& name, const Choice& choice) {
     if (chosen(choice, frame->frame_index)) {
       const cv::Mat grey(view.height_px, view.width_px, view.format == PixelFormat::kGray16 ? CV_16U : CV_8U,
                          const_cast<void*>(view.data), static_cast<std::size_t>(view.row_bytes));
-      draw(grey, seen, view.pixel_size_um, choice.out + "_" + std::to_string(frame->frame_index) + ".png");
+      draw(grey, seen, view.pixel_size_um, choice.out + "_" + std::to_string(frame->frame_index) + ".png", choice);
     }
   }
   const test::ErrorSummary outer = summarize(errors, &test::FrameError::outer_px);
@@ -146,7 +173,7 @@ void run_files(const std::string& file, const Choice& choice) {
       std::printf("\n");
     }
     if (chosen(choice, frame))
-      draw(grey, seen, choice.pixel_size_um, choice.out + "_" + stem + "_" + std::to_string(frame) + ".png");
+      draw(grey, seen, choice.pixel_size_um, choice.out + "_" + stem + "_" + std::to_string(frame) + ".png", choice);
   }
 }
 
@@ -164,6 +191,10 @@ int main(int count, char** arguments) {
       choice.out = value();
     } else if (word == "--pixel-size-um") {
       choice.pixel_size_um = std::atof(value().c_str());
+    } else if (word == "--plain") {
+      choice.plain = true;
+    } else if (word == "--reference") {
+      choice.reference_px = read_polylines(value());
     } else if (word == "--draw") {
       std::string list = value() + ",";
       for (std::size_t at = 0, end; (end = list.find(',', at)) != std::string::npos; at = end + 1)

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "pellucida/tracking/ContourMath.h"
 #include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida {
@@ -155,6 +156,67 @@ TEST(RealImages, TheInjectedOocyteIsFoundWithModestConfidence) {
   EXPECT_NEAR(seen.center_um.y() / kPixelSize_um, 290.0, 15.0);
 }
 
+// What an eye draws in the still, px: where pipette and debris hide the membranes, nothing is drawn.
+using Polyline = std::vector<cv::Point2d>;
+const std::vector<Polyline> kZonaByEye = {
+    {{200, 84}, {240, 79}, {285, 85}, {330, 104}, {372, 142}, {402, 186}, {420, 236}, {425, 278}},
+    {{421, 322}, {406, 372}, {380, 415}, {342, 450}, {298, 476}, {250, 489}, {203, 488}, {156, 475}, {115, 452}}};
+const std::vector<Polyline> kOolemmaByEye = {
+    {{190, 147}, {225, 137}, {262, 141}, {296, 157}, {324, 186}, {341, 222}, {348, 262}, {349, 284}},
+    {{347, 326}, {336, 367}, {310, 402}, {272, 426}, {225, 435}, {180, 428}, {140, 406}, {106, 370}, {83, 330}},
+    {{86, 262}, {110, 224}, {148, 180}}};
+
+// Mean and largest distance of drawn points, a few px apart, from a contour.
+std::pair<double, double> distance_px(const std::vector<Polyline>& drawn, const MembraneContour& contour) {
+  double sum = 0.0, largest = 0.0;
+  int count = 0;
+  for (const Polyline& line : drawn) {
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      for (int part = 0; part < 8; ++part) {
+        const cv::Point2d p = line[k] + (line[k + 1] - line[k]) * (part / 8.0);
+        const double off =
+            contour::distance_to(contour.points_um, kPixelSize_um * Eigen::Vector2d(p.x, p.y)) / kPixelSize_um;
+        sum += off;
+        largest = std::max(largest, off);
+        ++count;
+      }
+    }
+  }
+  return {sum / count, largest};
+}
+
+TEST(RealImages, TheInjectedOocytesMembranesLieWhereAnEyeDrawsThem) {
+  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "icsi_needle_inside.jpg").string(), cv::IMREAD_GRAYSCALE);
+  if (grey.empty()) GTEST_SKIP() << "the real pictures are not at hand";
+  MembraneTracker tracker;
+  const Observation seen = track(tracker, grey, 0);
+  ASSERT_TRUE(seen.outer && seen.inner);
+  const MembraneContour& oolemma = seen.oolemma ? *seen.oolemma : *seen.inner;
+  const auto [outer_mean, outer_largest] = distance_px(kZonaByEye, *seen.outer);
+  const auto [inner_mean, inner_largest] = distance_px(kOolemmaByEye, oolemma);
+  std::printf("zona's outer edge %.1f px (largest %.1f), oolemma %.1f px (largest %.1f) from the drawn lines\n",
+              outer_mean, outer_largest, inner_mean, inner_largest);
+  EXPECT_LT(outer_mean, 5.0);
+  EXPECT_LT(inner_mean, 5.0);
+}
+
+TEST(RealImages, AVesicleOnAPipetteIsFound) {
+  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "vesicle_on_pipette_16bit.png").string(),
+                                  cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
+  if (grey.empty()) GTEST_SKIP() << "the real pictures are not at hand";
+  MembraneTracker tracker;
+  const Observation seen = track(tracker, grey, 0);
+  ASSERT_TRUE(seen.outer.has_value());
+  EXPECT_FALSE(seen.oolemma.has_value()) << "a vesicle has no zona";
+  const Eigen::Vector2d center_px = contour::centroid(seen.outer->points_um) / kPixelSize_um;
+  const double radius_px = contour::arc_length(seen.outer->points_um) / (2.0 * M_PI * kPixelSize_um);
+  std::printf("vesicle at %.1f %.1f px, radius %.1f px, confidence %.2f\n", center_px.x(), center_px.y(), radius_px,
+              seen.confidence);
+  EXPECT_NEAR(center_px.x(), 122.0, 4.0);
+  EXPECT_NEAR(center_px.y(), 231.0, 4.0);
+  EXPECT_NEAR(radius_px, 98.0, 4.0);
+}
+
 TEST(RealImages, ALarvaIsNoRoundCell) {
   cv::VideoCapture video((kReal / "needle" / "zebrafish_larva_poke.mkv").string());
   if (!video.isOpened()) GTEST_SKIP() << "the real video is not at hand";
@@ -171,7 +233,8 @@ TEST(RealImages, ALarvaIsNoRoundCell) {
   EXPECT_LT(claimed, frames / 10);
 }
 
-TEST(RealImages, ARedCellSuckedInIsLostNotInvented) {
+TEST(RealImages, ARedCellIsFollowedWhileRoundAndLostNotInvented) {
+  int followed = 0;
   cv::VideoCapture video((kReal / "aspiration" / "red_cell_aspiration.mp4").string());
   if (!video.isOpened()) GTEST_SKIP() << "the real video is not at hand";
   MembraneTracker tracker;
@@ -183,7 +246,10 @@ TEST(RealImages, ARedCellSuckedInIsLostNotInvented) {
     if (frame < 60 || frame > 330) {
       EXPECT_LT(seen.confidence, 0.5) << "frame " << frame;
     }
+    // Round and held at the mouth, until half of it is inside.
+    if (frame >= 140 && frame <= 160) followed += seen.outer && seen.confidence > 0.5 ? 1 : 0;
   }
+  EXPECT_GE(followed, 18);
 }
 
 }  // namespace

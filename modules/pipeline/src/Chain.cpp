@@ -6,6 +6,7 @@ namespace pellucida {
 
 Chain::Chain(const PipelineOptions& options)
     : profile(load_profile(options.profile)),
+      tracking(options.tracker),
       reconstruction({.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
       mechanics(profile) {}
 
