@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 
 #include "pellucida/core/Table.h"
 #include "support/RunProgram.h"
@@ -50,14 +51,15 @@ TEST(Commands, AnalyzeTakesTheQualityAsked) {
   std::ofstream(folder / "short.json") << R"({"image": {"duration_s": 0.3}})";
   for (const std::string quality : {"live", "high"}) {
     const auto session = folder / quality;
-    const auto outcome = test::run_program("analyze 'virtual:" + (folder / "short.json").string() + "' --quality " +
-                                               quality + " --no-frames --output '" + session.string() + "'",
-                                           folder);
+    std::ostringstream command;
+    command << "analyze 'virtual:" << (folder / "short.json").string() << "' --quality " << quality
+            << " --no-frames --output '" << session.string() << "'";
+    const auto outcome = test::run_program(command.str(), folder);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("free"), std::string::npos) << outcome.out;
     std::ifstream in(session / "session.json");
     const std::string record((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    EXPECT_NE(record.find("--quality " + quality), std::string::npos) << record.substr(0, 400);
+    EXPECT_NE(record.find(std::string("--quality ").append(quality)), std::string::npos) << record.substr(0, 400);
   }
 }
 

@@ -26,7 +26,7 @@ struct LevelSetSettings {
 /// picture's own texture. `outline` (2 x n, px, n >= 3, any orientation).
 /// Returns 128 points (positive area) where rays from the centre of the enclosed area leave it; nothing where the
 /// contour has collapsed, or has run into the border of the region of interest on more than a quarter of the rays.
-/// Cost: 5 to 15 ms, whatever the size of the cell; allocates.
+/// Cost: about 20 ms, whatever the size of the cell; allocates.
 std::optional<Eigen::Matrix2Xd> refine_by_level_set(const GrayImage& image, const Eigen::Matrix2Xd& outline,
                                                     const LevelSetSettings& settings = {});
 
