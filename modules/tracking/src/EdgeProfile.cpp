@@ -5,6 +5,11 @@
 #include <cstdint>
 
 namespace pellucida {
+namespace {
+
+constexpr float kImpossible = -1e30F;
+
+}  // namespace
 
 EdgeFilter::EdgeFilter(double sigma_px, double step_px, EdgeKind kind) : kind_(kind) {
   sigma_px_ = std::max(sigma_px, 0.3);
@@ -85,98 +90,133 @@ Peak climb_to_peak(const float* feature, int count, int start, int reach) {
 }
 
 std::vector<int> best_closed_path(const Eigen::MatrixXf& reward, int max_slope, float slope_penalty) {
-  const int rows = static_cast<int>(reward.rows()), columns = static_cast<int>(reward.cols());
-  std::vector<int> path(static_cast<std::size_t>(rows), 0);
-  if (rows < 1 || columns < 1) return path;
-  const int lead = rows / 4 + 1, total = rows + 2 * lead;
-  std::vector<std::int8_t> back(static_cast<std::size_t>(total) * columns, 0);
-  std::vector<float> score(static_cast<std::size_t>(columns), 0.0F), next(score);
-  // Forward: best sum that ends in column j.
-  for (int r = 0; r < total; ++r) {
-    const int i = ((r - lead) % rows + rows) % rows;
-    for (int j = 0; j < columns; ++j) {
-      float best = -1e30F;
-      int from = 0;
-      for (int d = -max_slope; d <= max_slope; ++d) {
-        const int k = j + d;
-        if (k < 0 || k >= columns) continue;
-        const float value = score[static_cast<std::size_t>(k)] - slope_penalty * static_cast<float>(std::abs(d));
-        if (value > best || (value == best && std::abs(d) < std::abs(from))) {
-          best = value;
-          from = d;
-        }
-      }
-      next[static_cast<std::size_t>(j)] = best + reward(i, j);
-      back[static_cast<std::size_t>(r) * columns + j] = static_cast<std::int8_t>(from);
-    }
-    score.swap(next);
-  }
-  // Backward: only the middle turn is kept, where both ends have been forgotten.
-  int j = static_cast<int>(std::max_element(score.begin(), score.end()) - score.begin());
-  for (int r = total - 1; r >= lead; --r) {
-    if (r < lead + rows) path[static_cast<std::size_t>(r - lead)] = j;
-    j = std::clamp(j + back[static_cast<std::size_t>(r) * columns + j], 0, columns - 1);
-  }
-  return path;
+  PathSearch search;
+  return search.closed_path(reward, max_slope, slope_penalty);
 }
 
 PathPair best_closed_path_pair(const Eigen::MatrixXf& reward_outer, const Eigen::MatrixXf& reward_inner, int min_gap,
                                int max_gap, float slope_penalty, float gap_penalty) {
-  const int rows = static_cast<int>(reward_outer.rows()), columns = static_cast<int>(reward_outer.cols());
-  const int gaps = std::max(1, max_gap - min_gap + 1);
-  PathPair pair{std::vector<int>(static_cast<std::size_t>(rows), 0),
-                std::vector<int>(static_cast<std::size_t>(rows), 0)};
-  if (rows < 1 || columns < 1) return pair;
-  const int lead = rows / 5 + 1, total = rows + 2 * lead;
-  const int states = columns * gaps;
-  std::vector<std::int8_t> back(static_cast<std::size_t>(total) * states, 0);
-  std::vector<float> score(static_cast<std::size_t>(states), 0.0F), next(score);
-  constexpr float kImpossible = -1e30F;
+  PathSearch search;
+  return search.closed_pair(reward_outer, reward_inner, min_gap, max_gap, slope_penalty, gap_penalty);
+}
+
+const std::vector<int>& PathSearch::closed_path(const Eigen::MatrixXf& reward, int max_slope, float slope_penalty) {
+  const int rows = static_cast<int>(reward.rows()), columns = static_cast<int>(reward.cols());
+  path_.assign(static_cast<std::size_t>(rows), 0);
+  if (rows < 1 || columns < 1) return path_;
+  const int lead = rows / 4 + 1, total = rows + 2 * lead;
+  // A margin of impossible places on both sides spares the inner loop its bounds.
+  const int stride = columns + 2 * max_slope;
+  back_.resize(static_cast<std::size_t>(total) * columns);
+  score_.assign(static_cast<std::size_t>(stride), kImpossible);
+  std::fill_n(score_.begin() + max_slope, columns, 0.0F);
+  across_.resize(static_cast<std::size_t>(columns));
+  code_.resize(static_cast<std::size_t>(columns));
   for (int r = 0; r < total; ++r) {
     const int i = ((r - lead) % rows + rows) % rows;
-    std::int8_t* back_row = back.data() + static_cast<std::size_t>(r) * states;
+    float *best = across_.data(), *code = code_.data();
+    const float* score = score_.data() + max_slope;
     for (int j = 0; j < columns; ++j) {
-      const float outer = reward_outer(i, j);
-      for (int g = 0; g < gaps; ++g) {
-        const int inner = j - min_gap - g;
-        const int state = j * gaps + g;
-        if (inner < 0) {
-          next[static_cast<std::size_t>(state)] = kImpossible;
-          continue;
-        }
-        // Nine predecessors: both contours move by at most one sample.
-        float best = kImpossible;
-        int from = 4;
-        for (int dj = -1; dj <= 1; ++dj) {
-          if (j + dj < 0 || j + dj >= columns) continue;
-          for (int dg = -1; dg <= 1; ++dg) {
-            if (g + dg < 0 || g + dg >= gaps) continue;
-            float value = score[static_cast<std::size_t>(state + dj * gaps + dg)];
-            if (dj != 0) value -= slope_penalty;
-            if (dg != 0) value -= gap_penalty;
-            if (value > best) {
-              best = value;
-              from = 3 * (dj + 1) + dg + 1;
-            }
-          }
-        }
-        next[static_cast<std::size_t>(state)] = best + outer + reward_inner(i, inner);
-        back_row[state] = static_cast<std::int8_t>(from);
+      best[j] = score[j];
+      code[j] = 0.0F;
+    }
+    for (int d = 1; d <= max_slope; ++d) {
+      const float cost = slope_penalty * static_cast<float>(d), step = static_cast<float>(d);
+      for (int j = 0; j < columns; ++j) {
+        const float low = score[j - d] - cost, high = score[j + d] - cost;
+        code[j] = low > best[j] ? -step : code[j];
+        best[j] = low > best[j] ? low : best[j];
+        code[j] = high > best[j] ? step : code[j];
+        best[j] = high > best[j] ? high : best[j];
       }
     }
-    score.swap(next);
-  }
-  int state = static_cast<int>(std::max_element(score.begin(), score.end()) - score.begin());
-  for (int r = total - 1; r >= lead; --r) {
-    const int j = state / gaps, g = state % gaps;
-    if (r < lead + rows) {
-      pair.outer[static_cast<std::size_t>(r - lead)] = j;
-      pair.inner[static_cast<std::size_t>(r - lead)] = std::max(0, j - min_gap - g);
+    std::int8_t* back = back_.data() + static_cast<std::size_t>(r) * columns;
+    for (int j = 0; j < columns; ++j) {
+      back[j] = static_cast<std::int8_t>(code[j]);
+      score_[static_cast<std::size_t>(j + max_slope)] = best[j] + reward(i, j);
     }
-    const int from = back[static_cast<std::size_t>(r) * states + state];
-    state = std::clamp(state + (from / 3 - 1) * gaps + from % 3 - 1, 0, states - 1);
   }
-  return pair;
+  // Backward: only the middle turn is kept, where both ends have been forgotten.
+  const auto first = score_.begin() + max_slope;
+  int j = static_cast<int>(std::max_element(first, first + columns) - first);
+  for (int r = total - 1; r >= lead; --r) {
+    if (r < lead + rows) path_[static_cast<std::size_t>(r - lead)] = j;
+    j = std::clamp(j + back_[static_cast<std::size_t>(r) * columns + j], 0, columns - 1);
+  }
+  return path_;
+}
+
+const PathPair& PathSearch::closed_pair(const Eigen::MatrixXf& reward_outer, const Eigen::MatrixXf& reward_inner,
+                                        int min_gap, int max_gap, float slope_penalty, float gap_penalty) {
+  const int rows = static_cast<int>(reward_outer.rows()), columns = static_cast<int>(reward_outer.cols());
+  const int gaps = std::max(1, max_gap - min_gap + 1);
+  pair_.outer.assign(static_cast<std::size_t>(rows), 0);
+  pair_.inner.assign(static_cast<std::size_t>(rows), 0);
+  if (rows < 1 || columns < 1) return pair_;
+  const int lead = rows / 5 + 1, total = rows + 2 * lead;
+  // State (gap, outer place): one row a gap, with an impossible place on both sides and an impossible row above and
+  // below. The moves' costs add up, so the best move over the gap and then over the place is the best of all nine.
+  const int stride = columns + 2, states = stride * gaps;
+  back_.resize(static_cast<std::size_t>(total) * states);
+  score_.assign(static_cast<std::size_t>(states + 2 * stride), kImpossible);
+  across_.assign(static_cast<std::size_t>(stride), kImpossible);
+  code_.assign(static_cast<std::size_t>(stride), 0.0F);
+  row_outer_.resize(static_cast<std::size_t>(columns));
+  row_inner_.resize(static_cast<std::size_t>(columns));
+  std::vector<float>& next = next_;
+  next.assign(score_.size(), kImpossible);
+  for (int g = 0; g < gaps; ++g) std::fill_n(score_.begin() + (g + 1) * stride + 1, columns, 0.0F);
+  for (int r = 0; r < total; ++r) {
+    const int i = ((r - lead) % rows + rows) % rows;
+    for (int j = 0; j < columns; ++j) {
+      row_outer_[static_cast<std::size_t>(j)] = reward_outer(i, j);
+      row_inner_[static_cast<std::size_t>(j)] = reward_inner(i, j);
+    }
+    for (int g = 0; g < gaps; ++g) {
+      const float* here = score_.data() + (g + 1) * stride;
+      const float *thinner = here - stride, *thicker = here + stride;
+      float *across = across_.data(), *code = code_.data();
+      for (int j = 1; j <= columns; ++j) {
+        float best = here[j], from = 4.0F;
+        const float a = thinner[j] - gap_penalty, b = thicker[j] - gap_penalty;
+        from = a > best ? 3.0F : from;
+        best = a > best ? a : best;
+        from = b > best ? 5.0F : from;
+        best = b > best ? b : best;
+        across[j] = best;
+        code[j] = from;
+      }
+      std::int8_t* back = back_.data() + static_cast<std::size_t>(r) * states + static_cast<std::size_t>(g) * stride;
+      float* result = next.data() + (g + 1) * stride;
+      const int first = std::min(columns, min_gap + g);  // outer places whose inner partner is on the strip
+      const float *outer = row_outer_.data() - 1, *inner = row_inner_.data() - 1 - (min_gap + g);
+      std::fill_n(result + 1, first, kImpossible);
+      std::fill_n(back + 1, first, std::int8_t{4});
+      for (int j = 1 + first; j <= columns; ++j) {
+        float best = across[j], from = code[j];
+        const float a = across[j - 1] - slope_penalty, b = across[j + 1] - slope_penalty;
+        from = a > best ? code[j - 1] - 3.0F : from;
+        best = a > best ? a : best;
+        from = b > best ? code[j + 1] + 3.0F : from;
+        best = b > best ? b : best;
+        result[j] = best + outer[j] + inner[j];
+        back[j] = static_cast<std::int8_t>(from);
+      }
+    }
+    score_.swap(next);
+  }
+  int state =
+      static_cast<int>(std::max_element(score_.begin() + stride, score_.end() - stride) - score_.begin()) - stride;
+  for (int r = total - 1; r >= lead; --r) {
+    const int g = std::clamp(state / stride, 0, gaps - 1), j = std::clamp(state % stride, 1, columns);
+    if (r < lead + rows) {
+      pair_.outer[static_cast<std::size_t>(r - lead)] = j - 1;
+      pair_.inner[static_cast<std::size_t>(r - lead)] = std::max(0, j - 1 - min_gap - g);
+    }
+    const int from = back_[static_cast<std::size_t>(r) * states + static_cast<std::size_t>(g) * stride + j];
+    state = (std::clamp(g + from % 3 - 1, 0, gaps - 1)) * stride + std::clamp(j + from / 3 - 1, 1, columns);
+  }
+  return pair_;
 }
 
 }  // namespace pellucida

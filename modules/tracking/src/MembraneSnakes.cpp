@@ -3,170 +3,143 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/tracking/ContourMath.h"
+
 namespace pellucida {
 namespace {
 
-constexpr double kStep = 0.5;            // px between samples on a normal
-constexpr double kSearchStep = 1.0;      // the same in the search for where an edge roughly is
-constexpr double kLeastWorth = 0.30;     // agreement times score of a contour that counts
-constexpr double kSoftRigidity = 20.0;   // times the rigidity, for a faint step that single normals see badly
-constexpr double kLeastSureness = 0.26;  // the same of the surer contour, times the detection's score
-constexpr double kNeedleMargin = 2.5;    // px: half width of the needle's own dark edge, with its halo
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+constexpr double kSearchStep = 1.0;        // px between samples of the search for where an edge roughly is
+constexpr double kSoftRigidity = 20.0;     // times the rigidity, for a faint step that single normals see badly
+constexpr int kSoftSmoothing = 8;          // times neighbouring profiles of a faint step are averaged
+constexpr double kNeedleMargin = 2.5;      // px: half width of the needle's own dark edge, with its halo
+constexpr double kReferenceSpacing = 2.0;  // px between points at which an edge known to kReferenceSigma weighs 1
+constexpr double kReferenceSigma = 0.4;
+constexpr double kShapeShare = 0.1;    // of the predicted shape's own bending that the snake resists
+constexpr double kUnseenSigma = 40.0;  // px: of an edge not seen
+constexpr double kLeastSigma = 0.02;   // px: no single edge is known better
+constexpr double kMisfitShare = 2.0;   // of what noise does not explain of a profile's misfit, in the place's variance
+constexpr double kLeastThicknessSpread = 0.04;  // of the thickness: a zona is not more even than that
+constexpr double kSmoothed = 0.7;  // of the solve's variance that is left after twicing and from frame to frame
+constexpr double kApart = 3.0;     // sigmas between an edge and where the thickness has it, at which its own doubles
+constexpr double kUnlike = 3.0;    // how much surer a profile wholly alike is than one wholly unlike
+constexpr double kBilinearShare = 0.5;  // of a pixel's variance that bilinear samples keep
+constexpr double kSigmaFloor = 0.010;   // of the edge's width: no point is known better
+constexpr double kCrowded = 0.26;       // width over thickness at which that doubles
+constexpr double kSqueeze = 0.25;       // of the zona's thickness that the tip may take away
+constexpr int kReach = 6;               // samples to both sides of the prediction
+constexpr double kSettled_px = 0.6;     // displacement after which the profiles are not sampled again
+constexpr int kMostRounds = 4;
+constexpr double kLeastScoreRatio = 0.85;  // of the usual score: below, the contours are sought anew
+constexpr double kLooseRatio = 0.08;       // share of edges not found within reach: above, the same
+constexpr double kPoorConfidence = 0.5;    // a run of points below, longer by kPoorRun than usual: the same
+constexpr int kPoorRun = 3;
+constexpr long kFreshFrames = 3;    // first frames, in which a hasty start is mended
+constexpr long kLearnInterval = 8;  // frames between lessons of the looks
 
 // Feature in units of the learnt strength, bounded: a glaring speck counts no more than the membrane itself.
-Eigen::MatrixXf as_reward(const Eigen::MatrixXf& feature, double strength) {
-  return (feature / static_cast<float>(strength)).cwiseMin(1.3F).cwiseMax(-0.6F);
+void to_reward(const Eigen::MatrixXf& feature, double strength, Eigen::MatrixXf& reward) {
+  reward = (feature / static_cast<float>(strength)).cwiseMin(1.3F).cwiseMax(-0.6F);
 }
 
 }  // namespace
 
-void MembraneSnakes::learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle) {
-  const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
-  strip_.sample(image, snake.points, normals, 6.0 * snake.scale_px, 6.0 * snake.scale_px, kStep);
-  const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
-  strip_.features(filter, snake.is_soft() ? 8 : 1, feature_);
-  std::vector<double> heights;
-  const int middle = static_cast<int>(std::lround(strip_.column_of(0.0))),
-            reach = static_cast<int>(std::ceil(2.0 / kStep));
-  Eigen::VectorXf row(strip_.columns());
-  // The mean profile about the filter's own peak, over the reach of the filter.
-  constexpr int kLook = 33;
-  const double kLookStep = 0.25 * snake.scale_px;
-  Eigen::VectorXd mean_profile = Eigen::VectorXd::Zero(kLook);
-  const auto value_at = [&](int i, double column) {
-    const int whole = std::clamp(static_cast<int>(column), 0, strip_.columns() - 2);
-    const double t = std::clamp(column - whole, 0.0, 1.0);
-    return (1.0 - t) * strip_.profile(i)[whole] + t * strip_.profile(i)[whole + 1];
-  };
-  double aligned = 0.0;
-  for (int i = 0; i < strip_.rows(); ++i) {
-    if (needle && needle->covers(snake.points.col(i), 6.0)) continue;
-    row = feature_.row(i).transpose();
-    const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
-    heights.push_back(peak.height);
-    if (peak.curvature >= 0.0) continue;
-    for (int k = 0; k < kLook; ++k) mean_profile[k] += value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
-    aligned += 1.0;
-  }
-  if (aligned > 20.0 && snake.kind.step == 0.0) {
-    // The line's own centre against the filter's peak, which steps and fringes beside the line pull aside: the extremum
-    // of the mean profile, by a parabola through its inner pixels.
-    double s2 = 0.0, s4 = 0.0, sv = 0.0, s1v = 0.0, s2v = 0.0;
-    const int inner = 3;
-    for (int k = -inner; k <= inner; ++k) {
-      const double x = kLookStep * k, v = mean_profile[k + kLook / 2] / aligned;
-      s2 += x * x;
-      s4 += x * x * x * x;
-      sv += v;
-      s1v += x * v;
-      s2v += x * x * v;
+void MembraneSnakes::sample_profiles(const FrameSampler& image, const Eigen::Matrix2Xd& points, double step_px,
+                                     int samples, int smoothing) {
+  const Eigen::Index n = points.cols();
+  profiles_.resize(static_cast<std::size_t>(n * samples));
+  const double first = -0.5 * step_px * (samples - 1);
+  for (Eigen::Index i = 0; i < n; ++i)
+    image.sample_line(points.col(i) + first * normals_.col(i), step_px * normals_.col(i), samples,
+                      profiles_.data() + i * samples);
+  for (int round = 0; round < smoothing; ++round) {
+    smoothed_.resize(profiles_.size());
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const float* here = profiles_.data() + i * samples;
+      const float* before = profiles_.data() + (i == 0 ? n - 1 : i - 1) * samples;
+      const float* after = profiles_.data() + (i + 1 == n ? 0 : i + 1) * samples;
+      float* out = smoothed_.data() + i * samples;
+      for (int k = 0; k < samples; ++k) out[k] = 0.5F * here[k] + 0.25F * (before[k] + after[k]);
     }
-    const double count = 2 * inner + 1, quadratic = (s2v - s2 * sv / count) / (s4 - s2 * s2 / count);
-    const double linear = s1v / s2;
-    if (quadratic * snake.kind.line > 0.0) {
-      const double offset = std::clamp(-0.5 * linear / quadratic, -0.8, 0.8);
-      snake.center_offset_px = snake.strength > 0.0 ? 0.8 * snake.center_offset_px + 0.2 * offset : offset;
-    }
+    profiles_.swap(smoothed_);
   }
-  // How alike the profiles are all round: one membrane has one look, a chance ring of edges has many.
-  if (aligned > 20.0) {
-    const Eigen::VectorXd look = (mean_profile.array() - mean_profile.mean()).matrix().normalized();
-    double alike = 0.0;
-    int rows = 0;
-    for (int i = 0; i < strip_.rows(); ++i) {
-      if (needle && needle->covers(snake.points.col(i), 6.0)) continue;
-      row = feature_.row(i).transpose();
-      const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
-      Eigen::VectorXd own(kLook);
-      for (int k = 0; k < kLook; ++k) own[k] = value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
-      own.array() -= own.mean();
-      const double norm = own.norm();
-      alike += norm > 0.0 ? std::max(0.0, own.dot(look) / norm) : 0.0;
-      ++rows;
-    }
-    const double agreement = rows > 0 ? alike / rows : 0.0;
-    snake.agreement = snake.strength > 0.0 ? 0.9 * snake.agreement + 0.1 * agreement : agreement;
-  }
-  const double now = median_of(std::move(heights));
-  if (now <= 0.0) return;
-  snake.strength = snake.strength > 0.0 ? 0.9 * snake.strength + 0.1 * now : now;
 }
 
-bool MembraneSnakes::start(const FrameSampler& image, const DetectedCell& cell, double noise,
-                           const NeedleZone* needle) {
-  const auto take = [&](const FoundEdge& edge, SnakeContour& snake) {
-    snake = {};
-    snake.kind = edge.kind;
-    // A line is followed at the finest scale; a soft step keeps the scale it was found at.
-    snake.scale_px = edge.kind.line != 0.0 ? std::min(edge.scale_px, options_.edge_scale_px) : edge.scale_px;
-    snake.points = contour::resample(contour::positively_oriented(edge.points), options_.contour_point_count);
-    learn_strength(image, snake, needle);
-  };
-  inner_ = {};
-  thickness_ = 0.0;
-  take(cell.outer, outer_);
-  if (cell.inner) take(*cell.inner, inner_);
-  // Learn the look again each time the contour lies better on its edge.
-  const auto settle = [&](SnakeContour& snake, bool is_outer) {
-    for (int round = 0; round < 4; ++round) {
-      refine(image, noise, snake, needle, is_outer, 3.0);
-      snake.points = contour::resample(snake.points, options_.contour_point_count);
-      snake.strength = 0.0;
-      learn_strength(image, snake, needle);
-    }
-    refine(image, noise, snake, needle, is_outer, 2.0);
-  };
-  settle(outer_, true);
-  if (has_inner()) settle(inner_, false);
+bool MembraneSnakes::learn_look(const FrameSampler& image, const SnakeContour& snake, Look& look,
+                                const NeedleZone* needle, double share) {
+  contour::outward_normals(snake.points, normals_);
+  sample_profiles(image, snake.points, look.step_px, EdgeTemplate::kTaps, snake.is_soft() ? kSoftSmoothing : 0);
+  const Eigen::Index n = snake.points.cols();
+  edges_.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) edges_[i] = needle && needle->covers(snake.points.col(i), 6.0) ? 0.0 : 1.0;
+  return look.edge.learn(profiles_.data(), normals_, edges_, snake.kind, share);
+}
 
-  // A ring of chance edges is uneven in strength and in look; a membrane is not. The surer of the two must convince,
-  // the other one must at least hold out; two that ended on the same line are one.
-  const auto worth = [](const SnakeContour& snake) { return snake.agreement * snake.score; };
-  if (has_inner()) {
-    const double apart = median_gap();
-    if (apart < 2.2 * std::min(outer_.scale_px, inner_.scale_px) || worth(inner_) < kLeastWorth) {
-      if (worth(inner_) > worth(outer_)) std::swap(outer_, inner_);
-      inner_ = {};
-    } else if (worth(outer_) < kLeastWorth) {
-      std::swap(outer_, inner_);
-      inner_ = {};
+// Distance of each outer point from the inner contour: both run the same way round, so the nearest place moves on
+// steadily.
+void MembraneSnakes::measure_gaps() {
+  const Eigen::Index n = outer_.points.cols(), m = inner_.points.cols();
+  gaps_.resize(n);
+  gap_places_.resize(static_cast<std::size_t>(n));
+  Eigen::Index nearest = 0;
+  const auto distance = [&](Eigen::Index i, Eigen::Index j) {
+    return (outer_.points.col(i) - inner_.points.col(contour::wrap(j, m))).squaredNorm();
+  };
+  for (Eigen::Index j = 1; j < m; ++j)
+    if (distance(0, j) < distance(0, nearest)) nearest = j;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = nearest;
+    double best = distance(i, from);
+    for (Eigen::Index j = from - 4; j <= from + 8; ++j) {
+      const double d = distance(i, j);
+      if (d >= best) continue;
+      best = d;
+      nearest = j;
     }
+    nearest = contour::wrap(nearest, m);
+    gap_places_[static_cast<std::size_t>(i)] = nearest;
+    // To the two chords that meet there.
+    const Eigen::Vector2d p = outer_.points.col(i), a = inner_.points.col(nearest);
+    for (const Eigen::Index k : {nearest - 1, nearest + 1}) {
+      const Eigen::Vector2d chord = inner_.points.col(contour::wrap(k, m)) - a;
+      const double t = std::clamp(chord.dot(p - a) / std::max(chord.squaredNorm(), 1e-12), 0.0, 1.0);
+      best = std::min(best, (p - a - t * chord).squaredNorm());
+    }
+    gaps_[i] = std::sqrt(best);
   }
-  sureness_ = std::max(worth(outer_), has_inner() ? worth(inner_) : 0.0) * cell.score;
-  if (sureness_ < kLeastSureness) return false;
-  if (has_inner()) thickness_ = median_gap();
-  return true;
 }
 
-double MembraneSnakes::median_gap() const {
-  std::vector<double> gaps;
-  for (Eigen::Index i = 0; i < outer_.points.cols(); i += 2)
-    gaps.push_back(contour::distance_to(inner_.points, outer_.points.col(i)));
-  return median_of(std::move(gaps));
+void MembraneSnakes::learn_thickness(const NeedleZone* needle, double share) {
+  measure_gaps();
+  sorted_.clear();
+  for (Eigen::Index i = 0; i < gaps_.size(); ++i)
+    if (!needle || !needle->covers(outer_.points.col(i), 6.0)) sorted_.push_back(gaps_[i]);
+  if (sorted_.empty()) return;
+  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
+  std::nth_element(sorted_.begin(), middle, sorted_.end());
+  const double thickness = *middle;
+  for (double& gap : sorted_) gap = std::abs(gap - thickness);
+  const auto spread = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() * 3 / 4);
+  std::nth_element(sorted_.begin(), spread, sorted_.end());
+  thickness_ += share * (thickness - thickness_);
+  thickness_sigma_ += share * (std::max(*spread, kLeastThicknessSpread * thickness) - thickness_sigma_);
 }
 
-void MembraneSnakes::search_pair(const FrameSampler& image, const NeedleZone* needle, double search_px) {
-  const Eigen::Matrix2Xd normals = contour::outward_normals(outer_.points);
+// Where both contours of a strip of normals roughly are, with no hint but the band.
+void MembraneSnakes::search(const FrameSampler& image, const NeedleZone* needle, double search_px) {
+  contour::outward_normals(outer_.points, normals_);
   const double reach_in = search_px + (has_inner() ? 1.6 * thickness_ : 0.0);
-  strip_.sample(image, outer_.points, normals, reach_in + 3.0, search_px + 3.0, kSearchStep);
+  strip_.sample(image, outer_.points, normals_, reach_in + 3.0, search_px + 3.0, kSearchStep);
   strip_.features(EdgeFilter(outer_.scale_px, kSearchStep, outer_.kind), 1, feature_);
-  reward_outer_ = as_reward(feature_, outer_.strength);
+  to_reward(feature_, outer_.strength, reward_outer_);
   if (has_inner()) {
     strip_.features(EdgeFilter(inner_.scale_px, kSearchStep, inner_.kind), 1, feature_);
-    reward_inner_ = as_reward(feature_, inner_.strength);
+    to_reward(feature_, inner_.strength, reward_inner_);
   }
   // The needle's own edges say nothing about a membrane; the tip itself does, once it touches.
   if (needle) {
     for (int i = 0; i < strip_.rows(); ++i) {
       for (int j = 0; j < strip_.columns(); ++j) {
-        const Eigen::Vector2d p = outer_.points.col(i) + strip_.offset_of(j) * normals.col(i);
+        const Eigen::Vector2d p = outer_.points.col(i) + strip_.offset_of(j) * normals_.col(i);
         if (!needle->covers(p, kNeedleMargin)) continue;
         const Eigen::Vector2d d = p - needle->tip;
         const double ahead = d.dot(needle->direction);
@@ -185,140 +158,252 @@ void MembraneSnakes::search_pair(const FrameSampler& image, const NeedleZone* ne
   reward_outer_.rightCols(std::max(0, strip_.columns() - 1 - high)).setConstant(-2.0F);
 
   constexpr float kSlope = 0.2F, kGap = 0.2F;
-  std::vector<int> outer_path, inner_path;
+  const std::vector<int>*outer_path = nullptr, *inner_path = nullptr;
   if (has_inner()) {
     const int gap_from = std::max(2, static_cast<int>(0.45 * thickness_ / kSearchStep));
     const int gap_to = static_cast<int>(std::ceil(1.5 * thickness_ / kSearchStep));
-    PathPair pair = best_closed_path_pair(reward_outer_, reward_inner_, gap_from, gap_to, kSlope, kGap);
-    outer_path = std::move(pair.outer);
-    inner_path = std::move(pair.inner);
+    const PathPair& pair = path_search_.closed_pair(reward_outer_, reward_inner_, gap_from, gap_to, kSlope, kGap);
+    outer_path = &pair.outer;
+    inner_path = &pair.inner;
   } else {
-    outer_path = best_closed_path(reward_outer_, 1, kSlope);
+    outer_path = &path_search_.closed_path(reward_outer_, 1, kSlope);
   }
-  Eigen::Matrix2Xd outer(2, strip_.rows()), inner(2, strip_.rows());
-  for (int i = 0; i < strip_.rows(); ++i) {
-    outer.col(i) = outer_.points.col(i) + strip_.offset_of(outer_path[static_cast<std::size_t>(i)]) * normals.col(i);
-    if (has_inner())
-      inner.col(i) = outer_.points.col(i) + strip_.offset_of(inner_path[static_cast<std::size_t>(i)]) * normals.col(i);
-  }
-  outer_.points = contour::resample(outer, options_.contour_point_count);
-  if (has_inner()) inner_.points = contour::resample(inner, options_.contour_point_count);
+  const auto lay = [&](const std::vector<int>& path, SnakeContour& snake) {
+    even_.resize(2, strip_.rows());
+    for (int i = 0; i < strip_.rows(); ++i)
+      even_.col(i) = outer_predicted_.col(i) + strip_.offset_of(path[static_cast<std::size_t>(i)]) * normals_.col(i);
+    contour::untie(even_);  // in a deep dimple far-reaching normals cross
+    contour::resample_into(even_, options_.contour_point_count, 0.0, snake.points);
+  };
+  outer_predicted_ = outer_.points;
+  lay(*outer_path, outer_);
+  if (inner_path) lay(*inner_path, inner_);
 }
 
-void MembraneSnakes::refine(const FrameSampler& image, double noise, SnakeContour& snake, const NeedleZone* needle,
-                            bool is_outer, double reach_px) {
+// Where the template lies on each normal, how surely, and how much of it is to be seen.
+void MembraneSnakes::localise(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle) {
+  SnakeContour& snake = is_outer ? outer_ : inner_;
+  Look& look = is_outer ? outer_look_ : inner_look_;
+  constexpr int kSamples = EdgeTemplate::kTaps + 2 * kReach;
   const Eigen::Index n = snake.points.cols();
-  const EdgeFilter filter(snake.scale_px, kStep, snake.kind);
-  const double margin = reach_px + 4.0 * snake.scale_px;
-  Eigen::VectorXd edges(n), weights(n), rigidity(n), curvature(n);
+  const bool soft = snake.is_soft();
+  contour::outward_normals(snake.points, normals_);
+  sample_profiles(image, snake.points, look.step_px, kSamples, soft ? kSoftSmoothing : 0);
+  const double spacing = contour::arc_length(snake.points) / static_cast<double>(n);
+  // Bilinear samples share pixels: fewer independent ones the finer they lie, along the normal and from row to row.
+  const double shared = 0.6 * std::max(1.0, 1.0 / look.step_px) * std::max(1.0, 1.0 / spacing) * (soft ? 0.2 : 1.0);
+  edges_.resize(n);
+  sigmas_.resize(n);
+  rigidity_.setConstant(n, options_.rigidity * (soft ? kSoftRigidity : 1.0));
+  shape_share_.setConstant(n, kShapeShare);
   snake.confidence.resize(n);
-  snake.sigma_px.resize(n);
-  const Eigen::Matrix2Xd normals = contour::outward_normals(snake.points);
-  strip_.sample(image, snake.points, normals, margin, margin, kStep);
-  strip_.features(filter, snake.is_soft() ? 8 : 1, feature_);
-  const double smoothing_gain = snake.is_soft() ? 0.37 : 0.61;  // of (1 2 1) / 4, so many times over
-  const double noise_feature = noise * filter.noise_gain() * smoothing_gain;
-  const int middle = static_cast<int>(std::lround(strip_.column_of(0.0)));
-  const int reach = static_cast<int>(std::ceil(reach_px / kStep));
-  Eigen::VectorXf row(strip_.columns());
+  double score = 0.0;
+  int seen = 0, loose = 0, poor = 0;
+  look.poor_run = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Vector2d p = snake.points.col(i);
-    row = feature_.row(i).transpose();
-    const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
-    edges[i] = strip_.offset_of(peak.position) + snake.center_offset_px;
-    const double relative = snake.strength > 0.0 ? peak.height / snake.strength : 0.0;
-    const double clear = std::clamp((peak.height - 2.0 * noise_feature) / std::max(snake.strength, 1e-6), 0.0, 1.0);
-    weights[i] = peak.curvature < 0.0 ? clear : 0.0;
-    snake.confidence[i] = peak.curvature < 0.0 ? std::clamp(1.4 * clear, 0.0, 1.0) : 0.0;
-    (void)relative;
-    curvature[i] = -peak.curvature / (kStep * kStep);
-    snake.sigma_px[i] = curvature[i] > 1e-9
-                            ? std::min(reach_px, noise * filter.slope_noise_gain() * smoothing_gain / curvature[i])
-                            : reach_px;
-    rigidity[i] = options_.rigidity * (snake.is_soft() ? kSoftRigidity : 1.0);
-    if (!needle) continue;
+    const int direction = EdgeTemplate::direction_of(normals_(0, i), normals_(1, i));
+    const EdgeTemplate::Match m = look.edge.match(profiles_.data() + i * kSamples, kReach, direction);
+    const double pixel_variance = (noise / m.mean) * (noise / m.mean), noise_variance = shared * pixel_variance;
+    // What noise does not explain of the misfit is another body's edge or texture, alike over the edge's width.
+    const double variance =
+        noise_variance + kMisfitShare * std::max(0.0, double{m.residual} - kBilinearShare * pixel_variance);
+    const double gain = std::max(double{m.gain}, 0.02);
+    const double place_px = look.step_px * std::sqrt(variance * look.edge.place_variance(direction)) / gain;
+    const double clear =
+        std::clamp(m.gain - 2.0 * std::sqrt(noise_variance) * look.edge.gain_deviation(direction), 0.0, 1.0);
+    // The share of the profile's variance that the look explains: another body's edge explains little.
+    const double explained = gain * gain * look.edge.energy(direction);
+    const double alike = explained / (explained + m.residual);
+    edges_[i] = look.step_px * m.place;
+    sigmas_[i] = m.inside ? std::min(kUnseenSigma, std::hypot(place_px * (1.0 + kUnlike * (1.0 - alike)), kLeastSigma))
+                          : kUnseenSigma;
+    snake.confidence[i] = m.inside ? std::clamp(1.4 * clear, 0.0, 1.0) * std::min(1.0, 1.6 * alike) : 0.0;
+    if (needle && needle->covers(snake.points.col(i), kNeedleMargin)) continue;
+    score += snake.confidence[i];
+    ++seen;
+    loose += m.inside ? 0 : 1;
+    poor = snake.confidence[i] < kPoorConfidence ? poor + 1 : 0;
+    look.poor_run = std::max(look.poor_run, poor);
+  }
+  snake.score = seen > 0 ? score / seen : 0.0;
+  look.loose_ratio = seen > 0 ? static_cast<double>(loose) / seen : 1.0;
+}
 
-    // Softer near the tip, where the dimple is sharp.
-    const double reach_of_tip = 6.0 * needle->tip_half_width + 12.0;
-    const double distance = (p - needle->tip).norm();
-    if (needle->touching && distance < reach_of_tip) {
+// The zona's thickness says where the outer membrane is when the inner one is seen and it itself is not.
+void MembraneSnakes::use_thickness(const NeedleZone* needle) {
+  measure_gaps();
+  const Eigen::Index n = outer_.points.cols(), m = inner_.points.cols();
+  const auto match = static_cast<double>(m) / static_cast<double>(inner_.sigma_px.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto place = static_cast<Eigen::Index>(gap_places_[static_cast<std::size_t>(i)] / match);
+    // Under the tip a zona may be squeezed.
+    double squeezed = 0.0;
+    if (needle && needle->touching) {
+      const double t = (outer_.points.col(i) - needle->tip).norm() / (3.0 * needle->tip_half_width + 8.0);
+      if (t < 4.0) squeezed = kSqueeze * thickness_ * std::exp(-0.5 * t * t);
+    }
+    const double sigma = std::hypot(std::hypot(thickness_sigma_, squeezed),
+                                    inner_.sigma_px[std::min(place, inner_.sigma_px.size() - 1)]);
+    // An edge that lies elsewhere than the thickness allows is another body's.
+    const double expected = thickness_ - gaps_[i], apart = (edges_[i] - expected) / (kApart * (sigma + sigmas_[i]));
+    const double own = sigmas_[i] * (1.0 + apart * apart);
+    const double a = 1.0 / (own * own), b = 1.0 / (sigma * sigma);
+    edges_[i] = (a * edges_[i] + b * expected) / (a + b);
+    sigmas_[i] = 1.0 / std::sqrt(a + b);
+  }
+}
+
+// Near the needle: softer where the dimple is sharp, blind where the shaft hides the membrane, and under the tip the
+// membrane is where the tip is.
+void MembraneSnakes::use_needle(SnakeContour& snake, bool is_outer, const NeedleZone& needle) {
+  const Eigen::Index n = snake.points.cols();
+  const double reach_of_tip = 6.0 * needle.tip_half_width + 12.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector2d p = snake.points.col(i), d = p - needle.tip;
+    const double distance = d.norm();
+    if (needle.touching && distance < reach_of_tip) {
       const double t = distance / reach_of_tip;
-      rigidity[i] = options_.tip_rigidity * std::pow(options_.rigidity / options_.tip_rigidity, t * t);
+      rigidity_[i] = options_.tip_rigidity * std::pow(options_.rigidity / options_.tip_rigidity, t * t);
     }
-    if (!needle->covers(p + edges[i] * normals.col(i), kNeedleMargin) && !needle->covers(p, kNeedleMargin)) continue;
-    const Eigen::Vector2d d = p - needle->tip;
-    const double across = std::abs(needle->direction.x() * d.y() - needle->direction.y() * d.x());
-    const double along = normals.col(i).dot(needle->direction);
-    if (is_outer && needle->touching && across < needle->tip_half_width && along < -0.5) {
-      // Under the tip the membrane is where the tip's front is.
-      edges[i] = -d.dot(needle->direction) / along;
-      weights[i] = 1.0;
+    const bool there = std::abs(edges_[i]) < kReach && needle.covers(p + edges_[i] * normals_.col(i), kNeedleMargin);
+    if (!there && !needle.covers(p, kNeedleMargin)) continue;
+    const double across = std::abs(needle.direction.x() * d.y() - needle.direction.y() * d.x());
+    const double along = normals_.col(i).dot(needle.direction);
+    if (is_outer && needle.touching && across < needle.tip_half_width && along < -0.5) {
+      edges_[i] = -d.dot(needle.direction) / along;
+      sigmas_[i] = needle.tip_sigma;
       snake.confidence[i] = 0.8;
-      snake.sigma_px[i] = 0.5;
-    } else if (is_outer || !needle->touching || d.dot(needle->direction) < 1.0) {
-      // On the shaft: hidden. The rigidity bridges the gap.
-      weights[i] = 0.0;
+    } else if (is_outer || !needle.touching || d.dot(needle.direction) < 1.0) {
+      sigmas_[i] = kUnseenSigma;
       snake.confidence[i] = 0.3;
-      snake.sigma_px[i] = 1.5;
+      // Nothing wraps the shaft any more: what it hides is taken to be smooth, not to be as it was.
+      if (!needle.touching) shape_share_[i] = 1.0;
     }
   }
-  const Eigen::VectorXd& u = snake_.relax(snake.points, normals, edges, weights, rigidity, options_.elasticity);
+}
 
-  // Sigma: noise on one normal, what neighbours disagree, both averaged over the points the rigidity ties together.
-  double score = 0.0, count = 0.0;
+// One round of one snake: look, solve, move. Returns the largest displacement of an edge that was seen, px.
+double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle) {
+  SnakeContour& snake = is_outer ? outer_ : inner_;
+  const Look& look = is_outer ? outer_look_ : inner_look_;
+  const Eigen::Index n = snake.points.cols();
+  localise(image, noise, is_outer, needle);
+  if (needle) use_needle(snake, is_outer, *needle);
+  if (is_outer && has_inner() && inner_.sigma_px.size() == inner_.points.cols() && inner_look_.edge.valid())
+    use_thickness(needle);
+  const double spacing = contour::arc_length(snake.points) / static_cast<double>(n);
+  const double reference = kReferenceSigma * spacing / kReferenceSpacing;
+  const Eigen::VectorXd& u =
+      snake_.relax(snake.points, normals_, edges_, sigmas_, rigidity_, shape_share_, {options_.elasticity, reference});
+  const Eigen::VectorXd& deviation = snake_.deviation(edges_);
+  snake.sigma_px.resize(n);
+  const double bound = kReach * look.step_px, width = look.edge.width() * look.step_px;
+  // An edge that is wide against the zona runs into the other one, and its centre is the less certain.
+  const double crowded = has_inner() && thickness_ > 0.0 ? width / (kCrowded * thickness_) : 0.0;
+  const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 4)), floor = kSigmaFloor * width * std::max(1.0, width);
+  const double smoothed = has_inner() ? kSmoothed : 1.0;
+  double largest = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    double squares = 0.0, weight = 0.0;
-    for (Eigen::Index k = -6; k <= 6; ++k) {
-      const Eigen::Index j = contour::wrap(i + k, n);
-      squares += weights[j] * (u[j] - edges[j]) * (u[j] - edges[j]);
-      weight += weights[j];
+    const int direction = EdgeTemplate::direction_of(normals_(0, i), normals_(1, i));
+    const double center = doubt * std::hypot(look.step_px * look.edge.center_deviation(direction), floor);
+    snake.sigma_px[i] = std::sqrt(smoothed * deviation[i] * deviation[i] + center * center);
+    const double move = std::clamp(u[i], -bound, bound);
+    snake.points.col(i) += move * normals_.col(i);
+    largest = std::max(largest, std::abs(move));
+  }
+  return largest;
+}
+
+bool MembraneSnakes::trustworthy(const SnakeContour& snake, const Look& look) const {
+  if (snake.score < kLeastScoreRatio * look.usual_score || look.loose_ratio > kLooseRatio) return false;
+  if (look.poor_run > look.usual_poor_run + kPoorRun) return false;
+  // A contour that folds back on itself.
+  const Eigen::Index n = snake.points.cols();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Vector2d here = snake.points.col(i);
+    const Eigen::Vector2d before = here - snake.points.col(i == 0 ? n - 1 : i - 1);
+    const Eigen::Vector2d after = snake.points.col(i + 1 == n ? 0 : i + 1) - here;
+    if (before.dot(after) < 0.0) return false;
+  }
+  return true;
+}
+
+// Fine rounds from where the contours lie, the inner one first, until nothing moves. False: not to be trusted.
+bool MembraneSnakes::follow(const FrameSampler& image, double noise, const NeedleZone* needle, bool give_up_early) {
+  bool good = true;
+  for (const bool is_outer : {false, true}) {
+    if (!is_outer && !has_inner()) continue;
+    SnakeContour& snake = is_outer ? outer_ : inner_;
+    const Look& look = is_outer ? outer_look_ : inner_look_;
+    if (!look.edge.valid()) continue;
+    for (int round = 0; round < kMostRounds; ++round) {
+      contour::resample_smooth(snake.points, options_.contour_point_count, 0.0, even_);
+      snake.points.swap(even_);
+      if (fine_round(image, noise, is_outer, needle) < kSettled_px) break;
     }
-    const double scatter = weight > 0.0 ? squares / weight : 1.0;
-    const double tied = std::max(1.0, 2.2 * std::pow(rigidity[i], 0.25));
-    snake.sigma_px[i] = std::sqrt((snake.sigma_px[i] * snake.sigma_px[i] + scatter) / tied) * 1.3 + 0.07;
-    if (!needle || !needle->covers(snake.points.col(i), kNeedleMargin)) {
-      score += snake.confidence[i];
-      count += 1.0;
+    good = trustworthy(snake, look) && good;
+    if (!good && give_up_early) return false;
+  }
+  if (!good || !has_inner()) return good;
+  // Neither membrane may lie on the other's edge.
+  measure_gaps();
+  int wrong = 0;
+  for (Eigen::Index i = 0; i < gaps_.size(); ++i)
+    wrong += gaps_[i] < 0.5 * thickness_ || gaps_[i] > 1.6 * thickness_ ? 1 : 0;
+  return wrong < kLooseRatio * static_cast<double>(gaps_.size());
+}
+
+// The cell moves with its holder, the dimple with the needle.
+void MembraneSnakes::predict(const Eigen::Vector2d& shift, const Eigen::Vector2d& push, const NeedleZone* needle) {
+  for (SnakeContour* snake : {&outer_, &inner_}) {
+    for (Eigen::Index i = 0; i < snake->points.cols(); ++i) {
+      Eigen::Vector2d move = shift;
+      if (needle && needle->touching) {
+        const double reach = 3.0 * needle->tip_half_width + 8.0;
+        const double t = (snake->points.col(i) + push - needle->tip).norm() / reach;
+        if (t < 5.0) move += std::exp(-0.5 * t * t) * (push - shift);
+      }
+      snake->points.col(i) += move;
     }
   }
-  snake.score = count > 0.0 ? score / count : 0.0;
-  for (Eigen::Index i = 0; i < n; ++i) snake.points.col(i) += std::clamp(u[i], -reach_px, reach_px) * normals.col(i);
 }
 
 double MembraneSnakes::track(const FrameSampler& image, double noise, const Eigen::Vector2d& shift,
                              const Eigen::Vector2d& push, const NeedleZone* needle, double search_px) {
-  // Predict: the cell moves with its holder, the dimple with the needle.
-  const auto predict = [&](Eigen::Matrix2Xd& points) {
-    for (Eigen::Index i = 0; i < points.cols(); ++i) {
-      Eigen::Vector2d move = shift;
-      if (needle && needle->touching) {
-        const double reach = 3.0 * needle->tip_half_width + 8.0;
-        const double t = (points.col(i) + push - needle->tip).norm() / reach;
-        move += std::exp(-0.5 * t * t) * (push - shift);
-      }
-      points.col(i) += move;
+  predict(shift, push, needle);
+  // From the prediction alone, as long as that goes well; else by a search of the whole band.
+  const bool fresh = frames_ < kFreshFrames;
+  const bool near = search_px <= options_.search_px && !fresh;
+  bool good = false;
+  if (near) {
+    outer_kept_ = outer_.points;
+    inner_kept_ = inner_.points;
+    good = follow(image, noise, needle, true);
+    if (!good) {
+      outer_.points = outer_kept_;
+      inner_.points = inner_kept_;
     }
-  };
-  predict(outer_.points);
-  outer_.points = contour::resample(outer_.points, options_.contour_point_count);
-  if (has_inner()) predict(inner_.points);
-
-  // A global search of the band, then the snakes to sub-pixel.
-  search_pair(image, needle, search_px);
-  for (int round = 0; round < options_.snake_iterations; ++round) {
-    refine(image, noise, outer_, needle, true, 2.0);
-    if (round + 1 < options_.snake_iterations) {
-      const Eigen::Matrix2Xd even = contour::resample(outer_.points, options_.contour_point_count);
-      outer_.points = even;
-    }
-    if (!has_inner()) continue;
-    refine(image, noise, inner_, needle, false, 2.0);
-    if (round + 1 < options_.snake_iterations)
-      inner_.points = contour::resample(inner_.points, options_.contour_point_count);
   }
-  if (outer_.score > 0.6) {
-    learn_strength(image, outer_, needle);
-    if (has_inner() && inner_.score > 0.6) learn_strength(image, inner_, needle);
+  if (!good) {
+    search(image, needle, search_px);
+    good = follow(image, noise, needle, false);
+  }
+  ++frames_;
+  if (!good && !fresh) return outer_.score;
+
+  // Lessons, slowly: light and focus change.
+  const double share = fresh ? 0.5 : 0.05;
+  for (const bool is_outer : {true, false}) {
+    Look& look = is_outer ? outer_look_ : inner_look_;
+    look.usual_score += share * ((is_outer ? outer_ : inner_).score - look.usual_score);
+    look.usual_poor_run += share * (look.poor_run - look.usual_poor_run);
+  }
+  if (fresh || frames_ % kLearnInterval == 0) {
+    learn_look(image, outer_, outer_look_, needle, fresh ? 0.5 : 0.1);
+    if (has_inner()) {
+      learn_look(image, inner_, inner_look_, needle, fresh ? 0.5 : 0.1);
+      learn_thickness(needle, fresh ? 0.5 : 0.1);
+    }
   }
   return outer_.score;
 }

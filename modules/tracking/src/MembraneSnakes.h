@@ -1,8 +1,10 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "CellDetector.h"
+#include "EdgeTemplate.h"
 #include "FrameSampler.h"
 #include "NormalStrip.h"
 #include "Snake.h"
@@ -17,6 +19,7 @@ struct NeedleZone {
   double tip_half_width = 0.0;                           ///< px
   double widening = 0.0;                                 ///< half width gained per px behind the tip
   bool touching = false;                                 ///< the membrane is known to wrap the tip
+  double tip_sigma = 0.5;                                ///< px
 
   /// Whether `p` lies on the shaft or within `margin` px of its edges.
   bool covers(const Eigen::Vector2d& p, double margin) const noexcept {
@@ -71,19 +74,57 @@ class MembraneSnakes {
   }
 
  private:
-  double median_gap() const;
-  void search_pair(const FrameSampler& image, const NeedleZone* needle, double search_px);
-  void refine(const FrameSampler& image, double noise, SnakeContour& snake, const NeedleZone* needle, bool is_outer,
-              double reach_px);
+  // What a membrane looks like, and how finely it is sampled along the normals.
+  struct Look {
+    EdgeTemplate edge;
+    double step_px = 0.5;
+    double usual_score = 0.0;
+    double loose_ratio = 0.0;  ///< share of the last round's edges not found within reach
+    int poor_run = 0;          ///< longest run of points that hardly show the look, in the last round
+    double usual_poor_run = 0.0;
+  };
+
+  // First sight (MembraneStart.cpp).
+  void settle(const FrameSampler& image, double noise, SnakeContour& snake, const NeedleZone* needle);
+  void rough_round(const FrameSampler& image, double noise, SnakeContour& snake, const NeedleZone* needle,
+                   double reach_px);
   void learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle);
+  void learn_looks(const FrameSampler& image, double noise, const NeedleZone* needle);
+  void measure_gaps();
+  void learn_thickness(const NeedleZone* needle, double share);
+
+  // Each frame.
+  void predict(const Eigen::Vector2d& shift, const Eigen::Vector2d& push, const NeedleZone* needle);
+  void search(const FrameSampler& image, const NeedleZone* needle, double search_px);
+  bool follow(const FrameSampler& image, double noise, const NeedleZone* needle, bool give_up_early);
+  double fine_round(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);
+  void localise(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);
+  void use_thickness(const NeedleZone* needle);
+  void use_needle(SnakeContour& snake, bool is_outer, const NeedleZone& needle);
+  bool trustworthy(const SnakeContour& snake, const Look& look) const;
+  bool learn_look(const FrameSampler& image, const SnakeContour& snake, Look& look, const NeedleZone* needle,
+                  double share);
+  void sample_profiles(const FrameSampler& image, const Eigen::Matrix2Xd& points, double step_px, int samples,
+                       int smoothing);
 
   TrackerOptions options_;
   SnakeContour outer_, inner_;
+  Look outer_look_, inner_look_;
   double sureness_ = 0.0;
-  double thickness_ = 0.0;  ///< median distance between the two, px
+  double thickness_ = 0.0;        ///< median distance between the two, px
+  double thickness_sigma_ = 0.0;  ///< how far single places differ from it, px
+  long frames_ = 0;
+
+  // Scratch, kept from frame to frame.
   Snake snake_;
+  PathSearch path_search_;
   NormalStrip strip_;
   Eigen::MatrixXf feature_, reward_outer_, reward_inner_;
+  std::vector<float> profiles_, smoothed_;
+  Eigen::Matrix2Xd normals_, even_, outer_predicted_, outer_kept_, inner_kept_;
+  Eigen::VectorXd edges_, sigmas_, rigidity_, shape_share_, gaps_;
+  std::vector<Eigen::Index> gap_places_;
+  std::vector<double> sorted_;
 };
 
 }  // namespace pellucida

@@ -57,11 +57,15 @@ inline Eigen::Vector2d centroid(const Eigen::Matrix2Xd& points) {
 
 /// `count` points equally spaced along the perimeter, starting at arc length `start` after the first point (wrapped).
 /// Same orientation. Needs 2 points or more and a perimeter above 0; otherwise the input comes back.
-inline Eigen::Matrix2Xd resample(const Eigen::Matrix2Xd& points, Eigen::Index count, double start = 0.0) {
+/// Into `result` (2 x count), which must not be `points`; no allocation when the size stays.
+inline void resample_into(const Eigen::Matrix2Xd& points, Eigen::Index count, double start, Eigen::Matrix2Xd& result) {
   const Eigen::Index n = points.cols();
   const double total = arc_length(points);
-  if (n < 2 || count < 1 || !(total > 0.0)) return points;
-  Eigen::Matrix2Xd result(2, count);
+  if (n < 2 || count < 1 || !(total > 0.0)) {
+    result = points;
+    return;
+  }
+  result.resize(2, count);
   start = std::fmod(std::fmod(start, total) + total, total);
   Eigen::Index edge = 0;
   double before = 0.0;
@@ -79,6 +83,12 @@ inline Eigen::Matrix2Xd resample(const Eigen::Matrix2Xd& points, Eigen::Index co
     const double t = length > 0.0 ? std::clamp((s - before) / length, 0.0, 1.0) : 0.0;
     result.col(k) = (1.0 - t) * points.col(edge) + t * points.col(edge + 1 == n ? 0 : edge + 1);
   }
+}
+
+/// The same as a new matrix.
+inline Eigen::Matrix2Xd resample(const Eigen::Matrix2Xd& points, Eigen::Index count, double start = 0.0) {
+  Eigen::Matrix2Xd result;
+  resample_into(points, count, start, result);
   return result;
 }
 
@@ -88,16 +98,63 @@ inline Eigen::Matrix2Xd positively_oriented(const Eigen::Matrix2Xd& points) {
   return points.rowwise().reverse();
 }
 
-/// Outward unit normals (2 x n) of a positively oriented contour, from central differences.
-inline Eigen::Matrix2Xd outward_normals(const Eigen::Matrix2Xd& points) {
+/// Outward unit normals of a positively oriented contour, from central differences, into `normals` (2 x n). No
+/// allocation when the size stays.
+inline void outward_normals(const Eigen::Matrix2Xd& points, Eigen::Matrix2Xd& normals) {
   const Eigen::Index n = points.cols();
-  Eigen::Matrix2Xd normals(2, n);
+  normals.resize(2, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Vector2d t = points.col(i + 1 == n ? 0 : i + 1) - points.col(i == 0 ? n - 1 : i - 1);
     const double length = t.norm();
-    normals.col(i) = length > 0.0 ? Eigen::Vector2d(t.y() / length, -t.x() / length) : Eigen::Vector2d::Zero();
+    normals.col(i) = length > 0.0 ? Eigen::Vector2d(t.y() / length, -t.x() / length) : Eigen::Vector2d(0.0, 0.0);
   }
+}
+
+/// The same as a new matrix.
+inline Eigen::Matrix2Xd outward_normals(const Eigen::Matrix2Xd& points) {
+  Eigen::Matrix2Xd normals;
+  outward_normals(points, normals);
   return normals;
+}
+
+/// As resample(), but along cubic arcs through the points (tangents from the parabola through three of them) instead of
+/// chords, which cut each bend by spacing^2 / (8 radius); into `result` (2 x count), which must not be `points`. Equal
+/// spacing is that of the chords. No allocation when the size stays.
+inline void resample_smooth(const Eigen::Matrix2Xd& points, Eigen::Index count, double start,
+                            Eigen::Matrix2Xd& result) {
+  const Eigen::Index n = points.cols();
+  const double total = arc_length(points);
+  if (n < 3 || count < 1 || !(total > 0.0)) {
+    result = points;
+    return;
+  }
+  result.resize(2, count);
+  const auto place = [&](Eigen::Index i) { return points.col(i < 0 ? i + n : i >= n ? i - n : i); };
+  const auto tangent = [&](Eigen::Index i) -> Eigen::Vector2d {
+    const Eigen::Vector2d before = place(i) - place(i - 1), after = place(i + 1) - place(i);
+    const double a = before.norm(), b = after.norm();
+    if (!(a > 0.0) || !(b > 0.0)) return Eigen::Vector2d::Zero();
+    return (after * (a / b) + before * (b / a)) / (a + b);
+  };
+  start = std::fmod(std::fmod(start, total) + total, total);
+  Eigen::Index edge = 0, turns = 0;
+  double before = 0.0, length = (place(1) - place(0)).norm();
+  Eigen::Vector2d leave = tangent(0), arrive = tangent(1);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double s = start + total * static_cast<double>(k) / static_cast<double>(count);
+    while (before + length < s && turns < 2 * n) {
+      before += length;
+      ++turns;
+      edge = edge + 1 == n ? 0 : edge + 1;
+      length = (place(edge + 1) - place(edge)).norm();
+      leave = arrive;
+      arrive = tangent(edge + 1 == n ? 0 : edge + 1);
+    }
+    const double t = length > 0.0 ? std::clamp((s - before) / length, 0.0, 1.0) : 0.0;
+    const double r = 1.0 - t;
+    result.col(k) = (1.0 + 2.0 * t) * r * r * place(edge) + t * t * (3.0 - 2.0 * t) * place(edge + 1) +
+                    length * (t * r * r * leave - t * t * r * arrive);
+  }
 }
 
 /// Arc length of the crossing of the contour with the ray from `origin` along unit `direction`: of the crossing
@@ -158,6 +215,30 @@ inline bool self_intersects(const Eigen::Matrix2Xd& points) noexcept {
     }
   }
   return false;
+}
+
+/// Takes the loops out of a closed contour that crosses itself: the points of each loop (the shorter way round) move
+/// to where it crosses. Returns the number of loops. Cost O(n^2).
+inline int untie(Eigen::Matrix2Xd& points) noexcept {
+  const Eigen::Index n = points.cols();
+  int loops = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index k = 2; k <= n / 2; ++k) {
+      const Eigen::Index j = wrap(i + k, n);
+      const Eigen::Vector2d a = points.col(i), c = points.col(j);
+      const Eigen::Vector2d e = points.col(wrap(i + 1, n)) - a, f = points.col(wrap(j + 1, n)) - c;
+      const double cross = e.x() * f.y() - e.y() * f.x();
+      if (cross == 0.0) continue;
+      const double s = ((c - a).x() * f.y() - (c - a).y() * f.x()) / cross;
+      const double t = ((c - a).x() * e.y() - (c - a).y() * e.x()) / cross;
+      if (s <= 0.0 || s >= 1.0 || t <= 0.0 || t >= 1.0) continue;
+      const Eigen::Vector2d crossing = a + s * e;
+      for (Eigen::Index l = 1; l <= k; ++l) points.col(wrap(i + l, n)) = crossing;
+      ++loops;
+      break;
+    }
+  }
+  return loops;
 }
 
 /// Distance from `point` to the nearest place on the closed polygon.

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 namespace pellucida {
@@ -57,14 +58,30 @@ Peak climb_to_peak(const float* feature, int count, int start, int reach);
 /// turns, so that the ends meet. Cost rows * columns * (2 max_slope + 1).
 std::vector<int> best_closed_path(const Eigen::MatrixXf& reward, int max_slope, float slope_penalty);
 
-/// Two coupled closed paths on the same strip: `outer` at j(i), `inner` at j(i) - t(i) with min_gap(i) <= t(i) <=
-/// max_gap(i) samples. Rewards: reward_outer(i, j) + reward_inner(i, j - t) - slope_penalty |dj| - gap_penalty |dt|;
-/// |dj|, |dt| <= 1.
+/// Two coupled closed paths on the same strip: `outer` at j(i), `inner` at j(i) - t(i) with min_gap <= t(i) <= max_gap
+/// samples. Rewards: reward_outer(i, j) + reward_inner(i, j - t) - slope_penalty |dj| - gap_penalty |dt|;
+/// |dj|, |dt| <= 1. Cost 6 rows * columns * (max_gap - min_gap + 1), four states at a time.
 struct PathPair {
   std::vector<int> outer;
   std::vector<int> inner;
 };
 PathPair best_closed_path_pair(const Eigen::MatrixXf& reward_outer, const Eigen::MatrixXf& reward_inner, int min_gap,
                                int max_gap, float slope_penalty, float gap_penalty);
+
+/// The same two searches with their memory kept from call to call: no allocation once the sizes have been seen.
+class PathSearch {
+ public:
+  /// As best_closed_path(); valid until the next call.
+  const std::vector<int>& closed_path(const Eigen::MatrixXf& reward, int max_slope, float slope_penalty);
+  /// As best_closed_path_pair(); valid until the next call.
+  const PathPair& closed_pair(const Eigen::MatrixXf& reward_outer, const Eigen::MatrixXf& reward_inner, int min_gap,
+                              int max_gap, float slope_penalty, float gap_penalty);
+
+ private:
+  std::vector<float> score_, next_, across_, code_, row_outer_, row_inner_;
+  std::vector<std::int8_t> back_;
+  std::vector<int> path_;
+  PathPair pair_;
+};
 
 }  // namespace pellucida
