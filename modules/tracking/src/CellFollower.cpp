@@ -49,7 +49,9 @@ GrayImage gray(const ImageView& view) {
 
 NeedleZone CellFollower::zone() const {
   const NeedleEstimate& n = needle_.estimate();
-  return {n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_};
+  // A blurred tip's front is the less sharp.
+  const double tip_sigma = std::hypot(0.4, 0.5 * n.edge_blur);
+  return {n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_, tip_sigma};
 }
 
 void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
