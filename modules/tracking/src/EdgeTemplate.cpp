@@ -116,13 +116,12 @@ bool EdgeTemplate::learn(const float* profiles, const Eigen::Matrix2Xd& normals,
 
 void EdgeTemplate::build(EdgeKind kind) {
   valid_ = true;
-  // The edge's width: half the way between the steepest places to both sides of a line.
-  int left = kHalf - 1, right = kHalf + 1;
+  // The edge's width: half the way between the steepest places to both sides of a line, the first ones met from its
+  // middle, for the other membrane's line may stand in the window too.
   const auto mean_slope = [&](int k) { return kind.line * (harmonics_(k + 1, 0) - harmonics_(k - 1, 0)); };
-  for (int k = 1; k < kHalf; ++k)
-    if (mean_slope(k) < mean_slope(left)) left = k;
-  for (int k = kHalf + 1; k < kTaps - 1; ++k)
-    if (mean_slope(k) > mean_slope(right)) right = k;
+  int left = kHalf - 1, right = kHalf + 1;
+  while (left > 1 && mean_slope(left - 1) < mean_slope(left)) --left;
+  while (right + 2 < kTaps && mean_slope(right + 1) > mean_slope(right)) ++right;
   width_ = kind.line != 0.0 ? std::max(0.5, 0.5 * (right - left)) : 2.0;
   const bool is_line = kind.line != 0.0;
   for (int b = 0; b < kDirections; ++b) {

@@ -23,7 +23,7 @@ constexpr double kSmoothed = 0.7;  // of the solve's variance that is left after
 constexpr double kApart = 3.0;     // sigmas between an edge and where the thickness has it, at which its own doubles
 constexpr double kUnlike = 3.0;    // how much surer a profile wholly alike is than one wholly unlike
 constexpr double kBilinearShare = 0.5;  // of a pixel's variance that bilinear samples keep
-constexpr double kSigmaFloor = 0.010;   // of the edge's width: no point is known better
+constexpr double kSigmaFloor = 0.008;   // px, at a width of 1 px: no point is known better
 constexpr double kCrowded = 0.26;       // width over thickness at which that doubles
 constexpr double kSqueeze = 0.25;       // of the zona's thickness that the tip may take away
 constexpr int kReach = 6;               // samples to both sides of the prediction
@@ -300,7 +300,9 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   const double bound = kReach * look.step_px, width = look.edge.width() * look.step_px;
   // An edge that is wide against the zona runs into the other one, and its centre is the less certain.
   const double crowded = has_inner() && thickness_ > 0.0 ? width / (kCrowded * thickness_) : 0.0;
-  const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 4)), floor = kSigmaFloor * width * std::max(1.0, width);
+  const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 4));
+  // A line narrower than a pixel is drawn by too few of them.
+  const double floor = kSigmaFloor * (width * std::max(1.0, width) + 1.0 / std::pow(width, 3));
   const double smoothed = has_inner() ? kSmoothed : 1.0;
   double largest = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {

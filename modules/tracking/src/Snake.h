@@ -28,8 +28,8 @@ class Snake {
                                const Eigen::VectorXd& rigidity, const Eigen::VectorXd& shape_share,
                                const Stiffness& stiffness);
 
-  /// The classic snake, lambda = 1 and no twicing, with weights (n, 0 where nothing is seen) instead of sigmas: for edges
-  /// of which no more than the strength is known.
+  /// The classic snake, lambda = 1 and no twicing, with weights (n, 0 where nothing is seen) instead of sigmas: for
+  /// edges of which no more than the strength is known.
   const Eigen::VectorXd& relax(const Eigen::Matrix2Xd& points, const Eigen::Matrix2Xd& normals,
                                const Eigen::VectorXd& edges, const Eigen::VectorXd& weights,
                                const Eigen::VectorXd& rigidity, double elasticity);
