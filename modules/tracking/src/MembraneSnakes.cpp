@@ -19,7 +19,7 @@ constexpr double kUnseenSigma = 40.0;  // px: of an edge not seen
 constexpr double kLeastSigma = 0.02;   // px: no single edge is known better
 constexpr double kMisfitShare = 2.0;   // of what noise does not explain of a profile's misfit, in the place's variance
 constexpr double kLeastThicknessSpread = 0.04;  // of the thickness: a zona is not more even than that
-constexpr double kAlone_px = 0.05;              // sigma of a contour without a second one
+constexpr double kAlone_px = 0.023;             // sigma of a contour without a second one
 constexpr double kSmoothed = 0.7;  // of the solve's variance that is left after twicing and from frame to frame
 constexpr double kApart = 3.0;     // sigmas between an edge and where the thickness has it, at which its own doubles
 constexpr double kUnlike = 3.0;    // how much surer a profile wholly alike is than one wholly unlike
@@ -303,8 +303,8 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   const double crowded = has_inner() && thickness_ > 0.0 ? width / (kCrowded * thickness_) : 0.0;
   const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 4));
   // A line narrower than a pixel is drawn by too few of them; a contour alone has none beside it to be held against.
-  const double floor =
-      kSigmaFloor * (width * std::max(1.0, width) + 1.0 / std::pow(width, 3)) + (has_inner() ? 0.0 : kAlone_px);
+  const double floor = kSigmaFloor * (width * std::max(1.0, width) + 1.0 / std::pow(width, 3)) +
+                       (has_inner() ? 0.0 : kAlone_px / std::pow(std::min(1.0, width), 2));
   const double smoothed = has_inner() ? kSmoothed : 1.0;
   double largest = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {

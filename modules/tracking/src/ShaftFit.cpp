@@ -38,7 +38,7 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
   half_across_ = step_ * (columns_ / 2);
   stations_.resize(static_cast<std::size_t>(count));
   solve_.resize(4 * columns_, count);
-  profile_.resize(columns_, count);
+  profile_.setZero(columns_, count);  // beyond a station's own reach it stays 0
   values_.resize(columns_, count);
   solve_.setZero();
   for (int k = 0; k < count; ++k) {
