@@ -1,0 +1,42 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "pellucida/core/Observation.h"
+#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/mechanics/ForceObserver.h"
+#include "pellucida/simulation/Scenario.h"
+
+namespace pellucida::test {
+
+/// One frame of the virtual microscope through tracker and observer, beside the truth.
+struct ForceFrame {
+  double time_s = 0.0;
+  CellState state = CellState::kNoCell, true_state = CellState::kNoCell;
+  double depth_um = 0.0, true_depth_um = 0.0;  ///< as the tracker gives it
+  double depth_sigma_um = 0.0;                 ///< likewise
+  double force_uN = 0.0, true_force_uN = 0.0;  ///< 0 where nothing was measured
+  double lower_uN = 0.0, upper_uN = 0.0;
+  bool is_measured = false;  ///< a force was given
+  bool is_covered() const { return is_measured && lower_uN <= true_force_uN && true_force_uN <= upper_uN; }
+};
+
+struct ForceRun {
+  std::vector<ForceFrame> frames;
+  std::vector<ForceEstimate> estimates;  ///< of the same frames, without the arrays of the shape
+  double peak_uN = 0.0;                  ///< largest true force
+
+  /// RMS of the force's error over all frames that hold a cell, in % of the largest true force.
+  double rms_percent_of_peak() const;
+  /// Frames truly in contact, and how many of them have the true force within the 95 % interval.
+  int contact_count() const;
+  int covered_count() const;
+};
+
+/// Every frame of a scenario through a fresh tracker and observer.
+ForceRun run_force(const Scenario& scenario, const CellProfile& profile);
+
+/// The profile that belongs to a scenario's cell.
+CellProfile profile_of(const Scenario& scenario);
+
+}  // namespace pellucida::test

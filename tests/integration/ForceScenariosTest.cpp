@@ -1,0 +1,36 @@
+// The force of the shipped scenarios through tracker and observer, against the virtual microscope's truth, which comes
+// from finite elements: the share of error and the honesty of the 95 % interval.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "integration/ForceRun.h"
+
+namespace pellucida {
+namespace {
+
+TEST(ForceScenarios, ForceIsCloseAndItsIntervalHonestOverAllShippedScenarios) {
+  std::vector<double> rms_percent;
+  int contact_count = 0, covered_count = 0;
+  for (const std::string& name : scenario_names()) {
+    const Scenario scenario = load_scenario(name);
+    const test::ForceRun run = test::run_force(scenario, test::profile_of(scenario));
+    ASSERT_GT(run.contact_count(), 50) << name;
+    const double rms = run.rms_percent_of_peak();
+    EXPECT_LE(rms, 5.0) << name;
+    rms_percent.push_back(rms);
+    contact_count += run.contact_count();
+    covered_count += run.covered_count();
+    std::printf("%-26s RMS %5.2f %% of peak, %d of %d contact frames inside the 95 %% interval\n", name.c_str(), rms,
+                run.covered_count(), run.contact_count());
+  }
+  std::sort(rms_percent.begin(), rms_percent.end());
+  EXPECT_LE(rms_percent[rms_percent.size() / 2], 3.0);
+  const double coverage = static_cast<double>(covered_count) / contact_count;
+  EXPECT_GE(coverage, 0.90);
+  EXPECT_LE(coverage, 0.99);
+}
+
+}  // namespace
+}  // namespace pellucida
