@@ -30,10 +30,10 @@ CellProfile profile_of(const Scenario& scenario) {
   return load_profile(scenario.cell.reference);
 }
 
-ForceRun run_force(const Scenario& scenario, const CellProfile& profile) {
+ForceRun run_force(const Scenario& scenario, const CellProfile& profile, const ForceOptions& options) {
   VirtualMicroscope microscope(scenario);
   MembraneTracker tracker;
-  ForceObserver observer(profile);
+  ForceObserver observer(profile, options);
   ForceRun run;
   while (const std::optional<Frame> frame = microscope.next()) {
     const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
@@ -47,6 +47,7 @@ ForceRun run_force(const Scenario& scenario, const CellProfile& profile) {
     row.true_depth_um = truth.observation.indentation_um;
     row.depth_sigma_um = seen.indentation_sigma_um;
     row.true_force_uN = truth.contact_force_uN;
+    if (seen.needle && seen.outer) row.offset_um = needle_contact(seen).offset_um;
     row.is_measured = std::isfinite(estimate.contact_force_uN);
     if (row.is_measured) {
       row.force_uN = estimate.contact_force_uN;

@@ -17,6 +17,7 @@ struct ForceFrame {
   double depth_sigma_um = 0.0;                 ///< likewise
   double force_uN = 0.0, true_force_uN = 0.0;  ///< 0 where nothing was measured
   double lower_uN = 0.0, upper_uN = 0.0;
+  double offset_um = 0.0;    ///< of the cell's centre from the needle's line, in this frame alone
   bool is_measured = false;  ///< a force was given
   bool is_covered() const { return is_measured && lower_uN <= true_force_uN && true_force_uN <= upper_uN; }
 };
@@ -34,7 +35,7 @@ struct ForceRun {
 };
 
 /// Every frame of a scenario through a fresh tracker and observer.
-ForceRun run_force(const Scenario& scenario, const CellProfile& profile);
+ForceRun run_force(const Scenario& scenario, const CellProfile& profile, const ForceOptions& options = {});
 
 /// The profile that belongs to a scenario's cell.
 CellProfile profile_of(const Scenario& scenario);

@@ -6,14 +6,20 @@
 #include <numbers>
 #include <optional>
 
+#include "pellucida/core/Error.h"
 #include "pellucida/mechanics/DepthFilter.h"
 #include "pellucida/mechanics/Indenter.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 
 namespace pellucida {
 namespace {
 
 /// Noise of the indentation when the tracker gives none: a quarter of a pixel at 0.8 um.
 constexpr double kDefaultDepthSigma_um = 0.2;
+/// And of the tip along the needle.
+constexpr double kDefaultTipSigma_um = 0.4;
+/// Rounds of finding the contour's nearest places again.
+constexpr int kProjections = 3;
 /// What no filter averages out: the edge's centre line may lie a little beside the membrane, the same in every frame.
 constexpr double kEdgeBias_um = 0.12;
 /// A profile speaks of cells of its own size: outside this share of its radius it says nothing.
@@ -24,19 +30,25 @@ constexpr double kRebuildRatio = 0.004;
 /// How fast the holder's direction follows the tracker, per frame, and the turn that is worth following.
 constexpr double kHolderFollow = 0.2;
 constexpr double kHolderTurn_rad = 0.002;
-/// Two-sided 95 % of a normal distribution.
-constexpr double kInterval = 1.96;
-
-/// Standard deviation of the force that the model itself may be wrong by: the largest error the profile admits to at
-/// this force, as a share of it or of the peak, whichever is less, taken as two standard deviations.
-double model_sigma_uN(const CellProfile& profile, double force_uN) {
-  double worst_uN = 0.0;
-  for (const auto& error : profile.errors) {
-    worst_uN = std::max(
-        worst_uN, std::min(error.largest_ratio * force_uN, error.largest_of_peak_ratio * profile.puncture_force_uN));
-  }
-  return 0.5 * worst_uN;
-}
+/// A needle's line that passes the centre nearer than this goes through it, as far as a tracker can tell.
+constexpr double kCentred_um = 1.5;
+/// How fast the line's offset follows the tracker while there is no contact, per frame, and the change that is worth a
+/// new model.
+constexpr double kOffsetFollow = 0.2;
+constexpr double kOffsetStep_um = 0.75;
+/// A needle whose line moved by more than this since the contact began has slipped.
+constexpr double kSlip_um = 4.0;
+/// A resting radius is known to this, um, by a tracker; the force goes with its power -1.9 (method, finite elements).
+constexpr double kRadiusSigma_um = 0.2;
+constexpr double kRadiusPower = 1.9;
+/// What a contour may differ from the model by, um, beside its noise: at rest, and more for each um of depth (the
+/// virtual microscope's cells; see the module's README).
+constexpr double kUsualMismatch_um = 0.35;
+constexpr double kUsualMismatch_ratio = 0.03;
+/// Beyond so many times what is usual the shape isn't the model's.
+constexpr double kMismatch = 2.5;
+/// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
+constexpr double kUnknownHolder_ratio = 0.3;
 
 double sphere_volume_um3(double radius_um) {
   return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_um, 3);
@@ -54,30 +66,41 @@ Eigen::Vector3d in_plane(const Eigen::Vector2d& v) {
 
 class ForceObserver::Impl {
  public:
-  explicit Impl(CellProfile profile) : profile_(std::move(profile)) {}
+  Impl(CellProfile profile, const ForceOptions& options) : profile_(std::move(profile)), options_(options) {
+    if (!(options_.observation_ratio >= 0.0)) throw UsageError("weight of the contour: it must be 0 or above");
+    set_scale({});
+  }
 
   const CellProfile& profile() const noexcept { return profile_; }
 
+  void set_scale(const CellScale& scale) {
+    if (!(scale.ratio > 0.0) || !std::isfinite(scale.ratio)) throw UsageError("a cell's scale must be above 0");
+    scale_ = scale;
+    if (scale_.relative_sigma < 0.0) scale_.relative_sigma = profile_.force_scale_relative_sigma;
+  }
+
   void reset() {
     indenter_.reset();
-    filter_.reset();
     holder_W_.reset();
+    offset_um_.reset();
+    end_contact();
   }
 
   ForceEstimate process(const Observation& o) {
     ForceEstimate estimate;
+    estimate.time_s = o.time_s;
+    estimate.frame_index = o.frame_index;
 
     // Nothing to measure.
     if (o.state == CellState::kNoCell || o.state == CellState::kLost || !o.outer) {
       estimate.reason = "no cell to measure";
-      filter_.reset();
+      end_contact();
       return estimate;
     }
     if (!o.center_um.allFinite() || !std::isfinite(o.rest_outer_radius_um) || o.rest_outer_radius_um <= 0.0) {
       estimate.reason = "the cell's rest shape is not known";
       return estimate;
     }
-
     const double outer_ratio = o.rest_outer_radius_um / (profile_.mid_radius_um + 0.5 * profile_.thickness_um);
     if (outer_ratio < kSmallestRatio || outer_ratio > kLargestRatio) {
       estimate.reason = "no cell of profile " + profile_.name + ": its radius is " + whole(o.rest_outer_radius_um) +
@@ -86,48 +109,84 @@ class ForceObserver::Impl {
       return estimate;
     }
 
-    // Where the cell is, how thick, how it is held.
+    // Where the cell is, how thick, how it is held and pushed.
     place(o, estimate);
     prepare_model(o, estimate);
 
-    // Contact: the filtered depth; otherwise the cell is at rest.
+    // Contact: the filtered depth, unless the membrane has just left the tip; otherwise the cell is at rest.
     double depth_um = 0.0;
-    const bool contact = o.state == CellState::kContact;
+    bool contact = o.state == CellState::kContact;
     if (contact) {
       if (!o.needle || !std::isfinite(o.indentation_um)) {
         estimate.reason = "contact, but the needle was not seen";
         return estimate;
       }
       const bool has_sigma = std::isfinite(o.indentation_sigma_um) && o.indentation_sigma_um > 0.0;
-      const auto filtered = filter_.update(o.time_s, std::max(0.0, o.indentation_um),
-                                           has_sigma ? o.indentation_sigma_um : kDefaultDepthSigma_um);
-      depth_um = filtered.depth_um;
-      estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um);
-      // No needle goes deeper than the model can follow.
-      const double deepest_um = 1.4 * indenter_->model().setup().mid_radius_um;
-      if (depth_um > deepest_um) {
-        estimate.reason = "the indentation is deeper than the model reaches";
-        return estimate;
+      const double sigma_um = has_sigma ? o.indentation_sigma_um : kDefaultDepthSigma_um;
+      const double tip_sigma_um = o.needle->tip_sigma_um > 0.0 ? o.needle->tip_sigma_um : kDefaultTipSigma_um;
+      if (monitor_.is_through({contact_.tip_depth_um, tip_sigma_um, o.indentation_um, sigma_um})) {
+        contact = false;
+        estimate.punctured = true;
+      } else {
+        const auto filtered = filter_.update(o.time_s, std::max(0.0, o.indentation_um), sigma_um);
+        depth_um = filtered.depth_um;
+        estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um);
+        // No needle goes deeper than the model can follow.
+        if (depth_um > 1.4 * indenter_->model().setup().mid_radius_um) {
+          estimate.reason = "the indentation is deeper than the model reaches";
+          return estimate;
+        }
       }
-    } else {
+    }
+    estimate.punctured |= o.state == CellState::kPunctured;
+    if (estimate.punctured) estimate.puncture = monitor_.take_puncture(o.time_s);
+    estimate.work_uN_um = monitor_.work_uN_um();
+    if (o.state == CellState::kFree) end_contact();
+    if (!contact) {
       filter_.reset();
       estimate.depth_sigma_um = 0.0;
     }
-    solve(depth_um, contact, estimate);
+    solve(o, depth_um, contact, estimate);
     return estimate;
   }
 
  private:
-  /// The cell frame: z towards the needle, y out of the image plane, so that the image plane is the mesh's mirror.
+  void end_contact() {
+    filter_.reset();
+    monitor_.release();
+    slipped_um_ = 0.0;
+  }
+
+  /// The cell frame: z towards the contact point, y out of the image plane, so that the image plane is the mesh's
+  /// mirror.
   void place(const Observation& o, ForceEstimate& estimate) {
-    Eigen::Vector2d axis = o.needle && o.axis.allFinite() && o.axis.norm() > 0.5 ? o.axis.normalized() : last_axis_;
+    const bool has_needle =
+        o.needle && o.needle->direction.allFinite() && o.needle->direction.norm() > 0.5 && o.needle->tip_um.allFinite();
+    const Eigen::Vector2d axis =
+        has_needle && o.axis.allFinite() && o.axis.norm() > 0.5 ? o.axis.normalized() : last_axis_;
     last_axis_ = axis;
-    const Eigen::Vector3d z = in_plane(axis);
+
+    // How far beside the centre the needle's line runs: followed until contact, then kept.
+    if (has_needle) {
+      contact_ = needle_contact(o);
+      const bool within = std::abs(contact_.offset_um) < 0.8 * o.rest_outer_radius_um;
+      if (within && !offset_um_) offset_um_ = contact_.offset_um;
+      if (within && o.state == CellState::kFree) *offset_um_ += kOffsetFollow * (contact_.offset_um - *offset_um_);
+      if (offset_um_ && o.state == CellState::kContact) {
+        slipped_um_ += kOffsetFollow * (contact_.offset_um - *offset_um_ - slipped_um_);
+      }
+    }
+    const double offset_um = offset_um_ && std::abs(*offset_um_) > kCentred_um ? *offset_um_ : 0.0;
+    const double sine = std::clamp(offset_um / o.rest_outer_radius_um, -0.9, 0.9);
+    const Eigen::Vector2d along = -axis, left(-along.y(), along.x());
+    const Eigen::Vector3d z = in_plane(-sine * left - std::sqrt(1.0 - sine * sine) * along);
     const Eigen::Vector3d y = Eigen::Vector3d::UnitZ();
     estimate.rotation_WC.col(0) = y.cross(z);
     estimate.rotation_WC.col(1) = y;
     estimate.rotation_WC.col(2) = z;
     estimate.center_um = in_plane(o.center_um);
+    push_ = estimate.rotation_WC.transpose() * in_plane(along);
+    used_offset_um_ = offset_um;
 
     // The holder: smoothed while seen, remembered while hidden, else assumed opposite the needle.
     if (o.holder && o.holder->direction.allFinite() && o.holder->direction.norm() > 0.5) {
@@ -139,29 +198,34 @@ class ForceObserver::Impl {
     estimate.holder_assumed = !holder_W_;
   }
 
-  /// A model of this cell's size with the holder in place.
+  /// A model of this cell's size with needle and holder in place.
   void prepare_model(const Observation& o, ForceEstimate& estimate) {
     double thickness_um = o.rest_outer_radius_um - o.rest_inner_radius_um;
     estimate.thickness_assumed = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um && thickness_um > 0.0);
     if (estimate.thickness_assumed) thickness_um = profile_.thickness_um;
+    thickness_um_ = thickness_um;
     const double mid_radius_um = o.rest_outer_radius_um - 0.5 * thickness_um;
-    const Eigen::Vector3d holder = holder_W_ ? Eigen::Vector3d(estimate.rotation_WC.transpose() * in_plane(*holder_W_))
-                                             : -Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d holder =
+        holder_W_ ? Eigen::Vector3d(estimate.rotation_WC.transpose() * in_plane(*holder_W_)) : push_;
 
     // The thickness of the force scale is the profile's: a measured one is too coarse for it (the force goes with
     // h^1.2).
-    const bool fits =
-        indenter_ && std::abs(mid_radius_um / indenter_->model().setup().mid_radius_um - 1.0) < kRebuildRatio;
+    const bool fits = indenter_ &&
+                      std::abs(mid_radius_um / indenter_->model().setup().mid_radius_um - 1.0) < kRebuildRatio &&
+                      std::abs(used_offset_um_ - model_offset_um_) < kOffsetStep_um;
     if (!fits) {
-      const MembraneSetup setup{mid_radius_um, profile_.thickness_um, -Eigen::Vector3d::UnitZ(), holder};
+      const MembraneSetup setup{mid_radius_um, profile_.thickness_um, push_, holder};
       indenter_ = std::make_unique<Indenter>(profile_, setup);
+      auditor_.set_model(indenter_->model().rest());
+      rest_stiffness_uN_per_um_ = indenter_->advance_to(0.0).stiffness_uN_per_um;
+      model_offset_um_ = used_offset_um_;
       outer_radius_um_ = mid_radius_um + 0.5 * thickness_um;
     } else if (indenter_->model().setup().holder.dot(holder) < std::cos(kHolderTurn_rad)) {
       indenter_->set_holder(holder);
     }
   }
 
-  void solve(double depth_um, bool contact, ForceEstimate& estimate) {
+  void solve(const Observation& o, double depth_um, bool contact, ForceEstimate& estimate) {
     // Out of contact the shape is known.
     IndentationState state;
     if (contact) {
@@ -180,63 +244,150 @@ class ForceObserver::Impl {
       state.volume_um3 = indenter_->model().volume().rest_volume_um3();
     }
     const MembraneModel& model = indenter_->model();
+    const Eigen::Matrix3d& R = estimate.rotation_WC;
+    const auto audit = [&] {
+      estimate.shape = auditor_.audit(o, indenter_->positions_um(), R, estimate.center_um, thickness_um_);
+    };
+    audit();
+
+    // The contour's weak pull, where it is asked for: its places found again about the shape it led to.
+    for (int round = 0; contact && estimate.converged && options_.observation_ratio > 0.0 && round < kProjections;
+         ++round) {
+      indenter_->observe(observe_revolved(model.rest(), indenter_->positions_um(), auditor_,
+                                          options_.observation_ratio * model.force_scale_uN_per_um()));
+      state = indenter_->advance_to(depth_um);
+      audit();
+    }
     const Eigen::Matrix3Xd& x = indenter_->positions_um();
 
     // The shape, in the world.
-    const Eigen::Matrix3d& R = estimate.rotation_WC;
     estimate.rest_um = (R * model.rest().points_um).colwise() + estimate.center_um;
     estimate.solved_um = (R * x).colwise() + estimate.center_um;
     estimate.triangles = model.rest().triangles;
 
-    // Forces on the nodes; their sigma from the depth's (along the tangent), the profile's scale and the model's own
-    // error.
-    const double depth_sigma_um = estimate.depth_sigma_um;
-    const double push_uN = std::max(0.0, state.push_force_uN);
-    const double profile_sigma_uN =
-        std::hypot(profile_.force_scale_relative_sigma * push_uN, model_sigma_uN(profile_, push_uN));
-    const double relative_sigma = push_uN > 0.0 ? profile_sigma_uN / push_uN : 0.0;
-    const Eigen::Matrix3Xd force = model.elastic_force_uN(x);
-    estimate.force_uN = R * force;
-    estimate.force_sigma_uN = relative_sigma * force.colwise().norm().transpose();
-    if (contact && depth_sigma_um > 0.0) {
-      constexpr double kProbe_um = 1e-3;
-      const Eigen::Matrix3Xd moved = model.elastic_force_uN(x + kProbe_um * indenter_->depth_tangent());
-      const Eigen::VectorXd by_depth = ((moved - force) * (depth_sigma_um / kProbe_um)).colwise().norm().transpose();
-      estimate.force_sigma_uN = (estimate.force_sigma_uN.array().square() + by_depth.array().square()).sqrt().matrix();
-    }
-    estimate.tension_uN_per_um = model.springs().tension_uN_per_um(x, node_areas_um2(x, model.rest().triangles));
+    // The force with what makes it uncertain. All forces go with the cell's scale.
+    const double scale = scale_.ratio;
+    const double push_uN = scale * std::max(0.0, state.push_force_uN);
+    const double stiffness_uN_per_um = contact ? scale * std::max(0.0, state.stiffness_uN_per_um) : 0.0;
+    if (contact) fill_errors(push_uN, stiffness_uN_per_um, depth_um, estimate);
+    const ForceInterval interval = contact ? interval_95(push_uN, estimate.errors) : ForceInterval{};
+    fill_nodes(model, x, contact, estimate);
 
     // The outer surface encloses what it did at rest, but for the little the liquid gives.
     estimate.volume_um3 = sphere_volume_um3(outer_radius_um_) * (state.volume_um3 / model.volume().rest_volume_um3());
-    estimate.pressure_Pa = state.pressure_Pa;
+    estimate.pressure_Pa = scale * state.pressure_Pa;
 
     // A model that isn't where the needle is says nothing of its force.
     if (!estimate.converged) return;
     estimate.depth_um = depth_um;
-    estimate.stiffness_uN_per_um = contact ? std::max(0.0, state.stiffness_uN_per_um) : 0.0;
-    estimate.tip_force_uN = R * state.tip_force_uN;
+    estimate.stiffness_uN_per_um = stiffness_uN_per_um;
+    estimate.damping_uN_s_per_um = contact ? damping(model, x) : 0.0;
+    estimate.tip_force_uN = scale * (R * state.tip_force_uN);
+    const Eigen::Vector3d across = state.tip_force_uN - state.push_force_uN * model.setup().push;
+    estimate.lateral_force_uN = scale * across.norm();
     estimate.contact_force_uN = push_uN;
-    const double sigma_uN = contact ? std::hypot(estimate.stiffness_uN_per_um * depth_sigma_um, profile_sigma_uN) : 0.0;
-    estimate.contact_force_lower_uN = std::max(0.0, estimate.contact_force_uN - kInterval * sigma_uN);
-    estimate.contact_force_upper_uN = estimate.contact_force_uN + kInterval * sigma_uN;
+    estimate.contact_force_lower_uN = interval.lower_uN;
+    estimate.contact_force_upper_uN = interval.upper_uN;
+    if (!contact) return;
+    monitor_.add(depth_um, push_uN);
+    estimate.work_uN_um = monitor_.work_uN_um();
+    if (options_.naive_readout) estimate.naive_force_uN = scale * naive_force_uN(model, x, auditor_);
+  }
+
+  /// What the interval is made of, and what is worth a warning.
+  void fill_errors(double push_uN, double stiffness_uN_per_um, double depth_um, ForceEstimate& estimate) const {
+    ForceErrors& errors = estimate.errors;
+    errors.depth_uN = stiffness_uN_per_um * estimate.depth_sigma_um;
+    errors.scale_ratio = scale_.relative_sigma;
+    const double radius_sigma_um = std::hypot(kRadiusSigma_um, estimate.thickness_assumed ? 0.25 * thickness_um_ : 0.0);
+    errors.geometry_ratio = std::hypot(kRadiusPower * radius_sigma_um / indenter_->model().setup().mid_radius_um,
+                                       estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
+    add_model_errors(profile_, push_uN / scale_.ratio, rest_stiffness_uN_per_um_, errors);
+    errors.model_uN *= scale_.ratio;
+
+    // The contour beside the model: beyond what is usual it counts as a depth that isn't known.
+    const ShapeAudit& shape = estimate.shape;
+    unsigned warnings = kNoForceWarning;
+    if (std::isfinite(shape.residual_rms_um)) {
+      const double usual_um = std::hypot(shape.noise_um, kUsualMismatch_um + kUsualMismatch_ratio * depth_um);
+      const double beyond_um = std::max(0.0, shape.residual_rms_um - usual_um);
+      errors.shape_uN = stiffness_uN_per_um * beyond_um;
+      if (shape.residual_rms_um > kMismatch * usual_um) warnings |= kShapeMismatch;
+      estimate.asymmetry_force_uN = stiffness_uN_per_um * shape.unexplained_asymmetry_um;
+      if (shape.unexplained_asymmetry_um > kMismatch * usual_um) warnings |= kNotOfRevolution;
+    }
+    if (std::abs(slipped_um_) > kSlip_um) warnings |= kNeedleSlip;
+    estimate.warnings = static_cast<ForceWarning>(warnings);
+  }
+
+  /// Forces on the nodes; their sigma from the depth's (along the tangent), and the relative errors.
+  void fill_nodes(const MembraneModel& model, const Eigen::Matrix3Xd& x, bool contact, ForceEstimate& estimate) const {
+    const Eigen::Matrix3Xd force = scale_.ratio * model.elastic_force_uN(x);
+    estimate.force_uN = estimate.rotation_WC * force;
+    const double relative = estimate.errors.relative();
+    estimate.force_sigma_uN = relative * force.colwise().norm().transpose();
+    if (contact && estimate.depth_sigma_um > 0.0) {
+      constexpr double kProbe_um = 1e-3;
+      const Eigen::Matrix3Xd moved = scale_.ratio * model.elastic_force_uN(x + kProbe_um * indenter_->depth_tangent());
+      const Eigen::VectorXd by_depth =
+          ((moved - force) * (estimate.depth_sigma_um / kProbe_um)).colwise().norm().transpose();
+      estimate.force_sigma_uN = (estimate.force_sigma_uN.array().square() + by_depth.array().square()).sqrt().matrix();
+    }
+    estimate.tension_uN_per_um =
+        scale_.ratio * model.springs().tension_uN_per_um(x, node_areas_um2(x, model.rest().triangles));
+  }
+
+  /// Of the dampers of eq. (1), felt by a needle that moves along the push: what they dissipate at 1 um/s.
+  double damping(const MembraneModel& model, const Eigen::Matrix3Xd& x) const {
+    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, x.cols());
+    const Eigen::Matrix3Xd& velocity = indenter_->depth_tangent();
+    model.springs().add_damping(x, velocity, profile_.damping_uN_s_per_um, force);
+    return -(force.array() * velocity.array()).sum();
   }
 
   CellProfile profile_;
+  ForceOptions options_;
+  CellScale scale_;
   std::unique_ptr<Indenter> indenter_;
   bool start_anew_ = false;
+  double rest_stiffness_uN_per_um_ = 0.0;
   DepthFilter filter_;
-  double outer_radius_um_ = 0.0;
+  PunctureMonitor monitor_;
+  ShapeAuditor auditor_;
+  double outer_radius_um_ = 0.0, thickness_um_ = 0.0;
   std::optional<Eigen::Vector2d> holder_W_;
   Eigen::Vector2d last_axis_ = Eigen::Vector2d::UnitX();
+  Eigen::Vector3d push_ = -Eigen::Vector3d::UnitZ();  // frame C
+  NeedleContact contact_;
+  std::optional<double> offset_um_;  // of the centre from the needle's line, smoothed
+  double used_offset_um_ = 0.0, model_offset_um_ = 0.0;
+  double slipped_um_ = 0.0;  // how far the line has moved since the contact began
 };
 
-ForceObserver::ForceObserver(CellProfile profile) : impl_(std::make_unique<Impl>(std::move(profile))) {}
+std::string to_string(ForceWarning warnings) {
+  std::string text;
+  const auto add = [&](ForceWarning one, const char* name) {
+    if (!(warnings & one)) return;
+    text += text.empty() ? "" : "+";
+    text += name;
+  };
+  add(kShapeMismatch, "mismatch");
+  add(kNeedleSlip, "slip");
+  add(kNotOfRevolution, "asymmetry");
+  return text;
+}
+
+ForceObserver::ForceObserver(CellProfile profile, ForceOptions options)
+    : impl_(std::make_unique<Impl>(std::move(profile), options)) {}
 ForceObserver::~ForceObserver() = default;
 ForceObserver::ForceObserver(ForceObserver&&) noexcept = default;
 ForceObserver& ForceObserver::operator=(ForceObserver&&) noexcept = default;
 
 const CellProfile& ForceObserver::profile() const noexcept {
   return impl_->profile();
+}
+void ForceObserver::set_scale(const CellScale& scale) {
+  impl_->set_scale(scale);
 }
 ForceEstimate ForceObserver::process(const Observation& observation) {
   return impl_->process(observation);

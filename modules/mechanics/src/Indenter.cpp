@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pellucida/core/Error.h"
 
@@ -25,7 +26,14 @@ Indenter::Indenter(const CellProfile& profile, const MembraneSetup& setup)
   reset();
 }
 
+void Indenter::observe(std::vector<NormalObservationTerm::Observed> observed) {
+  if (!observes_) model_.energy().add_term(observation_);
+  observes_ = true;
+  observation_.set(std::move(observed));
+}
+
 void Indenter::reset() {
+  if (observes_) observation_.set({});
   x_um_ = model_.rest().points_um;
   depth_um_ = 0.0;
   tangent_ = Eigen::Matrix3Xd::Zero(3, x_um_.cols());

@@ -2,12 +2,41 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/mechanics/ForceInterval.h"
+#include "pellucida/mechanics/PunctureMonitor.h"
+#include "pellucida/mechanics/ShapeAudit.h"
 
 namespace pellucida {
+
+/// What a person should know before believing a force; one or more of these, combined with |.
+enum ForceWarning : unsigned {
+  kNoForceWarning = 0,
+  kShapeMismatch = 1,   ///< the contour isn't the model's: wrong configuration, a tool elsewhere, a wrinkled cell
+  kNeedleSlip = 2,      ///< the needle isn't where it was when the contact began, or the membrane doesn't follow it
+  kNotOfRevolution = 4  ///< left and right of the contour differ by more than the model explains
+};
+/// "mismatch", "slip", "asymmetry", joined by "+"; empty for none.
+std::string to_string(ForceWarning warnings);
+
+/// What may be chosen about the estimate.
+struct ForceOptions {
+  /// Weight omega of the contour in the equilibrium, as a ratio to E h, 1/um^2: 0, the depth alone (default); the most
+  /// that makes sense is 1e-5 (the module's README says why it's 0).
+  double observation_ratio = 0.0;
+  /// Also read the springs with every node laid on the contour: biased, for teaching only.
+  bool naive_readout = false;
+};
+
+/// This cell's own stiffness against the profile's: all forces go with it.
+struct CellScale {
+  double ratio = 1.0;            ///< > 0
+  double relative_sigma = -1.0;  ///< of its logarithm; below 0: the profile's
+};
 
 /// What the model says of one frame. Numbers that could not be had are NaN; the arrays are empty when there is no model
 /// shape (no cell seen). No other number is ever NaN.
@@ -17,15 +46,28 @@ struct ForceEstimate {
   /// Force of the needle on the cell along the push, uN: 0 when free or punctured. This is the force of a
   /// force-indentation curve; a needle beside the holder's axis feels a lateral reaction besides, see `tip_force_uN`.
   double contact_force_uN = kNotMeasured;
-  double contact_force_lower_uN =
-      kNotMeasured;  ///< 95 % interval: depth noise, fit error of the model, scale of the profile
+  double contact_force_lower_uN = kNotMeasured;  ///< 95 % interval, see `interval_95`; what it is made of: `errors`
   double contact_force_upper_uN = kNotMeasured;
+  double lateral_force_uN = kNotMeasured;  ///< magnitude of the force of the needle on the cell across the push, solved
+                                           ///< for; 0 when free or punctured
   Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();  ///< whole force of the needle on the cell, frame W
   double pressure_Pa = kNotMeasured;                       ///< excess pressure in the cell
   double volume_um3 = kNotMeasured;           ///< enclosed by the zona's outer surface, as the model has it
   double stiffness_uN_per_um = kNotMeasured;  ///< tangent stiffness felt along the push
+  double damping_uN_s_per_um = kNotMeasured;  ///< of the model's dampers, felt along the push
   double depth_um = kNotMeasured;             ///< filtered indentation
   double depth_sigma_um = kNotMeasured;       ///< its standard deviation, edge bias included
+
+  double time_s = 0.0;              ///< of the frame this was seen in
+  long frame_index = 0;             ///< likewise
+  ForceErrors errors;               ///< what the interval is made of
+  ShapeAudit shape;                 ///< the contour against the model
+  double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
+  ForceWarning warnings = kNoForceWarning;
+  bool punctured = false;                ///< the membrane has left the tip: the force is 0
+  std::optional<Puncture> puncture;      ///< in the frame that showed it first
+  double work_uN_um = 0.0;               ///< of the needle on the cell in this contact
+  double naive_force_uN = kNotMeasured;  ///< the biased read-out, where asked for
 
   bool converged = false;          ///< the model is in equilibrium at `depth_um`
   int iterations = 0;              ///< Newton iterations spent
@@ -50,22 +92,26 @@ struct ForceEstimate {
   Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
 };
 
-/// Force from the tracked shape. Each frame: the cell's frame from centre and needle axis, the holder where it was
-/// tracked, the filtered indentation at the apex, taken as the needle's depth; then the mass-spring-damper membrane in
-/// equilibrium with the needle that deep, started from the last frame's shape; then the exact read-out of the tip's
-/// bond. One thread at a time; not real-time safe (allocates).
+/// Force from the tracked shape. Each frame: the contact point from the needle's line and the resting outline, which
+/// gives the cell's frame and the push (a needle beside the centre pushes askew); the holder where it was tracked; the
+/// filtered indentation, taken as the needle's depth; then the mass-spring-damper membrane in equilibrium with the
+/// needle that deep, started from the last frame's shape; then the exact read-out of the tip's bond. The rest of the
+/// contour audits the result: it widens the interval and warns. One thread at a time; not real-time safe (allocates).
 class ForceObserver {
  public:
-  explicit ForceObserver(CellProfile profile);
+  explicit ForceObserver(CellProfile profile, ForceOptions options = {});
   ~ForceObserver();
   ForceObserver(ForceObserver&&) noexcept;
   ForceObserver& operator=(ForceObserver&&) noexcept;
 
   const CellProfile& profile() const noexcept;
 
+  /// Takes this cell's own stiffness into account, from the next frame on.
+  void set_scale(const CellScale& scale);
+
   /// States `free` and `punctured` give a force of 0 and the shape at rest; `no_cell` and `lost` give nothing;
   /// `contact` gives the force at the observed indentation, or nothing with the reason when needle or numbers are
-  /// missing.
+  /// missing; or 0 where the membrane is seen to have left the tip in this frame (`punctured`).
   ForceEstimate process(const Observation& observation);
 
   /// Forgets the cell.

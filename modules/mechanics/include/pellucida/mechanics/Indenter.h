@@ -5,6 +5,7 @@
 
 #include "pellucida/mechanics/EquilibriumSolver.h"
 #include "pellucida/mechanics/MembraneModel.h"
+#include "pellucida/mechanics/NormalObservationTerm.h"
 
 namespace pellucida {
 
@@ -41,10 +42,16 @@ class Indenter {
   /// its report says so.
   IndentationState advance_to(double depth_um);
 
+  /// Lays weak observations on the nodes (frame C); they hold until others are given, or `reset`. None: the model
+  /// alone. They pull from the next `advance_to` on, also one to the depth that is reached already.
+  void observe(std::vector<NormalObservationTerm::Observed> observed);
+
  private:
   SolveReport step_to(double depth_um);
 
   MembraneModel model_;
+  NormalObservationTerm observation_;
+  bool observes_ = false;
   EquilibriumSolver solver_;
   SolveOptions options_;
   Eigen::Matrix3Xd x_um_;

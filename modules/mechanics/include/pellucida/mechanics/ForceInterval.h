@@ -1,0 +1,40 @@
+#pragma once
+
+#include "pellucida/mechanics/CellProfile.h"
+
+namespace pellucida {
+
+/// What makes a force uncertain. Relative parts are standard deviations of its logarithm, absolute ones of itself, uN.
+struct ForceErrors {
+  double depth_uN = 0.0;        ///< noise and bias of the depth times the tangent stiffness
+  double shape_uN = 0.0;        ///< the contour's residual beyond what is usual, times the tangent stiffness
+  double model_uN = 0.0;        ///< error that the profile admits to, below the depths it was compared at
+  double model_ratio = 0.0;     ///< the same at those depths
+  double scale_ratio = 0.0;     ///< of the profile's scale, or of this cell's after a palpation
+  double geometry_ratio = 0.0;  ///< radius and holder at rest
+
+  double absolute_uN() const noexcept;
+  double relative() const noexcept;
+};
+
+/// A force with its interval, uN.
+struct ForceInterval {
+  double lower_uN = 0.0;
+  double upper_uN = 0.0;
+  double sigma_uN = 0.0;  ///< half the interval's width over 1.96
+};
+
+/// The 95 % interval about `force_uN` >= 0. The relative errors multiply (log-normal), so that the interval reaches
+/// farther up than down; the absolute ones add; both are independent:
+///   upper = F + sqrt((F (exp(z r) - 1))^2 + (z a)^2),  lower = F - sqrt((F (1 - exp(-z r)))^2 + (z a)^2),  z = 1.96,
+/// lower at least 0.
+ForceInterval interval_95(double force_uN, const ForceErrors& errors) noexcept;
+
+/// The part of `errors` that the model itself brings, from the errors the profile lists. Each says: largest relative
+/// error q from a depth on, and largest error in shares of the peak; taken as two standard deviations, the lesser of
+/// the two counts. Below that depth nothing was compared: the error there is taken as large, in uN, as at it, which is
+/// the absolute floor of a shallow force; `rest_stiffness_uN_per_um` says what force that is.
+void add_model_errors(const CellProfile& profile, double force_uN, double rest_stiffness_uN_per_um,
+                      ForceErrors& errors) noexcept;
+
+}  // namespace pellucida

@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+
+namespace pellucida {
+
+/// A membrane that gave way.
+struct Puncture {
+  double time_s = 0.0;         ///< of the first frame that shows it
+  double peak_force_uN = 0.0;  ///< largest force before
+  double depth_um = 0.0;       ///< the deepest indentation before, with the force above
+  double work_uN_um = 0.0;     ///< of the needle on the cell since the contact: integral of F dd, 1 uN um = 1e-12 J
+};
+
+/// Watches a contact for the moment when the membrane leaves the tip behind. A frame is a puncture when the membrane
+/// has come back, against the depth before, by more than `4 sigma` and 2 um while the tip, which pushed it, has not:
+/// it stands in the cell, more than 4 sigma and 2 um past the membrane. That state ends when the tip has left the cell,
+/// or is on the membrane again for three frames. One thread at a time.
+class PunctureMonitor {
+ public:
+  /// One frame's depths, um past the resting membrane along the needle, and their standard deviations.
+  struct Depths {
+    double tip_um = 0.0;
+    double tip_sigma_um = 0.0;
+    double membrane_um = 0.0;
+    double membrane_sigma_um = 0.0;
+  };
+
+  /// Whether the membrane is through in this frame. Ask before the frame's force is known.
+  bool is_through(const Depths& now) noexcept;
+
+  /// A frame in contact with its force: work, peak. Not for frames that are through.
+  void add(double depth_um, double force_uN) noexcept;
+
+  /// The puncture that has just begun, with what it took; nothing when it was told already, or there was no contact.
+  std::optional<Puncture> take_puncture(double time_s) noexcept;
+
+  /// Work of the needle on the cell so far, uN um.
+  double work_uN_um() const noexcept { return work_uN_um_; }
+
+  /// The needle is off the cell: a new contact begins from nothing.
+  void release() noexcept;
+
+ private:
+  bool has_contact_ = false;
+  bool through_ = false;
+  bool told_ = false;
+  int together_frames_ = 0;
+  double last_depth_um_ = 0.0, last_force_uN_ = 0.0;
+  double peak_force_uN_ = 0.0, peak_depth_um_ = 0.0, work_uN_um_ = 0.0;
+};
+
+}  // namespace pellucida
