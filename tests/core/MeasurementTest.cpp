@@ -15,7 +15,10 @@ TEST(Measurement, HeaderIsTheContract) {
   EXPECT_EQ(measurement_header(),
             "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,"
             "dimple_radius_um,contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,"
-            "frame_age_ms");
+            "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
+            "puncture_probability");
+  EXPECT_TRUE(measurement_header().starts_with(measurement_header_start()));
+  EXPECT_TRUE(measurement_header_start().ends_with("volume_um3,frame_age_ms"));
   // The names used to read and to write are those of the header.
   const auto header = split_csv(measurement_header());
   ASSERT_EQ(header.size(), 3 + Measurement::kNumberCount);
@@ -31,13 +34,19 @@ TEST(Measurement, RowReadsBackAndEmptyCellsMeanNotMeasured) {
   m.indentation_um = 12.25;
   m.contact_force_uN = 1.5;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,");
+  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_EQ(back.frame, 41);
   EXPECT_EQ(back.state, CellState::kContact);
   EXPECT_DOUBLE_EQ(back.indentation_um, 12.25);
   EXPECT_TRUE(std::isnan(back.tip_x_um));
   EXPECT_EQ(to_csv(back), row);
+}
+
+TEST(Measurement, RowOfAnEarlierVersionLacksTheLaterColumns) {
+  const Measurement old = measurement_from_csv("7,0.2,free,0.9,1,2,3,4,5,0,0,0,0,0,0,500000,12");
+  EXPECT_EQ(old.frame_age_ms, 12.0);
+  EXPECT_TRUE(std::isnan(old.lateral_force_uN) && std::isnan(old.puncture_probability));
 }
 
 TEST(Measurement, BrokenRowsNameTheColumn) {

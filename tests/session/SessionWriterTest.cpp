@@ -106,8 +106,9 @@ TEST(SessionWriter, TablesHaveTheHeadersOfTheContract) {
   EXPECT_EQ(rows[0],
             "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,"
             "dimple_radius_um,contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,"
-            "frame_age_ms");
-  EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,");
+            "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
+            "puncture_probability");
+  EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,");
   const auto events = lines_of(folder / "s/events.csv");
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0], "time_s,kind,detail");

@@ -1,5 +1,6 @@
 #include "pellucida/core/Measurement.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -23,7 +24,13 @@ constexpr std::array<std::string_view, Measurement::kNumberCount> kNumberNames{"
                                                                                "contact_force_upper_uN",
                                                                                "pressure_Pa",
                                                                                "volume_um3",
-                                                                               "frame_age_ms"};
+                                                                               "frame_age_ms",
+                                                                               "lateral_force_uN",
+                                                                               "stiffness_uN_per_um",
+                                                                               "shape_residual_um",
+                                                                               "asymmetry_um",
+                                                                               "model_spread_percent",
+                                                                               "puncture_probability"};
 
 double parse_number(const std::string& cell, std::string_view name) {
   if (cell.empty()) return Measurement::kNotMeasured;
@@ -51,7 +58,13 @@ std::array<double, Measurement::kNumberCount> Measurement::numbers() const noexc
           contact_force_upper_uN,
           pressure_Pa,
           volume_um3,
-          frame_age_ms};
+          frame_age_ms,
+          lateral_force_uN,
+          stiffness_uN_per_um,
+          shape_residual_um,
+          asymmetry_um,
+          model_spread_percent,
+          puncture_probability};
 }
 
 void Measurement::set_numbers(const std::array<double, kNumberCount>& values) noexcept {
@@ -68,13 +81,27 @@ void Measurement::set_numbers(const std::array<double, kNumberCount>& values) no
                              &contact_force_upper_uN,
                              &pressure_Pa,
                              &volume_um3,
-                             &frame_age_ms};
+                             &frame_age_ms,
+                             &lateral_force_uN,
+                             &stiffness_uN_per_um,
+                             &shape_residual_um,
+                             &asymmetry_um,
+                             &model_spread_percent,
+                             &puncture_probability};
   for (std::size_t i = 0; i < kNumberCount; ++i) *targets[i] = values[i];
 }
 
 std::string_view measurement_header() noexcept {
   return "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,"
-         "contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,frame_age_ms";
+         "contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,frame_age_ms,"
+         "lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
+         "puncture_probability";
+}
+
+std::string_view measurement_header_start() noexcept {
+  constexpr std::string_view kLastOfFirst = "frame_age_ms";
+  const std::string_view header = measurement_header();
+  return header.substr(0, header.find(kLastOfFirst) + kLastOfFirst.size());
 }
 
 const std::array<std::string_view, Measurement::kNumberCount>& measurement_number_names() noexcept {
@@ -89,7 +116,7 @@ std::string to_csv(const Measurement& m) {
 
 Measurement measurement_from_csv(std::string_view row) {
   const auto cells = split_csv(row);
-  constexpr std::size_t kColumnCount = 3 + Measurement::kNumberCount;
+  constexpr std::size_t kColumnCount = 3 + Measurement::kFirstNumberCount;
   if (cells.size() < kColumnCount) {
     throw InputError("measurements.csv: a row of " + std::to_string(cells.size()) + " cells; " +
                      std::to_string(kColumnCount) + " are needed");
@@ -101,7 +128,9 @@ Measurement measurement_from_csv(std::string_view row) {
   if (!state) throw InputError("measurements.csv: \"" + cells[2] + "\" in column state is not a state");
   m.state = *state;
   std::array<double, Measurement::kNumberCount> values{};
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = parse_number(cells[3 + i], kNumberNames[i]);
+  values.fill(Measurement::kNotMeasured);
+  const std::size_t count = std::min(values.size(), cells.size() - 3);
+  for (std::size_t i = 0; i < count; ++i) values[i] = parse_number(cells[3 + i], kNumberNames[i]);
   m.set_numbers(values);
   return m;
 }

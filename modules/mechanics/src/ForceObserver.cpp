@@ -18,6 +18,8 @@ namespace {
 constexpr double kDefaultDepthSigma_um = 0.2;
 /// And of the tip along the needle.
 constexpr double kDefaultTipSigma_um = 0.4;
+/// A stiffness' slope by depth is taken over this.
+constexpr double kSlopeStep_um = 0.5;
 /// Rounds of finding the contour's nearest places again.
 constexpr int kProjections = 3;
 /// What no filter averages out: the edge's centre line may lie a little beside the membrane, the same in every frame.
@@ -43,8 +45,8 @@ constexpr double kRadiusSigma_um = 0.2;
 constexpr double kRadiusPower = 1.9;
 /// What a contour may differ from the model by, um, beside its noise: at rest, and more for each um of depth (the
 /// virtual microscope's cells; see the module's README).
-constexpr double kUsualMismatch_um = 0.35;
-constexpr double kUsualMismatch_ratio = 0.03;
+constexpr double kUsualMismatch_um = 0.2;
+constexpr double kUsualMismatch_ratio = 0.02;
 /// Beyond so many times what is usual the shape isn't the model's.
 constexpr double kMismatch = 2.5;
 /// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
@@ -66,18 +68,29 @@ Eigen::Vector3d in_plane(const Eigen::Vector2d& v) {
 
 class ForceObserver::Impl {
  public:
-  Impl(CellProfile profile, const ForceOptions& options) : profile_(std::move(profile)), options_(options) {
+  Impl(CellProfile profile, const ForceOptions& options)
+      : profile_(std::move(profile)), options_(options), tables_(profile_.name) {
     if (!(options_.observation_ratio >= 0.0)) throw UsageError("weight of the contour: it must be 0 or above");
-    set_scale({});
+    scale_ = {1.0, profile_.force_scale_relative_sigma};
   }
 
   const CellProfile& profile() const noexcept { return profile_; }
 
   void set_scale(const CellScale& scale) {
-    if (!(scale.ratio > 0.0) || !std::isfinite(scale.ratio)) throw UsageError("a cell's scale must be above 0");
+    if (!(scale.ratio > 0.0) || !std::isfinite(scale.ratio) || !(scale.relative_sigma >= 0.0)) {
+      throw UsageError("a cell's scale: its ratio must be above 0, its sigma 0 or above");
+    }
     scale_ = scale;
-    if (scale_.relative_sigma < 0.0) scale_.relative_sigma = profile_.force_scale_relative_sigma;
+    palpation_.reset();
   }
+
+  void set_palpation(const Palpation& palpation) {
+    validate(palpation);
+    palpation_ = palpation;
+    palpated_ = false;
+  }
+
+  CellScale scale() const noexcept { return scale_; }
 
   void reset() {
     indenter_.reset();
@@ -112,6 +125,7 @@ class ForceObserver::Impl {
     // Where the cell is, how thick, how it is held and pushed.
     place(o, estimate);
     prepare_model(o, estimate);
+    if (palpation_ && !palpated_) palpate();
 
     // Contact: the filtered depth, unless the membrane has just left the tip; otherwise the cell is at rest.
     double depth_um = 0.0;
@@ -219,10 +233,31 @@ class ForceObserver::Impl {
       auditor_.set_model(indenter_->model().rest());
       rest_stiffness_uN_per_um_ = indenter_->advance_to(0.0).stiffness_uN_per_um;
       model_offset_um_ = used_offset_um_;
+      palpated_ = false;
       outer_radius_um_ = mid_radius_um + 0.5 * thickness_um;
     } else if (indenter_->model().setup().holder.dot(holder) < std::cos(kHolderTurn_rad)) {
       indenter_->set_holder(holder);
     }
+  }
+
+  /// The palpation against the model of this cell; anew where the model is. The model is at rest afterwards.
+  void palpate() {
+    palpated_ = true;
+    const double deepest_um = 1.4 * indenter_->model().setup().mid_radius_um;
+    const double depth_um = std::min(palpation_->indentation_um, deepest_um);
+    const bool by_force = palpation_->known_force_uN > 0.0;
+    indenter_->reset();
+    const IndentationState before = indenter_->advance_to(std::max(0.0, depth_um - kSlopeStep_um));
+    const IndentationState at = indenter_->advance_to(depth_um);
+    indenter_->reset();
+    if (at.report.status != SolveStatus::kConverged || !(at.push_force_uN > 0.0)) return;
+    ForceErrors model;
+    add_model_errors(profile_, at.push_force_uN, rest_stiffness_uN_per_um_, model);
+    const double relative = std::hypot(model.model_ratio, model.model_uN / at.push_force_uN);
+    const double value = by_force ? at.push_force_uN : at.stiffness_uN_per_um;
+    const double slope =
+        by_force ? at.stiffness_uN_per_um : (at.stiffness_uN_per_um - before.stiffness_uN_per_um) / kSlopeStep_um;
+    scale_ = update_scale(scale_before(profile_), *palpation_, value, slope, relative);
   }
 
   void solve(const Observation& o, double depth_um, bool contact, ForceEstimate& estimate) {
@@ -288,10 +323,26 @@ class ForceObserver::Impl {
     estimate.contact_force_uN = push_uN;
     estimate.contact_force_lower_uN = interval.lower_uN;
     estimate.contact_force_upper_uN = interval.upper_uN;
+    if (palpation_) estimate.puncture_probability = puncture_probability(profile_, push_uN, estimate.errors.relative());
     if (!contact) return;
     monitor_.add(depth_um, push_uN);
+    ask_others(o, depth_um, estimate);
     estimate.work_uN_um = monitor_.work_uN_um();
     if (options_.naive_readout) estimate.naive_force_uN = scale * naive_force_uN(model, x, auditor_);
+  }
+
+  /// The other models' forces, for who analyses.
+  void ask_others(const Observation& o, double depth_um, ForceEstimate& estimate) const {
+    const MembraneSetup& setup = indenter_->model().setup();
+    const auto point_load = point_load_force_uN(profile_.young_modulus_kPa, profile_.poisson_ratio, setup.thickness_um,
+                                                depth_um, o.dimple_radius_um, profile_.tip_radius_um);
+    const double angle_rad = std::acos(std::clamp(setup.push.dot(setup.holder), -1.0, 1.0));
+    const auto table = model_offset_um_ == 0.0
+                           ? tables_.force_uN(depth_um, angle_rad, setup.mid_radius_um / profile_.mid_radius_um)
+                           : std::nullopt;
+    if (point_load) estimate.opinions.point_load_uN = scale_.ratio * *point_load;
+    if (table) estimate.opinions.table_uN = scale_.ratio * *table;
+    estimate.opinions.spread_percent = spread_percent(estimate.contact_force_uN, estimate.opinions);
   }
 
   /// What the interval is made of, and what is worth a warning.
@@ -348,6 +399,9 @@ class ForceObserver::Impl {
   CellProfile profile_;
   ForceOptions options_;
   CellScale scale_;
+  ForceTables tables_;
+  std::optional<Palpation> palpation_;
+  bool palpated_ = false;  // the palpation was held against this model
   std::unique_ptr<Indenter> indenter_;
   bool start_anew_ = false;
   double rest_stiffness_uN_per_um_ = 0.0;
@@ -388,6 +442,12 @@ const CellProfile& ForceObserver::profile() const noexcept {
 }
 void ForceObserver::set_scale(const CellScale& scale) {
   impl_->set_scale(scale);
+}
+void ForceObserver::set_palpation(const Palpation& palpation) {
+  impl_->set_palpation(palpation);
+}
+CellScale ForceObserver::scale() const noexcept {
+  return impl_->scale();
 }
 ForceEstimate ForceObserver::process(const Observation& observation) {
   return impl_->process(observation);

@@ -73,7 +73,7 @@ SessionTable<Row> read_table(const std::filesystem::path& file, std::string_view
 }  // namespace
 
 SessionTable<Measurement> read_measurements(const std::filesystem::path& file) {
-  return read_table<Measurement>(file, measurement_header(), parse_measurement);
+  return read_table<Measurement>(file, measurement_header_start(), parse_measurement);
 }
 
 SessionTable<Event> read_events(const std::filesystem::path& file) {

@@ -39,13 +39,20 @@ SpecimenState VirtualSpecimen::advance(double tip_depth_um, double time_s) {
   now.tip_depth_um = tip_depth_um;
 
   // Has the membrane given way, or the needle left it?
-  if (puncture_.enabled && puncture_time_s_ < 0 && tip_depth_um >= puncture_.indentation_um) puncture_time_s_ = time_s;
+  if (puncture_.enabled && puncture_time_s_ < 0 && tip_depth_um >= puncture_.indentation_um) {
+    // At the moment the depth passed, between the last call and this one.
+    const double way_um = tip_depth_um - last_depth_um_;
+    const double left_ratio = last_time_s_ && way_um > 0 ? (tip_depth_um - puncture_.indentation_um) / way_um : 0.0;
+    puncture_time_s_ = time_s - std::clamp(left_ratio, 0.0, 1.0) * (last_time_s_ ? time_s - *last_time_s_ : 0.0);
+  }
   if (tip_depth_um <= 0) puncture_time_s_ = -1.0;
+  last_time_s_ = time_s;
+  last_depth_um_ = tip_depth_um;
 
   double depth_um = std::max(tip_depth_um, 0.0);
   if (puncture_time_s_ >= 0) {
     const double decay = std::exp(-(time_s - puncture_time_s_) / puncture_.relaxation_s);
-    // One frame may pass between the break and this call; the depth at the break is the scenario's.
+    // The depth at the break is the scenario's.
     const double relaxed = puncture_.residual_um + (puncture_.indentation_um - puncture_.residual_um) * decay;
     depth_um = std::clamp(tip_depth_um, 0.0, relaxed);
     now.state = CellState::kPunctured;

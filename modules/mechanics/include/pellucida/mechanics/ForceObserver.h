@@ -8,6 +8,8 @@
 #include "pellucida/core/Observation.h"
 #include "pellucida/mechanics/CellProfile.h"
 #include "pellucida/mechanics/ForceInterval.h"
+#include "pellucida/mechanics/ModelOpinions.h"
+#include "pellucida/mechanics/PalpationUpdate.h"
 #include "pellucida/mechanics/PunctureMonitor.h"
 #include "pellucida/mechanics/ShapeAudit.h"
 
@@ -30,12 +32,6 @@ struct ForceOptions {
   double observation_ratio = 0.0;
   /// Also read the springs with every node laid on the contour: biased, for teaching only.
   bool naive_readout = false;
-};
-
-/// This cell's own stiffness against the profile's: all forces go with it.
-struct CellScale {
-  double ratio = 1.0;            ///< > 0
-  double relative_sigma = -1.0;  ///< of its logarithm; below 0: the profile's
 };
 
 /// What the model says of one frame. Numbers that could not be had are NaN; the arrays are empty when there is no model
@@ -64,10 +60,12 @@ struct ForceEstimate {
   ShapeAudit shape;                 ///< the contour against the model
   double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
   ForceWarning warnings = kNoForceWarning;
-  bool punctured = false;                ///< the membrane has left the tip: the force is 0
-  std::optional<Puncture> puncture;      ///< in the frame that showed it first
-  double work_uN_um = 0.0;               ///< of the needle on the cell in this contact
-  double naive_force_uN = kNotMeasured;  ///< the biased read-out, where asked for
+  bool punctured = false;                      ///< the membrane has left the tip: the force is 0
+  std::optional<Puncture> puncture;            ///< in the frame that showed it first
+  double work_uN_um = 0.0;                     ///< of the needle on the cell in this contact
+  ModelOpinions opinions;                      ///< what other models say
+  double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
+  double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
 
   bool converged = false;          ///< the model is in equilibrium at `depth_um`
   int iterations = 0;              ///< Newton iterations spent
@@ -106,8 +104,16 @@ class ForceObserver {
 
   const CellProfile& profile() const noexcept;
 
-  /// Takes this cell's own stiffness into account, from the next frame on.
+  /// Takes this cell's own stiffness into account, from the next frame on: no longer the profile's. Throws UsageError
+  /// unless it is above 0 with a sigma of 0 or above.
   void set_scale(const CellScale& scale);
+
+  /// Learns this cell's scale from a palpation: what the model of this cell, as it is seen and held, says at that depth
+  /// against what was measured. It counts from the next frame on that shows the cell. Throws as `validate`.
+  void set_palpation(const Palpation& palpation);
+
+  /// The scale in use.
+  CellScale scale() const noexcept;
 
   /// States `free` and `punctured` give a force of 0 and the shape at rest; `no_cell` and `lost` give nothing;
   /// `contact` gives the force at the observed indentation, or nothing with the reason when needle or numbers are

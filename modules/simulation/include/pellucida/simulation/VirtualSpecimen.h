@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/simulation/CellReference.h"
@@ -44,7 +45,10 @@ class VirtualSpecimen {
   /// The state at `time_s` with the tip `tip_depth_um` past the resting membrane. Times must not go back; see `reset`.
   SpecimenState advance(double tip_depth_um, double time_s);
   /// Forgets the puncture.
-  void reset() noexcept { puncture_time_s_ = -1.0; }
+  void reset() noexcept {
+    puncture_time_s_ = -1.0;
+    last_time_s_.reset();
+  }
 
   /// The pose in the image without drift.
   SpecimenPose pose() const noexcept { return pose_; }
@@ -61,7 +65,9 @@ class VirtualSpecimen {
   double scale_ = 1.0;
   SpecimenPose pose_;
   Eigen::Vector2d holder_direction_ = Eigen::Vector2d::UnitX();
-  double puncture_time_s_ = -1.0;  // < 0: the membrane is whole
+  double puncture_time_s_ = -1.0;      // < 0: the membrane is whole
+  std::optional<double> last_time_s_;  // of the last call
+  double last_depth_um_ = 0.0;         // of the tip then
 };
 
 /// Radius of the dimple's mouth across the axis: half the distance between the crests on both sides of the apex; 0

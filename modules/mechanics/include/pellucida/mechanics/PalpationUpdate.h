@@ -1,0 +1,47 @@
+#pragma once
+#include "pellucida/mechanics/CellProfile.h"
+
+namespace pellucida {
+
+/// This cell's own stiffness against the profile's: all forces go with it. Log-normal: ln(ratio) is normal about
+/// ln(`ratio`) with `relative_sigma`.
+struct CellScale {
+  double ratio = 1.0;           ///< > 0, the median
+  double relative_sigma = 0.0;  ///< >= 0
+};
+
+/// What was measured otherwise, before: the cell pushed a little by a probe that knows its force, or whose force rises
+/// with the depth by a known stiffness. Exactly one of the two is above 0.
+struct Palpation {
+  double known_force_uN = 0.0;             ///< along the push
+  double known_stiffness_uN_per_um = 0.0;  ///< tangent stiffness there
+  double indentation_um = 0.0;             ///< where; > 0
+  double indentation_sigma_um = 0.2;       ///< >= 0
+  double relative_sigma = 0.05;            ///< of the known force or stiffness; > 0
+};
+
+/// Throws UsageError unless the numbers are what `Palpation` says.
+void validate(const Palpation& palpation);
+
+/// How far single cells of one type and stage stray from their type: standard deviation over mean of the zona's modulus
+/// in mouse eggs, from 0.26 (four cells) over 0.46 (germinal vesicle, pronucleus) to 0.63 (metaphase II), measured with
+/// a micro tactile sensor. It's what a palpation learns about; the profile's own sigma is that of the type's mean.
+constexpr double kCellSpread_ratio = 0.46;
+/// How far puncture forces stray about the profile's (Table I gives one number and no spread): assumed.
+constexpr double kPunctureSpread_ratio = 0.3;
+
+/// What is known of a cell's scale before it was touched: the profile's, and the spread between cells.
+CellScale scale_before(const CellProfile& profile) noexcept;
+
+/// Bayes' rule for the log-normal scale. With s = ln(ratio), the palpation measures y = ln(known / model) with the
+/// variance r^2 + (k sd / F)^2 + m^2: known value, depth (slope k of the model's value F), model. Then
+///   1/v' = 1/v + 1/w,  s' = v' (s/v + y/w).
+/// `model_value` > 0 and its slope by depth: the profile's force (or stiffness) at the palpation's depth.
+CellScale update_scale(const CellScale& before, const Palpation& palpation, double model_value,
+                       double model_slope_per_um, double model_relative_sigma) noexcept;
+
+/// The probability that a membrane under this force gives way, its puncture force log-normal about the profile's with
+/// `kPunctureSpread_ratio`: Phi(ln(F / Fp) / sqrt(sF^2 + sp^2)); 0 at and below 0.
+double puncture_probability(const CellProfile& profile, double force_uN, double force_relative_sigma) noexcept;
+
+}  // namespace pellucida
