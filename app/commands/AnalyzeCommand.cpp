@@ -17,6 +17,8 @@ struct AnalyzeArguments {
   PipelineOptions pipeline;
   SourceOptions source;
   std::string quality = "live";
+  Palpation palpation;
+  double known_sigma_percent = 5.0;
   bool no_frames = false;
   int job_count = 1;
 };
@@ -27,6 +29,13 @@ void analyze(const AnalyzeArguments& arguments) {
   }
   PipelineOptions pipeline = arguments.pipeline;
   if (arguments.quality == "high") pipeline.tracker.quality = TrackerOptions::Quality::kHigh;
+  const Palpation& palpation = arguments.palpation;
+  if (palpation.known_force_uN != 0.0 || palpation.known_stiffness_uN_per_um != 0.0 ||
+      palpation.indentation_um != 0.0) {
+    pipeline.palpation = palpation;
+    pipeline.palpation->relative_sigma = 0.01 * arguments.known_sigma_percent;
+    validate(*pipeline.palpation);
+  }
   const auto source = open_any_source(arguments.input, arguments.source);
   const BatchResult result = measure_session(*source, pipeline, arguments.job_count, arguments.output,
                                              {.frames = !arguments.no_frames}, command_line());
@@ -56,6 +65,15 @@ void add_analyze_command(CLI::App& app) {
                    "live: as fast as the camera; high: the cell is found with level sets as well, for recordings where "
                    "time doesn't count")
       ->check(CLI::IsMember({"live", "high"}))
+      ->capture_default_str();
+  command->add_option("--known-force-uN", arguments->palpation.known_force_uN,
+                      "force measured otherwise in a small push before, uN: makes the forces this cell's own");
+  command->add_option("--known-stiffness-uN-per-um", arguments->palpation.known_stiffness_uN_per_um,
+                      "instead of a force: the stiffness measured otherwise, uN/um");
+  command->add_option("--at-indentation-um", arguments->palpation.indentation_um, "the depth of that push, um");
+  command
+      ->add_option("--known-force-sigma-percent", arguments->known_sigma_percent,
+                   "standard deviation of the known force or stiffness, %")
       ->capture_default_str();
   command->add_flag("--no-frames", arguments->no_frames, "leave the images out of the session");
   command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps side by side, same numbers")

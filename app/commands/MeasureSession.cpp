@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
@@ -36,6 +37,38 @@ std::string force_line(const BatchResult& result) {
                 m.contact_force_upper_uN, m.indentation_um, m.time_s);
 }
 
+// "1.20 times the profile's, +- 7 %; puncture likely from 38 um on" where the cell was palpated.
+std::string scale_line(const BatchResult& result) {
+  std::string line = format("%.2f times the profile's forces, +- %.0f %%", result.cell_scale.ratio,
+                            100.0 * result.cell_scale.relative_sigma);
+  for (const PunctureRisk& risk : result.puncture_risk) {
+    if (risk.probability < 0.5) continue;
+    line += format("; puncture more likely than not from %.0f um on", risk.depth_um);
+    break;
+  }
+  return line;
+}
+
+// What was known, what came of it, and the risk by depth.
+std::string palpation_json(const Palpation& palpation, const BatchResult& result) {
+  nlohmann::ordered_json json;
+  if (palpation.known_force_uN > 0.0) json["known_force_uN"] = palpation.known_force_uN;
+  if (palpation.known_stiffness_uN_per_um > 0.0) {
+    json["known_stiffness_uN_per_um"] = palpation.known_stiffness_uN_per_um;
+  }
+  json["at_indentation_um"] = palpation.indentation_um;
+  json["known_relative_sigma"] = palpation.relative_sigma;
+  json["cell_scale_ratio"] = result.cell_scale.ratio;
+  json["cell_scale_relative_sigma"] = result.cell_scale.relative_sigma;
+  json["puncture_spread_ratio"] = kPunctureSpread_ratio;
+  json["puncture_risk"] = nlohmann::ordered_json::array();
+  for (const PunctureRisk& risk : result.puncture_risk) {
+    json["puncture_risk"].push_back(
+        {{"indentation_um", risk.depth_um}, {"force_uN", risk.force_uN}, {"probability", risk.probability}});
+  }
+  return json.dump();
+}
+
 std::string cell_line(const BatchResult& result) {
   if (!result.peak || !result.peak->observation || !result.peak->observation->outer) return "no cell seen";
   const Observation& o = *result.peak->observation;
@@ -68,6 +101,7 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
                              .job_count = job_count,
                              .progress = [&](long done, std::optional<long> all) { progress.update(done, all); }};
   BatchResult result = run_batch(source, options, [&](const Scene& scene) { writer.write(scene); });
+  if (pipeline.palpation) writer.set_palpation(palpation_json(*pipeline.palpation, result));
   writer.close();
   return result;
 }
@@ -76,6 +110,7 @@ std::string summary(const BatchResult& result, const std::filesystem::path& fold
   std::string text = "frames   " + state_line(result) + '\n';
   text += "force    " + force_line(result) + '\n';
   text += "cell     " + cell_line(result) + '\n';
+  if (!result.puncture_risk.empty()) text += "scale    " + scale_line(result) + '\n';
   const auto median_ms = [&](const char* step) { return 1e-3 * result.step_us.at(step).quantile(0.5); };
   text += format("speed    tracking %.1f, surface %.1f, mechanics %.1f ms a frame (median); %.0f frames/s in all\n",
                  median_ms("tracking"), median_ms("reconstruction"), median_ms("mechanics"),

@@ -18,6 +18,8 @@ namespace {
 constexpr double kDefaultDepthSigma_um = 0.2;
 /// And of the tip along the needle.
 constexpr double kDefaultTipSigma_um = 0.4;
+/// How deep the risk of puncture is told, in puncture indentations.
+constexpr double kRiskDepth_ratio = 1.3;
 /// A stiffness' slope by depth is taken over this.
 constexpr double kSlopeStep_um = 0.5;
 /// Rounds of finding the contour's nearest places again.
@@ -91,6 +93,24 @@ class ForceObserver::Impl {
   }
 
   CellScale scale() const noexcept { return scale_; }
+
+  std::vector<PunctureRisk> puncture_risk(double step_um) {
+    if (!(step_um > 0.0)) throw UsageError("risk of puncture: the step must be above 0 um");
+    std::vector<PunctureRisk> risk;
+    if (!indenter_) return risk;
+    indenter_->reset();
+    for (int k = 1; k * step_um <= kRiskDepth_ratio * profile_.puncture_indentation_um; ++k) {
+      const IndentationState state = indenter_->advance_to(k * step_um);
+      if (state.report.status != SolveStatus::kConverged) break;
+      ForceErrors errors;
+      add_model_errors(profile_, state.push_force_uN, rest_stiffness_uN_per_um_, errors);
+      const double force_uN = scale_.ratio * state.push_force_uN;
+      const double relative = std::hypot(errors.model_ratio, scale_.relative_sigma);
+      risk.push_back({k * step_um, force_uN, puncture_probability(profile_, force_uN, relative)});
+    }
+    indenter_->reset();
+    return risk;
+  }
 
   void reset() {
     indenter_.reset();
@@ -328,7 +348,8 @@ class ForceObserver::Impl {
     monitor_.add(depth_um, push_uN);
     ask_others(o, depth_um, estimate);
     estimate.work_uN_um = monitor_.work_uN_um();
-    if (options_.naive_readout) estimate.naive_force_uN = scale * naive_force_uN(model, x, auditor_);
+    if (options_.naive_readout)
+      estimate.naive_force_uN = scale * naive_force_uN(model, lay_on_contour(model.rest(), x, auditor_));
   }
 
   /// The other models' forces, for who analyses.
@@ -445,6 +466,9 @@ void ForceObserver::set_scale(const CellScale& scale) {
 }
 void ForceObserver::set_palpation(const Palpation& palpation) {
   impl_->set_palpation(palpation);
+}
+std::vector<PunctureRisk> ForceObserver::puncture_risk(double step_um) {
+  return impl_->puncture_risk(step_um);
 }
 CellScale ForceObserver::scale() const noexcept {
   return impl_->scale();

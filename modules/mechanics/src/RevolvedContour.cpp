@@ -61,11 +61,14 @@ std::vector<NormalObservationTerm::Observed> observe_revolved(const TriangleMesh
   return observed;
 }
 
-double naive_force_uN(const MembraneModel& model, const Eigen::Matrix3Xd& x_um, const ShapeAuditor& section) {
+Eigen::Matrix3Xd lay_on_contour(const TriangleMesh& rest, const Eigen::Matrix3Xd& x_um, const ShapeAuditor& section) {
   Eigen::VectorXd residual_um;
   Eigen::Matrix3Xd normal;
-  revolve_residual(model.rest(), x_um, section, residual_um, normal);
-  const Eigen::Matrix3Xd laid_um = x_um + normal * residual_um.asDiagonal();
+  revolve_residual(rest, x_um, section, residual_um, normal);
+  return x_um + normal * residual_um.asDiagonal();
+}
+
+double naive_force_uN(const MembraneModel& model, const Eigen::Matrix3Xd& laid_um) {
   const Eigen::Matrix3Xd elastic_uN = model.elastic_force_uN(laid_um);
   double force_uN = 0.0;
   for (const int node : model.tip().nodes()) force_uN -= model.setup().push.dot(elastic_uN.col(node));

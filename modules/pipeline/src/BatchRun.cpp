@@ -12,6 +12,7 @@ namespace pellucida {
 namespace {
 
 constexpr std::size_t kQueueCount = 2;
+constexpr double kRiskStep_um = 5.0;  // between the depths whose risk of puncture is told
 
 // How good a scene is for the one picture of a run: force first, then how much was seen.
 double picture_score(const Scene& scene) {
@@ -175,6 +176,8 @@ BatchResult run_batch(FrameSource& source, const BatchOptions& options, const st
   result.step_us["mechanics"] = force.mechanics_us;
   result.step_us["writing"] = collector.writing_us;
   result.elapsed_s = clock.now_s();
+  result.cell_scale = chain.mechanics.scale();
+  if (options.pipeline.palpation) result.puncture_risk = chain.mechanics.puncture_risk(kRiskStep_um);
   return result;
 }
 

@@ -8,7 +8,9 @@ Chain::Chain(const PipelineOptions& options)
     : profile(load_profile(options.profile)),
       tracking(options.tracker),
       reconstruction({.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
-      mechanics(profile) {}
+      mechanics(profile) {
+  if (options.palpation) mechanics.set_palpation(*options.palpation);
+}
 
 Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
   Scene scene;

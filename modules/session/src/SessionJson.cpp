@@ -96,6 +96,7 @@ std::string to_json(const SessionHead& head) {
   json["calibration"] = {{"pixel_size_um", info.source.pixel_size_um},
                          {"pixel_size_origin", info.source.pixel_size_origin}};
   json["profile"] = {{"name", info.profile_name}, {"content", parse_profile(info.profile_json)}};
+  if (!info.palpation_json.empty()) json["palpation"] = Json::parse(info.palpation_json, nullptr, false);
   json["command_line"] = info.command_line;
   json["seeds"] = info.seeds;
   json["clock_offsets_s"] = info.clock_offsets_s;
@@ -121,6 +122,7 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     const Json profile = object_at(json, "profile");
     take(profile, "name", info.profile_name);
     if (profile.contains("content") && !profile["content"].is_null()) info.profile_json = profile["content"].dump();
+    if (json.contains("palpation")) info.palpation_json = json["palpation"].dump();
     take(json, "command_line", info.command_line);
     take(json, "seeds", info.seeds);
     take(json, "clock_offsets_s", info.clock_offsets_s);

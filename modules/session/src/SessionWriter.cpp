@@ -128,6 +128,8 @@ class SessionWriter::Impl {
   const SessionCounts& counts() const noexcept { return head_.counts; }
   const std::filesystem::path& folder() const noexcept { return folder_; }
 
+  void set_palpation(std::string palpation_json) { head_.info.palpation_json = std::move(palpation_json); }
+
  private:
   void require_open() const {
     if (closed_) throw Error(ExitCode::kOurFault, folder_.string() + ": the session is closed; nothing can be added");
@@ -207,6 +209,9 @@ void SessionWriter::write(const Scene& scene) {
 }
 void SessionWriter::event(const Event& event) {
   impl_->event(event);
+}
+void SessionWriter::set_palpation(std::string palpation_json) {
+  impl_->set_palpation(std::move(palpation_json));
 }
 void SessionWriter::close() {
   impl_->close();

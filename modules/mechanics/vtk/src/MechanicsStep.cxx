@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,13 @@
 
 namespace pellucida {
 namespace {
+
+template <class... Numbers>
+std::string format(const char* pattern, Numbers... numbers) {
+  char text[192];
+  std::snprintf(text, sizeof text, pattern, numbers...);
+  return text;
+}
 
 constexpr const char* kRestDirection = "rest_direction";
 
@@ -83,12 +91,16 @@ class MechanicsStep::Impl {
  public:
   explicit Impl(CellProfile profile) : observer_(std::move(profile)) {}
 
+  ForceObserver& observer() noexcept { return observer_; }
+
   expected<Scene, StepFailure> process(const Scene& scene) {
     if (!scene.observation) return unexpected<StepFailure>({"mechanics: the scene has no observation"});
     if (scene.run_index != run_index_) {
       run_index_ = scene.run_index;
       observer_.reset();
       said_.clear();
+      warned_ = kNoForceWarning;
+      told_puncture_ = false;
     }
     Scene out = scene;
     const ForceEstimate e = observer_.process(*scene.observation);
@@ -99,6 +111,13 @@ class MechanicsStep::Impl {
     out.measurement.contact_force_upper_uN = e.contact_force_upper_uN;
     out.measurement.pressure_Pa = e.converged ? e.pressure_Pa : Measurement::kNotMeasured;
     if (std::isnan(out.measurement.volume_um3)) out.measurement.volume_um3 = e.volume_um3;
+    out.measurement.lateral_force_uN = e.lateral_force_uN;
+    out.measurement.stiffness_uN_per_um = e.stiffness_uN_per_um;
+    out.measurement.shape_residual_um = e.shape.residual_rms_um;
+    out.measurement.asymmetry_um = e.shape.asymmetry_um;
+    out.measurement.model_spread_percent = e.opinions.spread_percent;
+    out.measurement.puncture_probability = e.puncture_probability;
+    tell(e, *scene.observation, out);
 
     // Why there is no force, said once: a note when the reason is new.
     const bool should_measure =
@@ -150,7 +169,44 @@ class MechanicsStep::Impl {
     return true;
   }
 
+  /// Events of the contact: a puncture, once; a warning, when it is new; a palpation, when it counts.
+  void tell(const ForceEstimate& e, const Observation& o, Scene& out) {
+    if (e.punctured) out.measurement.state = CellState::kPunctured;
+    if (e.puncture) {
+      const Puncture& p = *e.puncture;
+      std::erase_if(out.events, [](const Event& event) { return event.kind == "puncture"; });
+      out.events.push_back({o.time_s, "puncture",
+                            format("at %.2f uN and %.1f um, work %.1f uN um; membrane back at %.1f um", p.peak_force_uN,
+                                   p.depth_um, p.work_uN_um, o.indentation_um)});
+      told_puncture_ = true;
+    } else if (told_puncture_ && e.punctured) {
+      std::erase_if(out.events, [](const Event& event) { return event.kind == "puncture"; });
+    }
+    if (!e.punctured) told_puncture_ = false;
+
+    const unsigned fresh = e.warnings & ~static_cast<unsigned>(warned_);
+    if (fresh != 0U) {
+      std::string detail = to_string(static_cast<ForceWarning>(fresh));
+      detail += format(": contour %.1f um from the model, left and right %.1f um apart beyond it",
+                       e.shape.residual_rms_um, e.shape.unexplained_asymmetry_um);
+      if (fresh & kNotOfRevolution) detail += format(", which may cost %.2f uN", e.asymmetry_force_uN);
+      out.events.push_back({o.time_s, "warning", std::move(detail)});
+    }
+    warned_ = o.state == CellState::kContact ? static_cast<ForceWarning>(warned_ | e.warnings) : kNoForceWarning;
+
+    const CellScale scale = observer_.scale();
+    if (!std::isnan(e.puncture_probability) && scale.ratio != told_scale_.ratio) {
+      told_scale_ = scale;
+      out.events.push_back({o.time_s, "palpation",
+                            format("this cell's forces are %.3f times the profile's, +- %.1f %%", scale.ratio,
+                                   100.0 * scale.relative_sigma)});
+    }
+  }
+
   ForceObserver observer_;
+  ForceWarning warned_ = kNoForceWarning;  // in this contact
+  bool told_puncture_ = false;             // the state has been punctured since
+  CellScale told_scale_;
   std::string said_;  // the last reason given
   long run_index_ = 0;
   std::optional<ForceTransfer> transfer_;
@@ -165,6 +221,16 @@ MechanicsStep& MechanicsStep::operator=(MechanicsStep&&) noexcept = default;
 
 expected<Scene, StepFailure> MechanicsStep::process(const Scene& scene) {
   return impl_->process(scene);
+}
+
+void MechanicsStep::set_palpation(const Palpation& palpation) {
+  impl_->observer().set_palpation(palpation);
+}
+CellScale MechanicsStep::scale() const noexcept {
+  return impl_->observer().scale();
+}
+std::vector<PunctureRisk> MechanicsStep::puncture_risk(double step_um) {
+  return impl_->observer().puncture_risk(step_um);
 }
 
 }  // namespace pellucida

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/mechanics/CellProfile.h"
@@ -111,6 +112,11 @@ class ForceObserver {
   /// Learns this cell's scale from a palpation: what the model of this cell, as it is seen and held, says at that depth
   /// against what was measured. It counts from the next frame on that shows the cell. Throws as `validate`.
   void set_palpation(const Palpation& palpation);
+
+  /// What a further push into the cell seen last would risk: depths `step_um`, 2 `step_um`, ... to 1.3 times the
+  /// profile's puncture indentation. Empty before a cell was seen. Leaves the model at rest: not for between two frames
+  /// in contact. Throws UsageError unless the step is above 0.
+  std::vector<PunctureRisk> puncture_risk(double step_um);
 
   /// The scale in use.
   CellScale scale() const noexcept;

@@ -44,4 +44,11 @@ CellScale update_scale(const CellScale& before, const Palpation& palpation, doub
 /// `kPunctureSpread_ratio`: Phi(ln(F / Fp) / sqrt(sF^2 + sp^2)); 0 at and below 0.
 double puncture_probability(const CellProfile& profile, double force_uN, double force_relative_sigma) noexcept;
 
+/// One depth of a cell's risk.
+struct PunctureRisk {
+  double depth_um = 0.0;
+  double force_uN = 0.0;     ///< expected there
+  double probability = 0.0;  ///< that the membrane has given way by then
+};
+
 }  // namespace pellucida

@@ -26,6 +26,8 @@ struct BatchResult {
   std::optional<Scene> peak;              ///< the scene of the largest contact force, or of the best tracked frame
   std::map<std::string, Distribution> step_us;  ///< by step: tracking, reconstruction, mechanics, writing
   Distribution frame_to_force_us;               ///< from a frame's arrival to its force
+  CellScale cell_scale;                         ///< of the forces against the profile's
+  std::vector<PunctureRisk> puncture_risk;      ///< by depth; only after a palpation
   double elapsed_s = 0.0;
   std::exception_ptr input_fault;  ///< why the input ended early; empty when it ended well
 };

@@ -19,7 +19,8 @@ struct SessionInfo {
   std::string command_line;                       ///< as the user typed it; empty for the window
   std::map<std::string, std::uint64_t> seeds;     ///< of everything random, by the name of its user
   std::map<std::string, double> clock_offsets_s;  ///< other clock minus session clock, by the clock's name
-  std::string drop_policy = "none";               ///< what may be lost on the way to the recorder, in words
+  std::string palpation_json;        ///< what was known of the cell from elsewhere and what came of it; empty: none
+  std::string drop_policy = "none";  ///< what may be lost on the way to the recorder, in words
 };
 
 /// What may be chosen about writing.

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "pellucida/core/Event.h"
 #include "pellucida/core_vtk/Scene.h"
@@ -37,6 +38,9 @@ class SessionWriter {
 
   /// Adds one event. An event of kind `dropped` also counts a lost frame. Throws OutputError.
   void event(const Event& event);
+
+  /// What came of a palpation, JSON text: in `session.json` from its next writing on.
+  void set_palpation(std::string palpation_json);
 
   /// Writes what is still to be written and marks the session complete. Safe to call twice. Throws OutputError.
   void close();

@@ -1,15 +1,21 @@
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "pellucida/core/Step.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/mechanics/PalpationUpdate.h"
 
 namespace pellucida {
 
 /// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
 ///
-/// Fills of the measurement: contact_force_uN with its interval, pressure_Pa, and volume_um3 where nothing has yet.
+/// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
+/// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, and volume_um3 where nothing has yet.
+/// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
+/// `punctured` then, and a tracker's later event of the same puncture is left out); `warning` when the force becomes
+/// less sure, by name; `palpation` when the cell's scale has been learnt; `note` why there is no force.
 /// Makes `model`: triangles in the solved shape, frame W, with point arrays
 ///   | array              | components | unit   | what                                                     |
 ///   | force_uN           | 3          | uN     | the membrane's own elastic force on the node             |
@@ -32,6 +38,11 @@ class MechanicsStep {
   MechanicsStep& operator=(MechanicsStep&&) noexcept;
 
   expected<Scene, StepFailure> process(const Scene& scene);
+
+  /// See `ForceObserver`. Between two calls of `process`.
+  void set_palpation(const Palpation& palpation);
+  CellScale scale() const noexcept;
+  std::vector<PunctureRisk> puncture_risk(double step_um);
 
  private:
   class Impl;
