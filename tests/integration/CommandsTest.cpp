@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
 
+#include "pellucida/core/Measurement.h"
 #include "pellucida/core/Table.h"
 #include "support/RunProgram.h"
 
@@ -61,6 +63,38 @@ TEST(Commands, AnalyzeTakesTheQualityAsked) {
     const std::string record((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     EXPECT_NE(record.find(std::string("--quality ").append(quality)), std::string::npos) << record.substr(0, 400);
   }
+}
+
+// A cell known to be stiffer than its kind: its forces, its scale and its risk by depth are in the session.
+TEST(Commands, AnalyzeWithAKnownForceMakesTheForcesThisCellsOwn) {
+  const auto folder = test::fresh_folder("commands_palpation", testing::TempDir());
+  const auto scenario = folder / "short.json";
+  std::ofstream(scenario) << R"({"motion": {"gap_um": 6, "indentation_um": 12, "hold_s": 0}})";
+  const std::string run = "analyze 'virtual:" + scenario.string() + "' --no-frames --output '";
+  ASSERT_EQ(test::run_program(run + (folder / "usual").string() + "'", folder).exit_code, 0);
+  const auto palpated =
+      test::run_program(run + (folder / "known").string() + "' --known-force-uN 1.0 --at-indentation-um 5", folder);
+  ASSERT_EQ(palpated.exit_code, 0) << palpated.err;
+  EXPECT_NE(palpated.out.find("times the profile's forces"), std::string::npos);
+  const auto palpation = nlohmann::json::parse(test::text_of(folder / "known/session.json")).at("palpation");
+  const double ratio = palpation.at("cell_scale_ratio").get<double>();
+  EXPECT_GT(ratio, 1.2);
+  EXPECT_GT(palpation.at("puncture_risk").size(), 5U);
+  const auto last_row = [&](const char* session) {
+    const std::string text = test::text_of(folder / session / "measurements.csv");
+    const std::size_t end = text.find_last_not_of('\n');
+    const std::size_t start = text.rfind('\n', end) + 1;
+    return measurement_from_csv(text.substr(start, end + 1 - start));
+  };
+  const Measurement usual = last_row("usual"), known = last_row("known");
+  EXPECT_NEAR(known.contact_force_uN, ratio * usual.contact_force_uN, 1e-3 * known.contact_force_uN);
+  EXPECT_GT(known.puncture_probability, 0.0);
+  EXPECT_TRUE(std::isnan(usual.puncture_probability));
+  EXPECT_GE(usual.lateral_force_uN, 0.0);
+  EXPECT_GT(usual.stiffness_uN_per_um, 0.0);
+  EXPECT_NE(test::text_of(folder / "known/events.csv").find("palpation"), std::string::npos);
+  // A force without its depth is wrong usage.
+  EXPECT_EQ(test::run_program(run + (folder / "none").string() + "' --known-force-uN 1.0", folder).exit_code, 2);
 }
 
 // With no display the main job runs headless: a session that checks out, and a picture that shows something.

@@ -13,6 +13,7 @@ TEST(SessionJson, KeepsEverything) {
   SessionHead head{.info = make_info(), .options = {.frames = false}, .created = "2026-01-02T03:04:05Z"};
   head.info.source.live = true;
   head.info.source.bit_depth = 16;
+  head.info.palpation_json = R"({"cell_scale_ratio":1.25,"puncture_risk":[]})";
   head.counts.step_count = 7;
   head.counts.file_count = {1, 2, 3, 4};
   head.counts.dropped_count = 9;
@@ -23,6 +24,7 @@ TEST(SessionJson, KeepsEverything) {
   EXPECT_EQ(read.counts.files(SessionPart::kFrame), 4U);
   EXPECT_EQ(read.counts.byte_count, 5'000'000'000ULL);
   EXPECT_TRUE(read.info.source.live);
+  EXPECT_EQ(read.info.palpation_json, head.info.palpation_json);
   EXPECT_FALSE(read.options.frames);
 }
 

@@ -1,12 +1,12 @@
 #include "pellucida/mechanics/ForceObserver.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/mechanics/CellPlacement.h"
 #include "pellucida/mechanics/DepthFilter.h"
 #include "pellucida/mechanics/Indenter.h"
 #include "pellucida/mechanics/RevolvedContour.h"
@@ -31,14 +31,8 @@ constexpr double kSmallestRatio = 0.6;
 constexpr double kLargestRatio = 1.7;
 /// The model is built anew when the tracked rest radius or thickness moved by more than this share.
 constexpr double kRebuildRatio = 0.004;
-/// How fast the holder's direction follows the tracker, per frame, and the turn that is worth following.
-constexpr double kHolderFollow = 0.2;
+/// The turn of the holder, and the change of the needle's offset, that are worth following.
 constexpr double kHolderTurn_rad = 0.002;
-/// A needle's line that passes the centre nearer than this goes through it, as far as a tracker can tell.
-constexpr double kCentred_um = 1.5;
-/// How fast the line's offset follows the tracker while there is no contact, per frame, and the change that is worth a
-/// new model.
-constexpr double kOffsetFollow = 0.2;
 constexpr double kOffsetStep_um = 0.75;
 /// A needle whose line moved by more than this since the contact began has slipped.
 constexpr double kSlip_um = 4.0;
@@ -60,10 +54,6 @@ double sphere_volume_um3(double radius_um) {
 
 std::string whole(double value) {
   return std::to_string(std::lround(value));
-}
-
-Eigen::Vector3d in_plane(const Eigen::Vector2d& v) {
-  return {v.x(), v.y(), 0.0};
 }
 
 }  // namespace
@@ -114,8 +104,7 @@ class ForceObserver::Impl {
 
   void reset() {
     indenter_.reset();
-    holder_W_.reset();
-    offset_um_.reset();
+    placement_.reset();
     end_contact();
   }
 
@@ -143,7 +132,10 @@ class ForceObserver::Impl {
     }
 
     // Where the cell is, how thick, how it is held and pushed.
-    place(o, estimate);
+    placement_.update(o);
+    estimate.rotation_WC = placement_.rotation_WC();
+    estimate.center_um = placement_.center_um();
+    estimate.holder_assumed = placement_.holder_assumed();
     prepare_model(o, estimate);
     if (palpation_ && !palpated_) palpate();
 
@@ -158,7 +150,7 @@ class ForceObserver::Impl {
       const bool has_sigma = std::isfinite(o.indentation_sigma_um) && o.indentation_sigma_um > 0.0;
       const double sigma_um = has_sigma ? o.indentation_sigma_um : kDefaultDepthSigma_um;
       const double tip_sigma_um = o.needle->tip_sigma_um > 0.0 ? o.needle->tip_sigma_um : kDefaultTipSigma_um;
-      if (monitor_.is_through({contact_.tip_depth_um, tip_sigma_um, o.indentation_um, sigma_um})) {
+      if (monitor_.is_through({placement_.contact().tip_depth_um, tip_sigma_um, o.indentation_um, sigma_um})) {
         contact = false;
         estimate.punctured = true;
       } else {
@@ -188,48 +180,7 @@ class ForceObserver::Impl {
   void end_contact() {
     filter_.reset();
     monitor_.release();
-    slipped_um_ = 0.0;
-  }
-
-  /// The cell frame: z towards the contact point, y out of the image plane, so that the image plane is the mesh's
-  /// mirror.
-  void place(const Observation& o, ForceEstimate& estimate) {
-    const bool has_needle =
-        o.needle && o.needle->direction.allFinite() && o.needle->direction.norm() > 0.5 && o.needle->tip_um.allFinite();
-    const Eigen::Vector2d axis =
-        has_needle && o.axis.allFinite() && o.axis.norm() > 0.5 ? o.axis.normalized() : last_axis_;
-    last_axis_ = axis;
-
-    // How far beside the centre the needle's line runs: followed until contact, then kept.
-    if (has_needle) {
-      contact_ = needle_contact(o);
-      const bool within = std::abs(contact_.offset_um) < 0.8 * o.rest_outer_radius_um;
-      if (within && !offset_um_) offset_um_ = contact_.offset_um;
-      if (within && o.state == CellState::kFree) *offset_um_ += kOffsetFollow * (contact_.offset_um - *offset_um_);
-      if (offset_um_ && o.state == CellState::kContact) {
-        slipped_um_ += kOffsetFollow * (contact_.offset_um - *offset_um_ - slipped_um_);
-      }
-    }
-    const double offset_um = offset_um_ && std::abs(*offset_um_) > kCentred_um ? *offset_um_ : 0.0;
-    const double sine = std::clamp(offset_um / o.rest_outer_radius_um, -0.9, 0.9);
-    const Eigen::Vector2d along = -axis, left(-along.y(), along.x());
-    const Eigen::Vector3d z = in_plane(-sine * left - std::sqrt(1.0 - sine * sine) * along);
-    const Eigen::Vector3d y = Eigen::Vector3d::UnitZ();
-    estimate.rotation_WC.col(0) = y.cross(z);
-    estimate.rotation_WC.col(1) = y;
-    estimate.rotation_WC.col(2) = z;
-    estimate.center_um = in_plane(o.center_um);
-    push_ = estimate.rotation_WC.transpose() * in_plane(along);
-    used_offset_um_ = offset_um;
-
-    // The holder: smoothed while seen, remembered while hidden, else assumed opposite the needle.
-    if (o.holder && o.holder->direction.allFinite() && o.holder->direction.norm() > 0.5) {
-      const Eigen::Vector2d seen = o.holder->direction.normalized();
-      const Eigen::Vector2d mixed =
-          holder_W_ ? Eigen::Vector2d((1.0 - kHolderFollow) * *holder_W_ + kHolderFollow * seen) : seen;
-      holder_W_ = mixed.norm() > 0.1 ? Eigen::Vector2d(mixed.normalized()) : seen;
-    }
-    estimate.holder_assumed = !holder_W_;
+    placement_.end_contact();
   }
 
   /// A model of this cell's size with needle and holder in place.
@@ -239,24 +190,22 @@ class ForceObserver::Impl {
     if (estimate.thickness_assumed) thickness_um = profile_.thickness_um;
     thickness_um_ = thickness_um;
     const double mid_radius_um = o.rest_outer_radius_um - 0.5 * thickness_um;
-    const Eigen::Vector3d holder =
-        holder_W_ ? Eigen::Vector3d(estimate.rotation_WC.transpose() * in_plane(*holder_W_)) : push_;
 
     // The thickness of the force scale is the profile's: a measured one is too coarse for it (the force goes with
     // h^1.2).
     const bool fits = indenter_ &&
                       std::abs(mid_radius_um / indenter_->model().setup().mid_radius_um - 1.0) < kRebuildRatio &&
-                      std::abs(used_offset_um_ - model_offset_um_) < kOffsetStep_um;
+                      std::abs(placement_.offset_um() - model_offset_um_) < kOffsetStep_um;
     if (!fits) {
-      const MembraneSetup setup{mid_radius_um, profile_.thickness_um, push_, holder};
+      const MembraneSetup setup{mid_radius_um, profile_.thickness_um, placement_.push(), placement_.holder()};
       indenter_ = std::make_unique<Indenter>(profile_, setup);
       auditor_.set_model(indenter_->model().rest());
       rest_stiffness_uN_per_um_ = indenter_->advance_to(0.0).stiffness_uN_per_um;
-      model_offset_um_ = used_offset_um_;
+      model_offset_um_ = placement_.offset_um();
       palpated_ = false;
       outer_radius_um_ = mid_radius_um + 0.5 * thickness_um;
-    } else if (indenter_->model().setup().holder.dot(holder) < std::cos(kHolderTurn_rad)) {
-      indenter_->set_holder(holder);
+    } else if (indenter_->model().setup().holder.dot(placement_.holder()) < std::cos(kHolderTurn_rad)) {
+      indenter_->set_holder(placement_.holder());
     }
   }
 
@@ -388,7 +337,7 @@ class ForceObserver::Impl {
       estimate.asymmetry_force_uN = stiffness_uN_per_um * shape.unexplained_asymmetry_um;
       if (shape.unexplained_asymmetry_um > kMismatch * usual_um) warnings |= kNotOfRevolution;
     }
-    if (std::abs(slipped_um_) > kSlip_um) warnings |= kNeedleSlip;
+    if (std::abs(placement_.slipped_um()) > kSlip_um) warnings |= kNeedleSlip;
     estimate.warnings = static_cast<ForceWarning>(warnings);
   }
 
@@ -430,13 +379,8 @@ class ForceObserver::Impl {
   PunctureMonitor monitor_;
   ShapeAuditor auditor_;
   double outer_radius_um_ = 0.0, thickness_um_ = 0.0;
-  std::optional<Eigen::Vector2d> holder_W_;
-  Eigen::Vector2d last_axis_ = Eigen::Vector2d::UnitX();
-  Eigen::Vector3d push_ = -Eigen::Vector3d::UnitZ();  // frame C
-  NeedleContact contact_;
-  std::optional<double> offset_um_;  // of the centre from the needle's line, smoothed
-  double used_offset_um_ = 0.0, model_offset_um_ = 0.0;
-  double slipped_um_ = 0.0;  // how far the line has moved since the contact began
+  CellPlacement placement_;
+  double model_offset_um_ = 0.0;
 };
 
 std::string to_string(ForceWarning warnings) {
