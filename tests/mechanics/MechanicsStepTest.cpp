@@ -192,6 +192,41 @@ TEST(MechanicsStep, AMissingForceIsExplainedOnce) {
   EXPECT_TRUE(step.process(scene)->events.empty());
 }
 
+TEST(MechanicsStep, APunctureIsToldOnceInTheFrameThatShowsIt) {
+  MechanicsStep step(testing::coarse_profile());
+  const auto scene_of = [](double tip_um, double membrane_um, CellState state, long frame) {
+    Scene scene = make_scene(membrane_um, 0.0, 12, 23);
+    Observation o = *scene.observation;
+    o.time_s = static_cast<double>(frame) / 30.0;
+    o.frame_index = frame;
+    o.state = state;
+    o.needle->direction = {-1.0, 0.0};
+    o.needle->tip_um = o.center_um + Eigen::Vector2d(52.5 - tip_um, 0.0);
+    scene.observation = std::make_shared<const Observation>(o);
+    scene.measurement = measurement_from(o);
+    return scene;
+  };
+  for (long frame = 1; frame <= 20; ++frame) {
+    const auto out = step.process(
+        scene_of(1.0 * static_cast<double>(frame), 1.0 * static_cast<double>(frame), CellState::kContact, frame));
+    EXPECT_TRUE(out->events.empty()) << frame;
+    EXPECT_EQ(out->measurement.state, CellState::kContact);
+    EXPECT_GT(out->measurement.stiffness_uN_per_um, 0.0);
+    EXPECT_NEAR(out->measurement.lateral_force_uN, 0.0, 0.02);
+  }
+  // Before the tracker says so.
+  const auto broken = step.process(scene_of(21.0, 10.0, CellState::kContact, 21));
+  ASSERT_EQ(broken->events.size(), 1u);
+  EXPECT_EQ(broken->events[0].kind, "puncture");
+  EXPECT_NE(broken->events[0].detail.find("work"), std::string::npos) << broken->events[0].detail;
+  EXPECT_EQ(broken->measurement.state, CellState::kPunctured);
+  EXPECT_EQ(broken->measurement.contact_force_uN, 0.0);
+  // The tracker's own event, a frame later, would be the same puncture again.
+  Scene later = scene_of(22.0, 4.0, CellState::kPunctured, 22);
+  later.events.push_back({22.0 / 30.0, "puncture", "membrane left at 4.0 um"});
+  EXPECT_TRUE(step.process(later)->events.empty());
+}
+
 TEST(MechanicsStep, ScenesWithoutCellOrSurfacePassOn) {
   MechanicsStep step(testing::coarse_profile());
   Scene no_surface = make_scene(5.0, 0.0, 12, 23);
