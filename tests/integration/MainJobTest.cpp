@@ -152,9 +152,14 @@ TEST_F(MainJob, SideBySideGivesTheSameNumbers) {
   std::string b;
   int row_count = 0;
   while (std::getline(one, a) && std::getline(other, b)) {
-    // All but the last column, the age, which is a matter of speed.
-    ASSERT_EQ(a.substr(0, a.rfind(',')), b.substr(0, b.rfind(',')));
-    ++row_count;
+    if (row_count++ == 0) {
+      ASSERT_EQ(a, b);
+      continue;
+    }
+    // All but the age, which is a matter of speed.
+    Measurement of_one = measurement_from_csv(a), of_other = measurement_from_csv(b);
+    of_one.frame_age_ms = of_other.frame_age_ms = 0.0;
+    ASSERT_EQ(to_csv(of_one), to_csv(of_other));
   }
   EXPECT_EQ(row_count, static_cast<int>(rows_.size()) + 1);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "s2" / "frames"));
