@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kSecondScore = 0.35;  // a second dark line that counts
 constexpr double kFaintest = 0.1;      // of the line's contrast: what counts as grain in looking for a border
+constexpr double kBroadLine_px = 1.2;  // standard deviation of a broad line: nearer than 3 of them lies its own flank
+constexpr double kFinest_px = 0.7;     // finest scale of the lines: two that lie 2 px apart must not melt into one
 constexpr double kHintShare = 0.5;     // of the score needed, where a person says there is a cell
 constexpr double kUnsureShare = 0.4;   // of the score needed: below, there is nothing for a level set to start from
 
@@ -155,7 +157,7 @@ RingEdge at_full_resolution(const Pyramid& pyramid, const Judged& coarse, double
   Eigen::Vector2d center = coarse.ring.circle.center * coarse.scale();
   double radius = coarse.ring.circle.radius * coarse.scale();
   if (coarse.from_outline) {
-    const double sigma = std::clamp(sigma_ratio * radius, 1.2, 2.5);
+    const double sigma = std::clamp(sigma_ratio * radius, kFinest_px, 2.5);
     const RingEdge fine =
         best_along(pyramid.levels.front(), coarse.ring.edge.points * coarse.scale(), 0.12 * radius, 0.12 * radius,
                    {sigma, 2.0 * sigma}, pyramid.noises.front(), {coarse.ring.edge.kind, {1.0, 0.0}});
@@ -172,7 +174,7 @@ RingEdge at_full_resolution(const Pyramid& pyramid, const Judged& coarse, double
     center = found.circle.center * scale;
     radius = found.circle.radius * scale;
   }
-  const double sigma = std::clamp(sigma_ratio * radius, 1.2, 2.5);
+  const double sigma = std::clamp(sigma_ratio * radius, kFinest_px, 2.5);
   const RingEdge fine = best_in_ring(pyramid.levels.front(), center, 0.75 * radius, 1.25 * radius, {sigma, 2.0 * sigma},
                                      pyramid.noises.front(), {coarse.ring.edge.kind, {1.0, 0.0}});
   if (fine.score >= 0.5 * coarse.ring.score) return fine;
@@ -193,6 +195,9 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
   // Two dark lines; found once, the pair centres its own ring for a second look.
   if (kind.line > 0.0) {
     auto pair = pair_in_ring(image, center, radius, sigma, noise);
+    // Out of focus the two lines are broad, and the one found first was found at a coarser scale.
+    if (!pair && first.edge.scale_px > 1.2 * sigma)
+      pair = pair_in_ring(image, center, radius, first.edge.scale_px, noise);
     if (pair) {
       const contour::Circle better = pair->first.circle;
       const std::pair known{better.radius, pair->second.circle.radius};
@@ -211,8 +216,9 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
     if (near.amplitude < 0.35 * first.amplitude) near.score = 0.0;
     return near;
   };
-  RingEdge outside = near_one(radius + 3.0 * sigma, 1.35 * radius);
-  RingEdge inside = near_one(0.72 * radius, radius - 3.0 * sigma);
+  const double apart = 3.0 * std::max(sigma, kBroadLine_px);
+  RingEdge outside = near_one(radius + apart, 1.35 * radius);
+  RingEdge inside = near_one(0.72 * radius, radius - apart);
   if (outside.score >= kSecondScore && outside.score >= 0.8 * inside.score) {
     cell.inner = first.edge;
     cell.outer = outside.edge;
@@ -265,7 +271,7 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
 
   constexpr double kSigmaRatio = 0.02;  // of the radius
   const RingEdge first = at_full_resolution(pyramid, best, kSigmaRatio);
-  const double sigma = std::clamp(kSigmaRatio * first.circle.radius, 1.2, 2.5);
+  const double sigma = std::clamp(kSigmaRatio * first.circle.radius, kFinest_px, 2.5);
   DetectedCell cell = with_second_membrane(pyramid, first, sigma);
   cell.score = best.ring.score * first.edge.coverage;
   return cell;

@@ -189,7 +189,8 @@ std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image
   RingEdge inner = judge(ring, paths.inner, feature, reward, 0.06 * radius, false);
   const double least = std::min(outer.edge.coverage, inner.edge.coverage);
   const double faint = std::min(outer.amplitude, inner.amplitude), strong = std::max(outer.amplitude, inner.amplitude);
-  if (least < 0.62 || faint < 0.35 * strong) return std::nullopt;
+  // The best path through pixel noise alone reaches about twice its standard deviation.
+  if (least < 0.62 || faint < 0.35 * strong || faint < 2.5 * noise * filter.noise_gain()) return std::nullopt;
   // Between two lines it is bright; the two shoulders of one broad line have no such valley.
   double between = 0.0;
   for (int i = 0; i < ring.rays(); ++i) {

@@ -12,7 +12,7 @@ struct TrackerOptions {
 
   // Detection.
   double min_cell_diameter_px = 36.0;  ///< of the outer membrane
-  double max_cell_diameter_px = 460.0;
+  double max_cell_diameter_px = 560.0;
   double min_detection_score = 0.50;  ///< 0..1: below this, no cell is reported
   int redetect_interval_frames = 5;   ///< while lost: how often the whole image is searched
 
