@@ -27,8 +27,10 @@ struct Exception {
   Limits limits;
 };
 constexpr std::array kExceptions{
-    Exception{"pixel 1.5 um", {kNoLimit, kNoLimit, 0.5, 0.1, 0.0, 1.0}},
-    Exception{"diameter 64 px", {.confident_and_wrong = 1}},
+    Exception{"pixel 1.5 um", {.coverage_high = 0.92}}, Exception{"diameter 64 px", {.coverage_low = 0.3}},
+    // Three lines side by side: the middle one is taken for the outer membrane.
+    Exception{"perivitelline gap 4 um",
+              {.outer_median_px = 8.0, .outer_p95_px = 8.0, .coverage_low = 0.0, .confident_and_wrong = kNoLimit}},
     Exception{"needle defocus 3 um", {.tip_median_px = 4.0}},  // lost and found again: chance tells how well
 };
 

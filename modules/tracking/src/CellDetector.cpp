@@ -195,9 +195,6 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
   // Two dark lines; found once, the pair centres its own ring for a second look.
   if (kind.line > 0.0) {
     auto pair = pair_in_ring(image, center, radius, sigma, noise);
-    // Out of focus the two lines are broad, and the one found first was found at a coarser scale.
-    if (!pair && first.edge.scale_px > 1.2 * sigma)
-      pair = pair_in_ring(image, center, radius, first.edge.scale_px, noise);
     if (pair) {
       const contour::Circle better = pair->first.circle;
       const std::pair known{better.radius, pair->second.circle.radius};
