@@ -41,7 +41,6 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
   profile_.setZero(columns_, count);  // beyond a station's own reach it stays 0
   values_.resize(columns_, count);
   solve_.setZero();
-  profile_.setZero();  // the medium, beyond the look
   for (int k = 0; k < count; ++k) {
     Station& station = stations_[static_cast<std::size_t>(k)];
     station.s = begin + k * unit_;
