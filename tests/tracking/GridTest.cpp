@@ -28,9 +28,6 @@ struct Exception {
 };
 constexpr std::array kExceptions{
     Exception{"pixel 1.5 um", {.coverage_high = 0.92}}, Exception{"diameter 64 px", {.coverage_low = 0.3}},
-    // Three lines side by side: the middle one is taken for the outer membrane.
-    Exception{"perivitelline gap 4 um",
-              {.outer_median_px = 8.0, .outer_p95_px = 8.0, .coverage_low = 0.0, .confident_and_wrong = kNoLimit}},
     Exception{"needle defocus 3 um", {.tip_median_px = 4.0}},  // lost and found again: chance tells how well
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "LevelSetOutline.h"
 #include "RingSearch.h"
@@ -202,6 +203,15 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
       cell.outer = pair->first.edge;
       cell.inner = pair->second.edge;
       cell.circle = pair->first.circle;
+      // One more line of the kind as far outside: the two were the zona's inner edge and the oolemma.
+      const double thick = pair->first.circle.radius - pair->second.circle.radius;
+      const double least = 0.5 * std::min(pair->first.amplitude, pair->second.amplitude);
+      RingEdge third = best_in_ring(image, cell.circle.center, cell.circle.radius + 0.6 * thick,
+                                    cell.circle.radius + 1.6 * thick, {sigma}, noise, {kind});
+      if (third.score >= kSecondScore && third.amplitude >= least) {
+        cell.oolemma = std::exchange(cell.inner, std::exchange(cell.outer, std::move(third.edge)));
+        cell.circle = third.circle;
+      }
       return cell;
     }
   }

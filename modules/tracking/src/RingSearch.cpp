@@ -183,21 +183,33 @@ std::optional<std::pair<RingEdge, RingEdge>> pair_in_ring(const GrayImage& image
   const Eigen::MatrixXf reward = reward_of(feature, std::max({spread_of(feature), noise * filter.noise_gain(), 1e-5}));
   const int gap_from = std::max(2, static_cast<int>(std::ceil(2.4 * sigma / ring.step())));
   const double widest = known ? 1.5 * (known->first - known->second) : 0.3 * radius;
-  const int gap_to = std::max(gap_from + 2, static_cast<int>(widest / ring.step()));
-  const PathPair paths = best_closed_path_pair(reward, reward, gap_from, gap_to, 0.5F, 0.9F);
-  RingEdge outer = judge(ring, paths.outer, feature, reward, 0.06 * radius, false);
-  RingEdge inner = judge(ring, paths.inner, feature, reward, 0.06 * radius, false);
-  const double least = std::min(outer.edge.coverage, inner.edge.coverage);
-  const double faint = std::min(outer.amplitude, inner.amplitude), strong = std::max(outer.amplitude, inner.amplitude);
-  // The best path through pixel noise alone reaches about twice its standard deviation.
-  if (least < 0.62 || faint < 0.35 * strong || faint < 2.5 * noise * filter.noise_gain()) return std::nullopt;
-  // Between two lines it is bright; the two shoulders of one broad line have no such valley.
-  double between = 0.0;
-  for (int i = 0; i < ring.rays(); ++i) {
-    const int middle = (paths.outer[static_cast<std::size_t>(i)] + paths.inner[static_cast<std::size_t>(i)]) / 2;
-    between += feature(i, middle) / ring.rays();
+  int gap_to = std::max(gap_from + 2, static_cast<int>(widest / ring.step()));
+  RingEdge outer, inner;
+  for (bool found = false; !found;) {
+    const PathPair paths = best_closed_path_pair(reward, reward, gap_from, gap_to, 0.5F, 0.9F);
+    outer = judge(ring, paths.outer, feature, reward, 0.06 * radius, false);
+    inner = judge(ring, paths.inner, feature, reward, 0.06 * radius, false);
+    const double least = std::min(outer.edge.coverage, inner.edge.coverage);
+    const double faint = std::min(outer.amplitude, inner.amplitude);
+    // The best path through pixel noise alone reaches about twice its standard deviation.
+    if (least < 0.62 || faint < 0.35 * std::max(outer.amplitude, inner.amplitude) ||
+        faint < 2.5 * noise * filter.noise_gain())
+      return std::nullopt;
+    // Between two lines it is bright; the two shoulders of one broad line have no such valley.
+    double between = 0.0, gap = 0.0;
+    for (int i = 0; i < ring.rays(); ++i) {
+      const int from_column = paths.inner[static_cast<std::size_t>(i)],
+                to_column = paths.outer[static_cast<std::size_t>(i)];
+      between += feature(i, (from_column + to_column) / 2) / ring.rays();
+      gap += static_cast<double>(to_column - from_column) / ring.rays();
+    }
+    found = between <= 0.1 * faint;
+    if (found) break;
+    // A third line between them (a perivitelline gap): the two that are neighbours.
+    const int nearer = static_cast<int>(0.75 * gap);
+    if (between < 0.35 * faint || nearer <= gap_from || nearer >= gap_to) return std::nullopt;
+    gap_to = nearer;
   }
-  if (between > 0.1 * faint) return std::nullopt;
   for (RingEdge* edge : {&outer, &inner}) {
     edge->edge.kind = {1.0, 0.0};
     edge->edge.scale_px = sigma;
