@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace pellucida {
 namespace {
 
@@ -53,6 +55,33 @@ TEST(PunctureMonitor, ATipFoundAgainOnTheMembraneIsAContactAgain) {
   EXPECT_TRUE(monitor.is_through({30.5, 0.2, 30.4, 0.2}));
   EXPECT_TRUE(monitor.is_through({30.5, 0.2, 30.4, 0.2}));
   EXPECT_FALSE(monitor.is_through({30.5, 0.2, 30.4, 0.2}));
+}
+
+TEST(PunctureMonitor, AShapeThatLeavesTheModelsAtOnceIsAPuncture) {
+  PunctureMonitor monitor = pushed(40.0, 0.1);
+  EXPECT_FALSE(monitor.has_sprung_back(0.6, 0.4, 1.0));
+  monitor.add(40.5, 4.05);
+  EXPECT_TRUE(monitor.has_sprung_back(3.3, 2.0, 1.0));
+  ASSERT_TRUE(monitor.take_puncture(1.0));
+  // It lasts, also where the contour is still laid on the tip.
+  EXPECT_TRUE(monitor.is_through({41.0, 0.2, 41.0, 0.2}));
+}
+
+TEST(PunctureMonitor, AShapeThatDriftsAwayInwardsOrWasNotSeenIsNone) {
+  PunctureMonitor monitor = pushed(40.0, 0.1);
+  // A wrong configuration grows slowly.
+  for (double residual = 0.5; residual < 6.0; residual += 0.4)
+    EXPECT_FALSE(monitor.has_sprung_back(residual, residual, 0.5));
+  // Inwards, within what is usual, unseen.
+  monitor = pushed(40.0, 0.1);
+  EXPECT_FALSE(monitor.has_sprung_back(0.6, 0.4, 1.0));
+  EXPECT_FALSE(monitor.has_sprung_back(3.5, -3.0, 1.0));
+  monitor = pushed(40.0, 0.1);
+  EXPECT_FALSE(monitor.has_sprung_back(0.1, 0.0, 1.0));
+  EXPECT_FALSE(monitor.has_sprung_back(1.5, 1.5, 1.0));
+  monitor = pushed(40.0, 0.1);
+  EXPECT_FALSE(monitor.has_sprung_back(std::nan(""), std::nan(""), 1.0));
+  EXPECT_FALSE(monitor.has_sprung_back(5.0, 5.0, 1.0));
 }
 
 TEST(PunctureMonitor, WithoutAContactThereIsNoPuncture) {

@@ -48,6 +48,10 @@ constexpr double kMismatch = 2.5;
 /// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
 constexpr double kUnknownHolder_ratio = 0.3;
 
+double usual_mismatch_um(const ShapeAudit& shape, double depth_um) {
+  return std::hypot(shape.noise_um, kUsualMismatch_um + kUsualMismatch_ratio * depth_um);
+}
+
 double sphere_volume_um3(double radius_um) {
   return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_um, 3);
 }
@@ -254,6 +258,21 @@ class ForceObserver::Impl {
     };
     audit();
 
+    // A contour that has left the model's shape at once: the membrane is through, the model at rest again.
+    if (contact && estimate.converged &&
+        monitor_.has_sprung_back(estimate.shape.residual_rms_um, estimate.shape.dimple_residual_um,
+                                 usual_mismatch_um(estimate.shape, depth_um))) {
+      contact = false;
+      estimate.punctured = true;
+      estimate.puncture = monitor_.take_puncture(o.time_s);
+      filter_.reset();
+      estimate.depth_sigma_um = depth_um = 0.0;
+      indenter_->reset();
+      state = IndentationState{};
+      state.volume_um3 = model.volume().rest_volume_um3();
+      audit();
+    }
+
     // The contour's weak pull, where it is asked for: its places found again about the shape it led to.
     for (int round = 0; contact && estimate.converged && options_.observation_ratio > 0.0 && round < kProjections;
          ++round) {
@@ -330,7 +349,7 @@ class ForceObserver::Impl {
     const ShapeAudit& shape = estimate.shape;
     unsigned warnings = kNoForceWarning;
     if (std::isfinite(shape.residual_rms_um)) {
-      const double usual_um = std::hypot(shape.noise_um, kUsualMismatch_um + kUsualMismatch_ratio * depth_um);
+      const double usual_um = usual_mismatch_um(shape, depth_um);
       const double beyond_um = std::max(0.0, shape.residual_rms_um - usual_um);
       errors.shape_uN = stiffness_uN_per_um * beyond_um;
       if (shape.residual_rms_um > kMismatch * usual_um) warnings |= kShapeMismatch;

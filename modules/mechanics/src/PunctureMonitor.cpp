@@ -11,6 +11,9 @@ constexpr double kUsual_um = 2.0;
 constexpr double kSigmas = 4.0;
 /// A dimple shallower than this is no puncture when it goes.
 constexpr double kShallowest_um = 4.0;
+/// A shape that leaves the model's by this from one frame to the next, and is so many times what is usual, has sprung.
+constexpr double kSpring_um = 1.0;
+constexpr double kUnusual = 2.5;
 /// Frames with tip and membrane together that make a contact again.
 constexpr int kTogetherFrames = 3;
 
@@ -30,6 +33,18 @@ bool PunctureMonitor::is_through(const Depths& now) noexcept {
   const bool tip_stayed = last_depth_um_ - now.tip_um < 0.5 * back_um;
   through_ = has_contact_ && last_depth_um_ > kShallowest_um && apart && came_back && tip_stayed;
   return through_;
+}
+
+bool PunctureMonitor::has_sprung_back(double residual_um, double dimple_residual_um, double usual_um) noexcept {
+  // Comparisons with what wasn't seen are false.
+  const bool sprang = residual_um - last_residual_um_ > kSpring_um && dimple_residual_um - last_dimple_um_ > kSpring_um;
+  if (has_contact_ && !through_ && last_depth_um_ > kShallowest_um && sprang && residual_um > kUnusual * usual_um) {
+    through_ = true;
+    return true;
+  }
+  last_residual_um_ = residual_um;
+  last_dimple_um_ = dimple_residual_um;
+  return false;
 }
 
 void PunctureMonitor::add(double depth_um, double force_uN) noexcept {

@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 
 namespace pellucida {
@@ -13,8 +14,10 @@ struct Puncture {
 
 /// Watches a contact for the moment when the membrane leaves the tip behind. A frame is a puncture when the membrane
 /// has come back, against the depth before, by more than `4 sigma` and 2 um while the tip, which pushed it, has not:
-/// it stands in the cell, more than 4 sigma and 2 um past the membrane. That state ends when the tip has left the cell,
-/// or is on the membrane again for three frames. One thread at a time.
+/// it stands in the cell, more than 4 sigma and 2 um past the membrane. A tracker that keeps the contour on the tip
+/// shows no such way; then the rest of the contour tells: from one frame to the next it leaves the model's shape by 1
+/// um and more, outwards in the dimple. That state ends when the tip has left the cell, or is on the membrane again for
+/// three frames. One thread at a time.
 class PunctureMonitor {
  public:
   /// One frame's depths, um past the resting membrane along the needle, and their standard deviations.
@@ -27,6 +30,11 @@ class PunctureMonitor {
 
   /// Whether the membrane is through in this frame. Ask before the frame's force is known.
   bool is_through(const Depths& now) noexcept;
+
+  /// Whether the contour's shape shows it in this frame: `residual_um` and `dimple_residual_um` of `ShapeAudit` (NaN:
+  /// not seen, says nothing), `usual_um` what the residual may be. Ask once a frame in contact, after the model is
+  /// solved for it and before `add`.
+  bool has_sprung_back(double residual_um, double dimple_residual_um, double usual_um) noexcept;
 
   /// A frame in contact with its force: work, peak. Not for frames that are through.
   void add(double depth_um, double force_uN) noexcept;
@@ -45,6 +53,8 @@ class PunctureMonitor {
   bool through_ = false;
   bool told_ = false;
   int together_frames_ = 0;
+  double last_residual_um_ = std::numeric_limits<double>::quiet_NaN();
+  double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
   double last_depth_um_ = 0.0, last_force_uN_ = 0.0;
   double peak_force_uN_ = 0.0, peak_depth_um_ = 0.0, work_uN_um_ = 0.0;
 };
