@@ -1,0 +1,30 @@
+#pragma once
+#include "pellucida/core/PlainVector.h"
+#include "pellucida/haptics/HapticDevice.h"
+
+namespace pellucida {
+
+/// Where the hand wants the pipette's tip. Frame W.
+struct TipTarget {
+  PlainVector3 tip_um;
+  PlainVector3 velocity_um_per_s;
+  bool clutched = false;  ///< the hand is off: the target stands still, and no force shall be felt
+};
+
+/// How hand motion becomes tip motion (position or rate control, scale, clutch, filters). Called by the 1 kHz thread:
+/// neither allocates, locks, logs nor throws.
+class MotionMap {
+ public:
+  virtual ~MotionMap() = default;
+
+  /// Ties the hand as it is to the tip as it is: the next target is exactly `tip_um`.
+  virtual void engage(const HandSample& hand, const PlainVector3& tip_um) noexcept = 0;
+
+  /// The target of this tick; `dt_s` since the last one.
+  virtual TipTarget update(const HandSample& hand, double dt_s) noexcept = 0;
+
+  /// Tip motion for a hand motion, um/m (above 0): what turns uN/um at the cell into N/m at the hand.
+  virtual double scale_um_per_m() const noexcept = 0;
+};
+
+}  // namespace pellucida
