@@ -156,6 +156,7 @@ class LiveRun::Impl {
 
   // The end of the chain: what everybody else sees.
   void publish(Scene scene) {
+    if (contact_sink_) contact_sink_(scene.contact);
     stamp_age(scene, clock_);
     newest_arrival_s_ = scene.arrival_s;
     rows_.append(scene.measurement);
@@ -270,6 +271,7 @@ class LiveRun::Impl {
     };
   }
 
+  std::function<void(const ContactModel&)> contact_sink_;
   std::unique_ptr<FrameSource> source_;
   const SourceInfo info_;
   const bool can_restart_;
@@ -328,6 +330,13 @@ class LiveRun::Impl {
 LiveRun::LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options)
     : impl_(std::make_unique<Impl>(std::move(source), std::move(options))) {}
 LiveRun::~LiveRun() = default;
+
+void LiveRun::set_contact_sink(std::function<void(const ContactModel&)> sink) {
+  impl_->contact_sink_ = std::move(sink);
+}
+const Clock& LiveRun::clock() const noexcept {
+  return impl_->clock_;
+}
 
 void LiveRun::start() {
   impl_->start();

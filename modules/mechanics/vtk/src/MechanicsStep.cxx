@@ -15,6 +15,7 @@
 #include <string>
 
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/mechanics/ContactHandOver.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/mechanics_vtk/ForceTransfer.h"
 
@@ -104,6 +105,8 @@ class MechanicsStep::Impl {
     }
     Scene out = scene;
     const ForceEstimate e = observer_.process(*scene.observation);
+
+    out.contact = contact_model(*scene.observation, e, scene.arrival_s);
 
     // The row: what is not measured stays empty.
     out.measurement.contact_force_uN = e.contact_force_uN;

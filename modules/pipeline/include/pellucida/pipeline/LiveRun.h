@@ -2,12 +2,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core/Clock.h"
+#include "pellucida/core/ContactModel.h"
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/pipeline/PipelineOptions.h"
@@ -42,6 +45,12 @@ class LiveRun {
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;
+
+  /// Hands each measured frame's contact to `sink`, on the mechanics' thread, before anyone sees the scene. Before
+  /// `start`.
+  void set_contact_sink(std::function<void(const ContactModel&)> sink);
+  /// The run's clock: arrival times and the age of a force are on it.
+  const Clock& clock() const noexcept;
 
   void start();
   void stop();

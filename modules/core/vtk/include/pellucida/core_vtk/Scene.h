@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "pellucida/core/ContactModel.h"
 #include "pellucida/core/Event.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/core/Observation.h"
@@ -26,6 +27,7 @@ struct Scene {
   Frozen<vtkPolyData> model;      ///< the mass-spring-damper mesh in its solved shape (triangles)
   std::shared_ptr<const Observation> observation;  ///< the same contours and tools as plain numbers
   Measurement measurement;                         ///< the row of `measurements.csv`
+  ContactModel contact;                            ///< what the hand gets to know of this frame
   std::vector<Event> events;                       ///< what this frame brought about
 };
 
