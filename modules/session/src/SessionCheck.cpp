@@ -97,6 +97,7 @@ class Check {
     for (const Measurement& row : found_.measurements.rows) time_of[row.frame] = row.time_s;
     std::size_t total = 0;
     for (const auto& frames : found_.files.frames) total += frames.size();
+    total += found_.files.hand_blocks.size();
 
     std::size_t done = 0;
     std::size_t without_row = 0;
@@ -108,32 +109,55 @@ class Check {
         if (progress_ && (++done % 64 == 0 || done == total)) progress_(done, total);
       }
     }
+    for (const long block : found_.files.hand_blocks) {
+      check_hand(block);
+      if (progress_ && (++done % 64 == 0 || done == total)) progress_(done, total);
+    }
     if (without_row > 0) {
       report_.notes.push_back(std::to_string(without_row) +
                               " data file(s) belong to no row of measurements.csv; they are kept, but listed nowhere");
     }
   }
 
+  // A block of the recording of the hand carries its own number.
+  void check_hand(long block) {
+    check_readable(hand_file(block),
+                   [&](const fs::path& file) { require_stamp(file, read_poly_file(file), "block", block); });
+  }
+
   void check_file(SessionPart part, long frame, const double* time_s) {
-    const fs::path file = folder_ / part_file(part, frame);
-    try {
+    check_readable(part_file(part, frame), [&](const fs::path& file) {
       const vtkSmartPointer<vtkDataObject> data = read(part, file);
-      vtkFieldData* field = data->GetFieldData();
-      if (!field->GetArray(array_name::kTime) || !field->GetArray(array_name::kFrameIndex) ||
-          !field->GetArray(array_name::kSchemaVersion)) {
-        throw InputError(file.string() + ": carries no stamp");
-      }
-      if (stamped_frame_index(data) != frame) {
-        throw InputError(file.string() + ": stamped as frame " + std::to_string(stamped_frame_index(data)));
-      }
+      require_stamp(file, data, "frame", frame);
       if (time_s && std::abs(stamped_time_s(data) - *time_s) > kTimeTolerance_s * std::max(1.0, std::abs(*time_s))) {
         throw InputError(file.string() + ": stamped " + csv_number(stamped_time_s(data)) + " s where its row says " +
                          csv_number(*time_s) + " s");
       }
+    });
+  }
+
+  // A stamp is there and says `number`.
+  static void require_stamp(const fs::path& file, vtkDataObject* data, const char* what, long number) {
+    vtkFieldData* field = data->GetFieldData();
+    if (!field->GetArray(array_name::kTime) || !field->GetArray(array_name::kFrameIndex) ||
+        !field->GetArray(array_name::kSchemaVersion)) {
+      throw InputError(file.string() + ": carries no stamp");
+    }
+    if (stamped_frame_index(data) != number) {
+      throw InputError(file.string() + ": stamped as " + what + ' ' + std::to_string(stamped_frame_index(data)));
+    }
+  }
+
+  // Runs `check` on a file of the session; what it throws is a problem of that file.
+  template <class CheckFile>
+  void check_readable(const std::string& name, CheckFile check) {
+    const fs::path file = folder_ / name;
+    try {
+      check(file);
     } catch (const InputError& error) {
       // The text starts with the whole path: the session's own part of it is enough here.
       const std::string text = error.what();
-      problem(part_file(part, frame) + text.substr(std::min(text.size(), file.string().size())));
+      problem(name + text.substr(std::min(text.size(), file.string().size())));
       found_.unreadable.push_back(file);
     }
   }
@@ -213,6 +237,12 @@ class Check {
         counts.byte_count += fs::file_size(file);
       }
     }
+    for (const long block : found_.files.hand_blocks) {
+      const fs::path file = folder_ / hand_file(block);
+      if (unreadable.contains(file)) continue;
+      ++counts.hand_block_count;
+      counts.byte_count += fs::file_size(file);
+    }
     // The rows count too, with their ends.
     counts.byte_count += measurement_header().size() + std::string_view(session_name::kEventsHeader).size() + 2;
     for (const auto* lines : {&found_.measurements.lines, &found_.events.lines}) {
@@ -232,6 +262,7 @@ class Check {
     };
     compare("steps", stated.step_count, counts.step_count);
     compare("events", stated.event_count, counts.event_count);
+    compare("files of the hand", stated.hand_block_count, counts.hand_block_count);
     for (const PartNames& names : kParts) {
       compare(std::string(names.folder) + " files", stated.files(names.part), counts.files(names.part));
     }

@@ -151,6 +151,51 @@ void write_nodes(const SessionReader& session, const fs::path& output, const std
   report.files.push_back(output / "nodes.csv");
 }
 
+// Head and numbers of an array's components: `force_N_x,force_N_y,force_N_z`.
+void add_columns(std::string& header, vtkDataArray* array) {
+  const int count = array->GetNumberOfComponents();
+  for (int i = 0; i < count; ++i) {
+    header += std::string(",") + array->GetName() + (count == 1 ? "" : std::string("_") + "xyz"[i % 3]);
+  }
+}
+
+// The recording of the hand: a row for each tick and path (hand, tip), with all arrays of its points.
+void write_hand(const SessionReader& session, const fs::path& output, ExportReport& report) {
+  std::optional<CsvFile> file;
+  for (std::size_t block = 0; block < session.hand_block_count(); ++block) {
+    const auto paths = session.load_hand(block).shallow_copy();
+    vtkDataArray* kind = paths->GetCellData()->GetArray(array_name::kPath);
+    vtkPointData* arrays = paths->GetPointData();
+    if (!file) {
+      std::string header = "path,x_um,y_um,z_um";
+      for (int a = 0; a < arrays->GetNumberOfArrays(); ++a) add_columns(header, arrays->GetArray(a));
+      file.emplace(output / "haptics.csv", header);
+    }
+    for (vtkIdType line = 0; line < paths->GetNumberOfCells(); ++line) {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      paths->GetCellPoints(line, size, ids);
+      const std::string head = kind && kind->GetComponent(line, 0) == 0.0 ? "hand" : "tip";
+      for (vtkIdType i = 0; i < size; ++i) {
+        double point_um[3];
+        paths->GetPoint(ids[i], point_um);
+        std::string row = head;
+        for (const double coordinate_um : point_um) row += ',' + csv_number(coordinate_um);
+        for (int a = 0; a < arrays->GetNumberOfArrays(); ++a) {
+          vtkDataArray* array = arrays->GetArray(a);
+          for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+            row += ',' + csv_number(array->GetComponent(ids[i], c));
+        }
+        file->add(row);
+        ++report.hand_row_count;
+      }
+    }
+  }
+  if (!file) return;
+  file->finish();
+  report.files.push_back(output / "haptics.csv");
+}
+
 }  // namespace
 
 ExportReport export_session(const fs::path& session_folder, const fs::path& output, const ExportOptions& options) {
@@ -171,9 +216,10 @@ ExportReport export_session(const fs::path& session_folder, const fs::path& outp
   report.files.push_back(output / session_name::kEvents);
   write_contours(session, output, options, report);
   write_nodes(session, output, chosen, report);
-  report.notes.emplace_back(
-      session.has_haptics() ? "the session's recording of the hand (haptics/) is of a kind this version can't export"
-                            : "the session has no recording of the hand: no haptics.csv");
+  write_hand(session, output, report);
+  if (session.hand_block_count() == 0) {
+    report.notes.emplace_back("the session has no recording of the hand: no haptics.csv");
+  }
   if (!session.complete()) report.notes.emplace_back("the session was cut off: what it holds up to there was exported");
   return report;
 }

@@ -6,26 +6,46 @@
 #include "pellucida/core/Table.h"
 
 namespace pellucida {
+namespace {
 
-std::string part_file(SessionPart part, long frame_index) {
-  const PartNames& names = names_of(part);
+// `folder/stem_00000012.vtp`
+std::string numbered_file(const char* folder, const char* stem, const char* extension, long number) {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%08ld", frame_index);
-  return std::string(names.folder) + '/' + names.stem + '_' + digits + names.extension;
+  std::snprintf(digits, sizeof digits, "%08ld", number);
+  return std::string(folder) + '/' + stem + '_' + digits + extension;
 }
 
-std::optional<long> frame_index_of(SessionPart part, std::string_view file_name) {
-  const PartNames& names = names_of(part);
-  const std::string start = std::string(names.stem) + '_';
-  const std::string_view extension = names.extension;
+// The number in `stem_00000012.vtp`.
+std::optional<long> number_of(const char* stem, std::string_view extension, std::string_view file_name) {
+  const std::string start = std::string(stem) + '_';
   if (!file_name.starts_with(start) || !file_name.ends_with(extension)) return std::nullopt;
   if (file_name.size() <= start.size() + extension.size()) return std::nullopt;
 
   const std::string_view digits = file_name.substr(start.size(), file_name.size() - start.size() - extension.size());
-  long index = 0;
-  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-  if (code != std::errc() || end != digits.data() + digits.size() || index < 0) return std::nullopt;
-  return index;
+  long number = 0;
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (code != std::errc() || end != digits.data() + digits.size() || number < 0) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+std::string part_file(SessionPart part, long frame_index) {
+  const PartNames& names = names_of(part);
+  return numbered_file(names.folder, names.stem, names.extension, frame_index);
+}
+
+std::optional<long> frame_index_of(SessionPart part, std::string_view file_name) {
+  const PartNames& names = names_of(part);
+  return number_of(names.stem, names.extension, file_name);
+}
+
+std::string hand_file(long block) {
+  return numbered_file(session_name::kHaptics, session_name::kHaptics, ".vtp", block);
+}
+
+std::optional<long> hand_block_of(std::string_view file_name) {
+  return number_of(session_name::kHaptics, ".vtp", file_name);
 }
 
 std::string make_pvd(const std::vector<SessionStep>& steps, bool frames) {

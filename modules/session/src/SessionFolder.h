@@ -49,6 +49,10 @@ std::string part_file(SessionPart part, long frame_index);
 /// The frame index in a file's name (without folder); nothing when it isn't a name of this part.
 std::optional<long> frame_index_of(SessionPart part, std::string_view file_name);
 
+/// `haptics/haptics_00000003.vtp`, and the block's number back from the file's name (without folder).
+std::string hand_file(long block);
+std::optional<long> hand_block_of(std::string_view file_name);
+
 /// The text of `session.pvd`. With `frames`, the images are listed too. Every step lists the same parts: `empty.vtp`
 /// stands for a missing one.
 std::string make_pvd(const std::vector<SessionStep>& steps, bool frames);

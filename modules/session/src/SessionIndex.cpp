@@ -82,21 +82,29 @@ SessionTable<Event> read_events(const std::filesystem::path& file) {
 
 SessionFiles list_files(const std::filesystem::path& session) {
   SessionFiles files;
-  const auto look_at = [&](const std::filesystem::path& folder, const PartNames* names) {
+  const auto look_at = [&](const std::filesystem::path& folder, const auto& take) {
     std::error_code status;
     for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
       const std::string name = entry.path().filename().string();
       if (name.ends_with(kTemporarySuffix)) {
         files.temporary.push_back(entry.path());
-      } else if (names) {
-        const auto index = frame_index_of(names->part, name);
-        if (index) files.frames[static_cast<std::size_t>(names->part)].push_back(*index);
+      } else {
+        take(name);
       }
     }
   };
-  look_at(session, nullptr);
-  for (const PartNames& names : kParts) look_at(session / names.folder, &names);
+  look_at(session, [](const std::string&) {});
+  for (const PartNames& names : kParts) {
+    look_at(session / names.folder, [&](const std::string& name) {
+      const auto index = frame_index_of(names.part, name);
+      if (index) files.frames[static_cast<std::size_t>(names.part)].push_back(*index);
+    });
+  }
+  look_at(session / session_name::kHaptics, [&](const std::string& name) {
+    if (const auto block = hand_block_of(name)) files.hand_blocks.push_back(*block);
+  });
   for (auto& frames : files.frames) std::sort(frames.begin(), frames.end());
+  std::sort(files.hand_blocks.begin(), files.hand_blocks.end());
   return files;
 }
 

@@ -33,6 +33,7 @@ SessionTable<Event> read_events(const std::filesystem::path& file);
 /// What the folders of a session hold, by name only.
 struct SessionFiles {
   std::array<std::vector<long>, kSessionPartCount> frames;  ///< frame indices by SessionPart, ascending
+  std::vector<long> hand_blocks;                            ///< of the recording of the hand, ascending
   std::vector<std::filesystem::path> temporary;             ///< files that were never finished
 };
 SessionFiles list_files(const std::filesystem::path& session);

@@ -65,6 +65,7 @@ SourceInfo source_from(const Json& head) {
 Json counts_json(const SessionCounts& counts) {
   Json object{{"steps", counts.step_count}};
   for (const PartNames& names : kParts) object[names.folder] = counts.files(names.part);
+  object[session_name::kHaptics] = counts.hand_block_count;
   object["events"] = counts.event_count;
   object["dropped"] = counts.dropped_count;
   object["bytes"] = counts.byte_count;
@@ -77,6 +78,7 @@ SessionCounts counts_from(const Json& head) {
   take(object, "steps", counts.step_count);
   for (const PartNames& names : kParts)
     take(object, names.folder, counts.file_count[static_cast<std::size_t>(names.part)]);
+  take(object, session_name::kHaptics, counts.hand_block_count);
   take(object, "events", counts.event_count);
   take(object, "dropped", counts.dropped_count);
   take(object, "bytes", counts.byte_count);
@@ -97,6 +99,7 @@ std::string to_json(const SessionHead& head) {
                          {"pixel_size_origin", info.source.pixel_size_origin}};
   json["profile"] = {{"name", info.profile_name}, {"content", parse_profile(info.profile_json)}};
   if (!info.palpation_json.empty()) json["palpation"] = Json::parse(info.palpation_json, nullptr, false);
+  if (!info.plan_json.empty()) json["plan"] = Json::parse(info.plan_json, nullptr, false);
   json["command_line"] = info.command_line;
   json["seeds"] = info.seeds;
   json["clock_offsets_s"] = info.clock_offsets_s;
@@ -123,6 +126,7 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     take(profile, "name", info.profile_name);
     if (profile.contains("content") && !profile["content"].is_null()) info.profile_json = profile["content"].dump();
     if (json.contains("palpation")) info.palpation_json = json["palpation"].dump();
+    if (json.contains("plan")) info.plan_json = json["plan"].dump();
     take(json, "command_line", info.command_line);
     take(json, "seeds", info.seeds);
     take(json, "clock_offsets_s", info.clock_offsets_s);

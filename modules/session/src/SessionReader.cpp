@@ -26,7 +26,9 @@ class SessionReader::Impl {
     }
     measurements_ = std::move(measurements.rows);
     events_ = read_events(folder_ / session_name::kEvents).rows;
-    steps_ = make_steps(measurements_, list_files(folder_));
+    SessionFiles files = list_files(folder_);
+    steps_ = make_steps(measurements_, files);
+    hand_blocks_ = std::move(files.hand_blocks);
   }
 
   Scene load(std::size_t index) const {
@@ -63,6 +65,7 @@ class SessionReader::Impl {
   std::vector<Measurement> measurements_;
   std::vector<Event> events_;
   std::vector<SessionStep> steps_;
+  std::vector<long> hand_blocks_;
 };
 
 SessionReader::SessionReader(const std::filesystem::path& folder) : impl_(std::make_unique<Impl>(folder)) {}
@@ -91,9 +94,11 @@ const std::vector<Measurement>& SessionReader::measurements() const noexcept {
 const std::vector<Event>& SessionReader::events() const noexcept {
   return impl_->events_;
 }
-bool SessionReader::has_haptics() const noexcept {
-  std::error_code status;
-  return std::filesystem::exists(impl_->folder_ / session_name::kHaptics, status);
+std::size_t SessionReader::hand_block_count() const noexcept {
+  return impl_->hand_blocks_.size();
+}
+Frozen<vtkPolyData> SessionReader::load_hand(std::size_t block) const {
+  return Frozen(read_poly_file(impl_->folder_ / hand_file(impl_->hand_blocks_.at(block))));
 }
 Scene SessionReader::load(std::size_t step) const {
   return impl_->load(step);

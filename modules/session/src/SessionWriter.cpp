@@ -104,6 +104,20 @@ class SessionWriter::Impl {
     refresh();
   }
 
+  void write_hand(const Frozen<vtkPolyData>& block, double time_s) {
+    require_open();
+    if (!block) return;
+    const auto number = static_cast<long>(head_.counts.hand_block_count);
+    if (number == 0) make_folder(folder_ / session_name::kHaptics);
+    auto copy = block.shallow_copy();
+    stamp(copy, time_s, number);
+    const std::string content = serialise(copy.Get());
+    replace_file(folder_ / hand_file(number), content);
+    ++head_.counts.hand_block_count;
+    file_byte_count_ += content.size();
+    refresh();
+  }
+
   void event(const Event& event) {
     require_open();
     append_event(event);
@@ -128,6 +142,7 @@ class SessionWriter::Impl {
   const SessionCounts& counts() const noexcept { return head_.counts; }
   const std::filesystem::path& folder() const noexcept { return folder_; }
 
+  void set_plan(std::string plan_json) { head_.info.plan_json = std::move(plan_json); }
   void set_palpation(std::string palpation_json) { head_.info.palpation_json = std::move(palpation_json); }
 
  private:
@@ -209,6 +224,12 @@ void SessionWriter::write(const Scene& scene) {
 }
 void SessionWriter::event(const Event& event) {
   impl_->event(event);
+}
+void SessionWriter::write_hand(const Frozen<vtkPolyData>& block, double time_s) {
+  impl_->write_hand(block, time_s);
+}
+void SessionWriter::set_plan(std::string plan_json) {
+  impl_->set_plan(std::move(plan_json));
 }
 void SessionWriter::set_palpation(std::string palpation_json) {
   impl_->set_palpation(std::move(palpation_json));

@@ -20,6 +20,7 @@ struct SessionInfo {
   std::map<std::string, std::uint64_t> seeds;     ///< of everything random, by the name of its user
   std::map<std::string, double> clock_offsets_s;  ///< other clock minus session clock, by the clock's name
   std::string palpation_json;        ///< what was known of the cell from elsewhere and what came of it; empty: none
+  std::string plan_json;             ///< the injection plan the hand was guided by; empty: none
   std::string drop_policy = "none";  ///< what may be lost on the way to the recorder, in words
 };
 
@@ -36,6 +37,7 @@ inline constexpr std::size_t kSessionPartCount = 4;
 struct SessionCounts {
   std::uint64_t step_count = 0;                               ///< rows of `measurements.csv`
   std::array<std::uint64_t, kSessionPartCount> file_count{};  ///< data files, by SessionPart
+  std::uint64_t hand_block_count = 0;                         ///< files of the recording of the hand
   std::uint64_t event_count = 0;                              ///< rows of `events.csv`
   std::uint64_t dropped_count = 0;                            ///< frames the recorder was told it lost
   std::uint64_t byte_count = 0;                               ///< of data files and rows

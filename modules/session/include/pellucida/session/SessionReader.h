@@ -33,8 +33,11 @@ class SessionReader {
   /// One entry a step.
   const std::vector<Measurement>& measurements() const noexcept;
   const std::vector<Event>& events() const noexcept;
-  /// True when the session has a recording of the hand.
-  bool has_haptics() const noexcept;
+  /// Blocks of the recording of the hand, in order; 0 when there was none.
+  std::size_t hand_block_count() const noexcept;
+  /// The recording of the hand, block `block` (0-based). Throws InputError when the file can't be read,
+  /// std::out_of_range for a block that isn't there.
+  Frozen<vtkPolyData> load_hand(std::size_t block) const;
 
   /// Reads the parts of step `step` (0-based) that are there. `arrival_s` of the scene is the step's time; `events` are
   /// those stamped within the step (from its time up to the next one's); `observation` stays empty. Throws InputError

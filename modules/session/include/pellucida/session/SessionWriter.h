@@ -39,6 +39,13 @@ class SessionWriter {
   /// Adds one event. An event of kind `dropped` also counts a lost frame. Throws OutputError.
   void event(const Event& event);
 
+  /// Adds the next block of the recording of the hand (`haptics/`, docs/file-format.md): what happened since the last
+  /// one, that began at `time_s`. Throws OutputError; the blocks before it stay valid.
+  void write_hand(const Frozen<vtkPolyData>& block, double time_s);
+
+  /// The injection plan, JSON text: in `session.json` from its next writing on. The last one counts.
+  void set_plan(std::string plan_json);
+
   /// What came of a palpation, JSON text: in `session.json` from its next writing on.
   void set_palpation(std::string palpation_json);
 

@@ -23,6 +23,7 @@ inline constexpr const char* kForce = "force_uN";                ///< points of 
 inline constexpr const char* kForceSigma = "force_sigma_uN";     ///< points of the surface
 inline constexpr const char* kDisplacement = "displacement_um";  ///< points of the surface, 3 components
 inline constexpr const char* kTension = "tension_uN_per_um";     ///< points of the surface
+inline constexpr const char* kPath = "path";                     ///< cells of a recording of the hand: 0 hand, 1 tip
 inline constexpr const char* kCenter = "center_um";              ///< field data of membranes and surface, 3 values
 inline constexpr const char* kAxis = "axis";                     ///< field data, 3 values: unit, cell centre to needle
 inline constexpr const char* kRestRadius = "rest_radius_um";     ///< field data, 2 values: outer, inner; 0 = unknown
