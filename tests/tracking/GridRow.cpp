@@ -56,7 +56,7 @@ GridRow summarize_run(const std::string& name, const GridRun& run) {
     row.tip_coverage += e.tip_coverage;
     row.depth_coverage += e.depth_coverage;
     const bool lost = e.state == CellState::kLost || e.state == CellState::kNoCell;
-    row.confident_and_wrong += e.confidence > 0.8 && e.outer_px > 2.0 ? 1 : 0;
+    row.confident_and_wrong += e.confident_and_wrong() ? 1 : 0;
     row.lost += lost ? 1 : 0;
     row.wrong_states += !lost && e.state != e.true_state ? 1 : 0;
   }

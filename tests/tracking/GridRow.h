@@ -22,7 +22,7 @@ struct GridRow {
   Spread outer_px, inner_px, tip_px;  ///< of each frame's RMS over the contour; of its tip
   double indentation_rms_um = 0.0;    ///< over frames in contact that were reported so
   Coverage outer_coverage, inner_coverage, dimple_coverage, tip_coverage, depth_coverage;
-  int confident_and_wrong = 0;   ///< confidence above 0.8 and outer error above 2 px
+  int confident_and_wrong = 0;   ///< confidence above 0.8 and a contour more than 2 px off
   int lost = 0;                  ///< frames reported as lost or without a cell
   int wrong_states = 0;          ///< of the others, frames whose state differs from the truth
   double median_frame_ms = 0.0;  ///< the tracker's time, for orientation only

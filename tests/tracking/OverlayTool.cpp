@@ -131,7 +131,7 @@ void run_virtual(const std::string& name, const Choice& choice) {
   int bold = 0, state_errors = 0;
   for (const test::FrameError& e : errors) {
     covered += e.covered_ratio();
-    bold += e.confidence > 0.8 && (e.outer_px > 2.0 || e.inner_px > 2.0) ? 1 : 0;
+    bold += e.confident_and_wrong() ? 1 : 0;
     state_errors += e.state != e.true_state ? 1 : 0;
   }
   std::printf(

@@ -40,6 +40,8 @@ struct FrameError {
   Coverage tip_coverage;     ///< of the tip's error along the needle; empty when no sigma is given
   Coverage depth_coverage;   ///< of the indentation's error, in contact
   double sharp_ratio = 0.0;  ///< share of contour points with confidence above 0.5
+  /// The one thing that must not be: confidence above 0.8 and a contour more than 2 px off.
+  bool confident_and_wrong() const { return confidence > 0.8 && (outer_px > 2.0 || inner_px > 2.0); }
   double covered_ratio() const { return Coverage(outer_coverage).operator+=(inner_coverage).ratio(); }
 };
 

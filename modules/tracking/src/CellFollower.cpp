@@ -140,24 +140,28 @@ void CellFollower::learn_rest() {
   rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius);
 }
 
-// Mean confidence of the outer contour on the needle's side, where a dimple is or is not.
-double CellFollower::local_score() const {
-  if (!needle_.valid()) return snakes_.outer().score;
+// Mean confidence of a contour on the needle's side, where a dimple is or is not.
+double CellFollower::local_score(const SnakeContour& snake) const {
+  if (!needle_.valid()) return snake.score;
   const NeedleZone needle_zone = zone();
   double sum = 0.0, count = 0.0;
-  const SnakeContour& outer = snakes_.outer();
-  for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
-    const Eigen::Vector2d d = outer.points.col(i) - needle_zone.tip;
+  for (Eigen::Index i = 0; i < snake.points.cols(); ++i) {
+    const Eigen::Vector2d d = snake.points.col(i) - needle_zone.tip;
     const double across = std::abs(needle_zone.direction.x() * d.y() - needle_zone.direction.y() * d.x());
     if (across > 0.45 * rest_.outer_radius || d.dot(needle_zone.direction) > 0.8 * rest_.outer_radius) continue;
-    if (needle_zone.covers(outer.points.col(i), 2.0)) continue;
-    sum += outer.confidence[i];
+    if (needle_zone.covers(snake.points.col(i), 2.0)) continue;
+    sum += snake.confidence[i];
     count += 1.0;
   }
-  return count > 3.0 ? sum / count : snakes_.outer().score;
+  return count > 3.0 ? sum / count : snake.score;
 }
 
-// The weakest of what was seen: the whole outer contour, the inner one, and the outer one on the needle's side.
+double CellFollower::local_score() const {
+  const double outer = local_score(snakes_.outer());
+  return snakes_.has_inner() ? std::min(outer, local_score(snakes_.inner())) : outer;
+}
+
+// The weakest of what was seen: either contour as a whole, and on the needle's side.
 double CellFollower::quality_now() const {
   const double both =
       snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;

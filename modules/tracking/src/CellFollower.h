@@ -79,6 +79,7 @@ class CellFollower {
   void learn_rest();
   double measure_membrane_depth() const;
   double depth_sigma() const;
+  double local_score(const SnakeContour& snake) const;
   double local_score() const;
   double quality_now() const;
   bool plausible() const;
