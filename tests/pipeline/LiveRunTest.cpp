@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -74,6 +79,51 @@ TEST(LiveRun, TheRecordingHoldsEveryFrame) {
   bool noted = false;
   for (const auto& event : session.events()) noted |= event.kind == "note" && event.detail == "the dish is empty";
   EXPECT_TRUE(noted);
+}
+
+TEST(LiveRun, TheRecordingHoldsTheHandThePlanAndItsEvents) {
+  const auto folder = fresh("hand");
+  LiveRun run(std::make_unique<test::FlatSource>(5, 200.0), {});
+  run.set_plan(R"({"depth_stop_um": 40})");
+  run.start_recording(folder);
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().finished; }));
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  vtkNew<vtkPolyData> block;
+  block->SetPoints(points);
+  EXPECT_TRUE(run.record_hand(Frozen<vtkPolyData>(block.Get()), 0.0));
+  EXPECT_TRUE(run.record_hand(Frozen<vtkPolyData>(block.Get()), 1.0));
+  run.add_event({0.5, "limit", "depth: 40.1 um, at most 40"});
+  run.set_plan(R"({"depth_stop_um": 42})");
+  run.stop_recording();
+  EXPECT_TRUE(run.record_hand(Frozen<vtkPolyData>(block.Get()), 2.0));  // nobody records: nobody waits
+
+  EXPECT_EQ(check_session(folder, false).problem_count, 0U);
+  const SessionReader session(folder);
+  EXPECT_EQ(session.hand_block_count(), 2U);
+  EXPECT_NE(session.info().plan_json.find("42"), std::string::npos);
+  EXPECT_TRUE(std::any_of(session.events().begin(), session.events().end(),
+                          [](const Event& event) { return event.kind == "limit" && event.time_s == 0.5; }));
+}
+
+TEST(LiveRun, EachMeasuredFrameIsHandedToTheHand) {
+  LiveRun run(open_virtual("default"), {});
+  std::atomic<long> count{0};
+  std::atomic<long> valid_count{0};
+  std::atomic<double> newest_s{-1.0};
+  run.set_contact_sink([&](const ContactModel& contact) {
+    ++count;
+    valid_count += contact.valid ? 1 : 0;
+    newest_s = contact.time_s;
+  });
+  run.start();
+  ASSERT_TRUE(wait_until([&] { return run.status().measured_count >= 10; }));
+  run.stop();
+  EXPECT_EQ(static_cast<std::uint64_t>(count), run.status().measured_count);
+  EXPECT_GT(valid_count, 0);
+  EXPECT_GT(newest_s, 0.0);
+  EXPECT_LE(newest_s, run.clock().now_s());
 }
 
 TEST(LiveRun, ABrokenSourceIsAFaultAndWhatCameBeforeStays) {

@@ -175,6 +175,7 @@ class LiveRun::Impl {
   void start_recording(const std::filesystem::path& folder) {
     SessionInfo info;
     info.source = info_;
+    info.plan_json = plan();
     info.profile_name = chain_.profile.name;
     info.profile_json = to_json(chain_.profile);
     info.drop_policy =
@@ -213,8 +214,27 @@ class LiveRun::Impl {
     keep_counts();
   }
 
-  void note(const std::string& text) {
-    const Event event{newest_time_s(), "note", text};
+  bool record_hand(const Frozen<vtkPolyData>& block, double time_s) {
+    std::lock_guard lock(recorder_mutex_);
+    return !recorder_ || recorder_->hand(block, time_s);
+  }
+
+  void set_plan(const std::string& plan_json) {
+    {
+      std::lock_guard lock(plan_mutex_);
+      plan_json_ = plan_json;
+    }
+    with_recorder([&](Recorder& recorder) { recorder.plan(plan_json); });
+  }
+
+  std::string plan() const {
+    std::lock_guard lock(plan_mutex_);
+    return plan_json_;
+  }
+
+  void note(const std::string& text) { add_event({newest_time_s(), "note", text}); }
+
+  void add_event(const Event& event) {
     events_.append(event);
     with_recorder([&](Recorder& recorder) { recorder.event(event); });
   }
@@ -313,6 +333,9 @@ class LiveRun::Impl {
   std::uint64_t recorded_count_ = 0;
   std::uint64_t recorder_dropped_count_ = 0;
 
+  mutable std::mutex plan_mutex_;
+  std::string plan_json_;
+
   mutable std::mutex fault_mutex_;
   std::optional<std::string> fault_;
 
@@ -384,6 +407,15 @@ void LiveRun::start_recording(const std::filesystem::path& folder) {
 }
 void LiveRun::stop_recording() {
   impl_->stop_recording();
+}
+bool LiveRun::record_hand(const Frozen<vtkPolyData>& block, double time_s) {
+  return impl_->record_hand(block, time_s);
+}
+void LiveRun::set_plan(const std::string& plan_json) {
+  impl_->set_plan(plan_json);
+}
+void LiveRun::add_event(const Event& event) {
+  impl_->add_event(event);
 }
 void LiveRun::note(const std::string& text) {
   impl_->note(text);

@@ -7,13 +7,15 @@
 namespace pellucida {
 
 expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
-  if (item.event) {
-    writer.event(*item.event);
-    return false;
+  if (const auto* scene = std::get_if<Scene>(&item)) {
+    writer.write(*scene);
+    ++written_count;
+    return true;
   }
-  writer.write(item.scene);
-  ++written_count;
-  return true;
+  if (const auto* event = std::get_if<Event>(&item)) writer.event(*event);
+  if (const auto* block = std::get_if<HandBlock>(&item)) writer.write_hand(block->paths, block->time_s);
+  if (const auto* plan = std::get_if<Plan>(&item)) writer.set_plan(plan->json);
+  return false;
 }
 
 Recorder::Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock)
@@ -49,11 +51,21 @@ void Recorder::event(const Event& event) {
   flush();
 }
 
+bool Recorder::hand(const Frozen<vtkPolyData>& block, double time_s) {
+  std::lock_guard lock(mutex_);
+  return closed_ || queue_.push(HandBlock{block, time_s});
+}
+
+void Recorder::plan(const std::string& plan_json) {
+  std::lock_guard lock(mutex_);
+  if (!closed_) queue_.push_wait(Plan{plan_json});
+}
+
 void Recorder::flush() {
-  while (!owed_events_.empty() && queue_.push({{}, owed_events_.front()})) owed_events_.pop_front();
+  while (!owed_events_.empty() && queue_.push(owed_events_.front())) owed_events_.pop_front();
   while (!pending_.empty() && pending_.front().settled) {
     const Scene& scene = pending_.front().scene;
-    if (!queue_.push({scene, std::nullopt})) {
+    if (!queue_.push(scene)) {
       ++dropped_count_;
       owed_events_.push_back(
           {scene.measurement.time_s, "dropped",
@@ -72,8 +84,8 @@ void Recorder::close() {
       if (!pending.settled) pending = {unmeasured(pending.scene), true};
     }
     // From here on there is time: nothing is dropped at the end.
-    while (!owed_events_.empty() && queue_.push_wait({{}, owed_events_.front()})) owed_events_.pop_front();
-    while (!pending_.empty() && queue_.push_wait({pending_.front().scene, std::nullopt})) pending_.pop_front();
+    while (!owed_events_.empty() && queue_.push_wait(owed_events_.front())) owed_events_.pop_front();
+    while (!pending_.empty() && queue_.push_wait(pending_.front().scene)) pending_.pop_front();
   }
   queue_.close();
   stage_.join();

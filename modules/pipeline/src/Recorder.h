@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Ring.h"
@@ -30,6 +31,9 @@ class Recorder {
   /// What became of an announced frame; others are ignored.
   void settle(const Scene& scene);
   void event(const Event& event);
+  /// The next block of the recording of the hand; false when the queue is full: the block is for the caller to keep.
+  bool hand(const Frozen<vtkPolyData>& block, double time_s);
+  void plan(const std::string& plan_json);
   /// Frames still unsettled are written as not measured, then all is closed. Throws OutputError when the disk refused.
   void close();
 
@@ -44,13 +48,17 @@ class Recorder {
     Scene scene;
     bool settled = false;
   };
-  struct Item {
-    Scene scene;
-    std::optional<Event> event;  ///< an event alone, when set
+  struct HandBlock {
+    Frozen<vtkPolyData> paths;
+    double time_s = 0.0;
   };
+  struct Plan {
+    std::string json;
+  };
+  using Item = std::variant<Scene, Event, HandBlock, Plan>;
   struct WriteStep {
     using Input = Item;
-    using Output = bool;  // true for a frame, false for an event
+    using Output = bool;  // true for a frame
     expected<bool, StepFailure> process(const Item& item);
     SessionWriter& writer;
     std::atomic<std::uint64_t> written_count{0};

@@ -78,6 +78,13 @@ class LiveRun {
   void start_recording(const std::filesystem::path& folder);
   /// Ends the recording and waits until all of it is on the disk. Throws OutputError when the disk refused.
   void stop_recording();
+  /// The next block of the recording of the hand, into the running recording; true when there is none. False when the
+  /// recorder has no room: try again, nothing is dropped.
+  bool record_hand(const Frozen<vtkPolyData>& block, double time_s);
+  /// The plan the hand is guided by, JSON text: into the running recording and those to come.
+  void set_plan(const std::string& plan_json);
+  /// Something that happened beside the frames (a limit that acted), into the log of events and the running recording.
+  void add_event(const Event& event);
   /// An operator's note, into the log of events and the running recording.
   void note(const std::string& text);
 
