@@ -17,6 +17,8 @@ class Reader {
  public:
   Reader(std::string file, Json root) : file_(std::move(file)), root_(std::move(root)) {}
 
+  bool has(const std::string& key) const { return root_.contains(key); }
+
   const Json& at(const std::string& key) const {
     const Json* here = &root_;
     for (std::size_t from = 0; from <= key.size();) {
@@ -72,6 +74,28 @@ RegionConstants read_region(const Reader& in, const std::string& key) {
 
 Json region_json(const RegionConstants& region) {
   return {{"k2_ratio", region.k2_ratio}, {"k1_over_k2", region.k1_over_k2}, {"hinge_ratio", region.hinge_ratio}};
+}
+
+/// The entries of a list, each with a reader that names its place.
+std::vector<Reader> read_list(const Reader& in, const std::string& file, const std::string& key) {
+  const Json& list = in.at(key);
+  if (!list.is_array()) in.fail(key, "must be a list");
+  std::vector<Reader> entries;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    entries.emplace_back(file + " " + key + "[" + std::to_string(k) + "]", list[k]);
+  }
+  return entries;
+}
+
+void read_relaxation(const Reader& in, const std::string& file, CellProfile& profile) {
+  for (const Reader& one : read_list(in, file, "relaxation_arms")) {
+    profile.relaxation_arms.push_back({one.positive("fraction", 1.0), one.positive("time_s", 1e9)});
+  }
+  try {
+    Relaxation checked(profile.relaxation_arms);
+  } catch (const UsageError& error) {
+    in.fail("relaxation_arms", std::string("is wrong: ") + error.what());
+  }
 }
 
 }  // namespace
@@ -132,14 +156,21 @@ CellProfile read_profile(const std::filesystem::path& file) {
   p.mesh_frequency = static_cast<int>(in.number("mesh.frequency", 2, 40));
   p.mesh_grading = in.number("mesh.grading", 0.2, 5.0);
 
-  const Json& errors = in.at("errors");
-  if (!errors.is_array()) in.fail("errors", "must be a list");
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    const Reader one(file.string() + " errors[" + std::to_string(k) + "]", errors[k]);
+  for (const Reader& one : read_list(in, file.string(), "errors")) {
     p.errors.push_back({static_cast<int>(one.number("configuration", 1, 4)), one.text("reference"),
                         one.number("largest_ratio", 0, 10), one.number("largest_of_peak_ratio", 0, 10),
                         one.number("from_um", 0, 1e4), one.number("to_um", 0, 1e4)});
   }
+
+  // What older profiles don't have.
+  if (in.has("references")) {
+    for (const Reader& one : read_list(in, file.string(), "references")) {
+      p.references.push_back({static_cast<int>(one.number("configuration", 1, 4)),
+                              one.number("holder_angle_deg", 0, 90), one.number("offset_um", -1e4, 1e4),
+                              static_cast<int>(one.number("node_count", 0, 1e9)), one.number("to_um", 0, 1e4)});
+    }
+  }
+  if (in.has("relaxation_arms")) read_relaxation(in, file.string(), p);
   return p;
 }
 
@@ -168,7 +199,17 @@ std::string to_json(const CellProfile& p) {
                       {"from_um", e.from_um},
                       {"to_um", e.to_um}});
   }
-  const Json root = {
+  Json references = Json::array();
+  for (const auto& r : p.references) {
+    references.push_back({{"configuration", r.configuration},
+                          {"holder_angle_deg", r.holder_angle_deg},
+                          {"offset_um", r.offset_um},
+                          {"node_count", r.node_count},
+                          {"to_um", r.to_um}});
+  }
+  Json arms = Json::array();
+  for (const auto& arm : p.relaxation_arms) arms.push_back({{"fraction", arm.fraction}, {"time_s", arm.time_s}});
+  Json root = {
       {"schema", "pellucida-cell-profile"},
       {"schema_version", 1},
       {"name", p.name},
@@ -199,7 +240,9 @@ std::string to_json(const CellProfile& p) {
         {"damping_uN_s_per_um", p.damping_uN_s_per_um},
         {"node_mass_kg", p.node_mass_kg}}},
       {"mesh", {{"frequency", p.mesh_frequency}, {"grading", p.mesh_grading}}},
+      {"references", references},
       {"errors", errors}};
+  if (!p.relaxation_arms.empty()) root["relaxation_arms"] = arms;
   return root.dump(2);
 }
 

@@ -117,12 +117,17 @@ IndentationState Indenter::advance_to(double depth_um) {
 
 std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
                                           double step_um) {
+  return force_curve(profile, setup_for_configuration(profile, configuration), max_indentation_um, step_um);
+}
+
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
+                                          double max_indentation_um, double step_um) {
   if (!(step_um > 0.0)) throw UsageError("step: it must be above 0 um");
   if (!(max_indentation_um > 0.0) || max_indentation_um > 1.4 * profile.mid_radius_um) {
     throw UsageError("maximum indentation: it must be above 0 and at most 1.4 radii of the cell, " +
                      std::to_string(1.4 * profile.mid_radius_um) + " um");
   }
-  Indenter indenter(profile, setup_for_configuration(profile, configuration));
+  Indenter indenter(profile, setup);
   std::vector<IndentationState> curve;
   const int steps = static_cast<int>(std::floor(max_indentation_um / step_um + 1e-9));
   for (int k = 0; k <= steps; ++k) curve.push_back(indenter.advance_to(k * step_um));

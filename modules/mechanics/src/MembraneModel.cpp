@@ -21,18 +21,11 @@ double angle_between_rad(const Eigen::Vector3d& p, const Eigen::Vector3d& direct
   return std::acos(std::clamp(p.normalized().dot(direction), -1.0, 1.0));
 }
 
-/// A constant of the profile at each node: the tip's region over the holder's over the body.
+/// A constant of the profile at each node.
 Eigen::VectorXd blend(const TriangleMesh& rest, const CellProfile& profile, const Eigen::Vector3d& holder,
                       double (*value)(const RegionConstants&)) {
-  Eigen::VectorXd values(rest.points_um.cols());
-  for (Eigen::Index n = 0; n < values.size(); ++n) {
-    const Eigen::Vector3d p = rest.points_um.col(n);
-    const double tip = belongs(angle_between_rad(p, Eigen::Vector3d::UnitZ()), profile.tip_angle_rad);
-    const double held = belongs(angle_between_rad(p, holder), profile.holder_angle_rad);
-    const double rest_value = held * value(profile.holder) + (1.0 - held) * value(profile.body);
-    values[n] = tip * value(profile.tip) + (1.0 - tip) * rest_value;
-  }
-  return values;
+  const RegionShares shares = region_shares(rest, profile, holder);
+  return value(profile.tip) * shares.tip + value(profile.body) * shares.body + value(profile.holder) * shares.holder;
 }
 
 SpringConstants spring_constants(const TriangleMesh& rest, const CellProfile& profile, const MembraneSetup& setup) {
@@ -49,44 +42,69 @@ Eigen::VectorXd hinge_rigidity(const TriangleMesh& rest, const CellProfile& prof
   return plate * blend(rest, profile, setup.holder, [](const RegionConstants& r) { return r.hinge_ratio; });
 }
 
-AttachmentTerm holder_attachment(const TriangleMesh& rest, const CellProfile& profile,
-                                 const Eigen::Vector3d& direction) {
-  return {rest.points_um,
-          holder_weights_uN_per_um(rest, direction, profile.holder_ring_um, profile.holder_half_width_um,
-                                   1e-3 * profile.effective_young_modulus_kPa * profile.holder_bond_per_um)};
+/// A radius on the outer surface, brought to the middle surface along the normal; areas shrink by the ratio's square.
+double mid_over_outer(const MembraneSetup& setup) {
+  return setup.mid_radius_um / (setup.mid_radius_um + 0.5 * setup.thickness_um);
 }
 
-AttachmentTerm tip_attachment(const TriangleMesh& rest, const CellProfile& profile) {
-  return {rest.points_um, tip_weights_uN_per_um(rest, Eigen::Vector3d::UnitZ(), profile.tip_radius_um,
-                                                1e-3 * profile.effective_young_modulus_kPa * profile.tip_bond_per_um)};
+AttachmentTerm holder_attachment(const TriangleMesh& rest, const CellProfile& profile, const MembraneSetup& setup) {
+  const double ratio = mid_over_outer(setup);
+  const double density = 1e-3 * profile.effective_young_modulus_kPa * profile.holder_bond_per_um / (ratio * ratio);
+  return {rest.points_um, holder_weights_uN_per_um(rest, setup.holder, ratio * profile.holder_ring_um,
+                                                   ratio * profile.holder_half_width_um, density)};
+}
+
+AttachmentTerm tip_attachment(const TriangleMesh& rest, const CellProfile& profile, const MembraneSetup& setup) {
+  const double ratio = mid_over_outer(setup);
+  const double density = 1e-3 * profile.effective_young_modulus_kPa * profile.tip_bond_per_um / (ratio * ratio);
+  return {rest.points_um,
+          tip_weights_uN_per_um(rest, Eigen::Vector3d::UnitZ(), ratio * profile.tip_radius_um, density)};
 }
 
 }  // namespace
 
-MembraneSetup setup_for_configuration(const CellProfile& profile, int configuration, double offset_um) {
-  MembraneSetup setup{profile.mid_radius_um, profile.thickness_um, -Eigen::Vector3d::UnitZ(),
-                      -Eigen::Vector3d::UnitZ()};
+RegionShares region_shares(const TriangleMesh& rest, const CellProfile& profile, const Eigen::Vector3d& holder) {
+  const Eigen::Index count = rest.points_um.cols();
+  RegionShares shares{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count)};
+  for (Eigen::Index n = 0; n < count; ++n) {
+    const Eigen::Vector3d p = rest.points_um.col(n);
+    const double tip = belongs(angle_between_rad(p, Eigen::Vector3d::UnitZ()), profile.tip_angle_rad);
+    const double held = belongs(angle_between_rad(p, holder), profile.holder_angle_rad);
+    shares.tip[n] = tip;
+    shares.holder[n] = (1.0 - tip) * held;
+    shares.body[n] = (1.0 - tip) * (1.0 - held);
+  }
+  return shares;
+}
+
+MembraneSetup setup_for_needle(const CellProfile& profile, double holder_angle_rad, double offset_um) {
+  const double outer_radius_um = profile.mid_radius_um + 0.5 * profile.thickness_um;
+  if (!(holder_angle_rad >= 0.0 && holder_angle_rad <= 0.5 * std::numbers::pi)) {
+    throw UsageError("angle between needle and holder: give 0 to 90 degrees");
+  }
+  if (!(std::abs(offset_um) < 0.8 * outer_radius_um)) {
+    throw UsageError("offset of the needle: it must meet the cell, so give less than 0.8 outer radii, " +
+                     std::to_string(0.8 * outer_radius_um) + " um");
+  }
+  // The contact point is the +z of the frame: seen from there, push and holder both turn by the offset's angle.
+  const double turn_rad = std::asin(offset_um / outer_radius_um);
   const auto turned = [](double angle_rad) { return Eigen::Vector3d(std::sin(angle_rad), 0.0, -std::cos(angle_rad)); };
+  return {profile.mid_radius_um, profile.thickness_um, turned(turn_rad), turned(holder_angle_rad + turn_rad)};
+}
+
+MembraneSetup setup_for_configuration(const CellProfile& profile, int configuration, double offset_um) {
   switch (configuration) {
     case 1:
-      break;
+      return setup_for_needle(profile, 0.0, 0.0);
     case 2:
-      setup.holder = turned(0.25 * std::numbers::pi);
-      break;
+      return setup_for_needle(profile, 0.25 * std::numbers::pi, 0.0);
     case 3:
-      setup.holder = turned(0.5 * std::numbers::pi);
-      break;
+      return setup_for_needle(profile, 0.5 * std::numbers::pi, 0.0);
     case 4:
-      // The contact point is the +z of the frame: seen from there, push and holder both turn by the offset's angle.
-      if (!(std::abs(offset_um) < profile.mid_radius_um))
-        throw UsageError("offset: it must be below the cell's radius");
-      setup.push = turned(std::asin(offset_um / profile.mid_radius_um));
-      setup.holder = setup.push;
-      break;
+      return setup_for_needle(profile, 0.0, offset_um);
     default:
       throw UsageError("configuration " + std::to_string(configuration) + ": give 1, 2, 3 or 4");
   }
-  return setup;
 }
 
 MembraneModel::MembraneModel(const CellProfile& profile, const MembraneSetup& setup)
@@ -97,8 +115,8 @@ MembraneModel::MembraneModel(const CellProfile& profile, const MembraneSetup& se
       springs_(rest_, pairs_, spring_constants(rest_, profile, setup)),
       hinges_(rest_, pairs_, hinge_rigidity(rest_, profile, setup)),
       volume_(rest_, 1e-3 * profile.effective_young_modulus_kPa * profile.volume_stiffness_ratio),
-      tip_(tip_attachment(rest_, profile)),
-      holder_(holder_attachment(rest_, profile, setup.holder)),
+      tip_(tip_attachment(rest_, profile, setup)),
+      holder_(holder_attachment(rest_, profile, setup)),
       energy_(static_cast<int>(rest_.points_um.cols()),
               1e-3 * profile.effective_young_modulus_kPa * setup.thickness_um) {
   energy_.add_term(springs_);
@@ -112,7 +130,7 @@ void MembraneModel::set_holder(const Eigen::Vector3d& direction) {
   setup_.holder = direction;
   springs_.set_constants(spring_constants(rest_, profile_, setup_));
   hinges_.set_rigidity(hinge_rigidity(rest_, profile_, setup_));
-  holder_ = holder_attachment(rest_, profile_, direction);
+  holder_ = holder_attachment(rest_, profile_, setup_);
   energy_.rebind(holder_);
 }
 

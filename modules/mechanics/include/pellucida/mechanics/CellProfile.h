@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pellucida/mechanics/Relaxation.h"
+
 namespace pellucida {
 
 /// Constants of the membrane's mass-spring-damper model in one node region, as ratios: what multiplies E h and D.
@@ -22,6 +24,15 @@ struct ProfileError {
   double largest_of_peak_ratio = 0.0;  ///< largest |model - reference| / force at the deepest point
   double from_um = 0.0;                ///< depths compared
   double to_um = 0.0;
+};
+
+/// A curve that the constants were fitted to.
+struct ProfileReference {
+  int configuration = 0;          ///< 1..4
+  double holder_angle_deg = 0.0;  ///< between the axes of needle and holder
+  double offset_um = 0.0;         ///< of the needle beside the cell's centre
+  int node_count = 0;             ///< of the finite-element mesh
+  double to_um = 0.0;             ///< deepest point
 };
 
 /// Everything that turns a shape into a force for one kind of cell: nothing of it is hidden in code. Loaded from JSON.
@@ -44,7 +55,8 @@ struct CellProfile {
   double puncture_force_uN = 0.0;
   double puncture_indentation_um = 0.0;
 
-  // Contact. Bond densities as ratios to the modulus, so that the modulus is the only force scale.
+  // Contact. Radii on the outer surface, from the tool's axis. Bond densities as ratios to the modulus, so that the
+  // modulus is the only force scale.
   double tip_radius_um = 0.0;
   double tip_bond_per_um = 0.0;  ///< peak density / E, 1/um
   double holder_ring_um = 0.0;   ///< radius of the ring of contact with the holding pipette
@@ -63,7 +75,11 @@ struct CellProfile {
   int mesh_frequency = 0;
   double mesh_grading = 1.0;
 
+  std::vector<ProfileReference> references;  ///< empty where a profile's maker didn't write them down
   std::vector<ProfileError> errors;
+
+  /// How the force falls while the needle rests; empty: not known, and taken as not at all.
+  std::vector<RelaxationArm> relaxation_arms;
 
   /// E h at the effective modulus, uN/um.
   double membrane_stiffness_uN_per_um() const noexcept { return 1e-3 * effective_young_modulus_kPa * thickness_um; }

@@ -65,8 +65,11 @@ class Indenter {
   double depth_um_ = 0.0;
 };
 
-/// A force-indentation curve, no video: depths 0, step, 2 step, ... max. Throws UsageError for a configuration
-/// outside 1..4, or a step or depth that isn't above 0 (or a depth that would pass through the cell).
+/// A force-indentation curve, no video: depths 0, step, 2 step, ... max. Throws UsageError for a step or depth that
+/// isn't above 0 (or a depth that would pass through the cell).
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
+                                          double max_indentation_um, double step_um);
+/// The same in one of the paper's configurations. Throws UsageError also for a number outside 1..4.
 std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
                                           double step_um);
 

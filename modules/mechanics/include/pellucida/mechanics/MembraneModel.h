@@ -20,13 +20,27 @@ struct MembraneSetup {
   Eigen::Vector3d holder = -Eigen::Vector3d::UnitZ();  ///< unit, from the centre to the holder
 };
 
+/// A needle whose axis makes the angle `holder_angle_rad` with the holder's (0: opposite it, pi/2: across it) and runs
+/// `offset_um` beside the cell's centre, towards the side a turned holder lies on where above 0. The contact point is
+/// where the axis meets the outer surface. Throws UsageError unless the angle is in 0..pi/2 and the offset within 0.8
+/// of the outer radius.
+MembraneSetup setup_for_needle(const CellProfile& profile, double holder_angle_rad, double offset_um);
+
 /// The paper's four tested configurations, seen in the cell frame. Throws UsageError for a number outside 1..4.
 /// 1 needle opposite the holder; 2 at 45 degrees; 3 at 90 degrees; 4 parallel to the holder's axis, `offset_um` beside
 /// it.
 MembraneSetup setup_for_configuration(const CellProfile& profile, int configuration, double offset_um = 10.0);
 
+/// How much each node belongs to each region, 0 to 1, summing to 1: the tip's over the holder's over the body, with
+/// smooth borders. Constants of the regions are mixed in these shares.
+struct RegionShares {
+  Eigen::VectorXd tip, body, holder;  ///< (n)
+};
+RegionShares region_shares(const TriangleMesh& rest, const CellProfile& profile, const Eigen::Vector3d& holder);
+
 /// The mass-spring-damper membrane: one triangulated sphere with X-shaped connectors, hinges, constant volume, needle
-/// and holder attached elastically. Energy U = U_springs + U_hinges + U_volume + U_tip + U_holder.
+/// and holder attached elastically. The tools touch the outer surface: their radii in the profile are measured there
+/// and brought to the middle surface, which is the sphere, along the normal, as in the finite-element reference. Energy U = U_springs + U_hinges + U_volume + U_tip + U_holder.
 class MembraneModel {
  public:
   MembraneModel(const CellProfile& profile, const MembraneSetup& setup);

@@ -1,0 +1,21 @@
+#pragma once
+#include "pellucida/mechanics/CellProfile.h"
+
+namespace pellucida {
+
+/// Mass m of a node and damping b of a connector for the model's time-stepped forms, eq. (2); the quasi-static force
+/// uses neither. No reference curve holds them: they follow from criteria.
+struct MotionConstants {
+  /// The cell and its liquid, with the density of water, in equal parts on the nodes.
+  double node_mass_kg = 0.0;
+  /// The connector that oscillates quickest is damped critically: b = 2 sqrt(k m / 2), k = K2 A / L^2 at rest, m / 2
+  /// the reduced mass of its two nodes. More would shorten the stable step of eq. (4), less would let it ring.
+  double damping_uN_s_per_um = 0.0;
+  /// Eq. (4) is stable below 2 / omega_max, omega_max^2 = (largest sum of |stiffness| at a node) / m bounded by
+  /// Gershgorin's circles over the connectors at rest; hinges and tools may shorten it further.
+  double stable_step_s = 0.0;
+};
+
+MotionConstants motion_constants(const CellProfile& profile);
+
+}  // namespace pellucida

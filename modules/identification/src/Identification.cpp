@@ -1,0 +1,254 @@
+#include "pellucida/identification/Identification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+#include "Workers.h"
+#include "pellucida/core/Clock.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/fem/SolidReference.h"
+#include "pellucida/identification/CurveSensitivity.h"
+#include "pellucida/identification/MotionConstants.h"
+
+namespace pellucida {
+namespace {
+
+/// Depths compared begin here: below, the noise of any depth hides the model's error.
+constexpr double kCompareFrom_um = 4.0;
+/// Curves reach at least this share of the radius, so that constants hold somewhat beyond the puncture.
+constexpr double kLeastReach = 1.06;
+/// A connector may strain this much more than the reference's middle surface before it turns soft.
+constexpr double kLeastStrain = 1.0;
+
+/// The force of a curve at a depth between its points, by the cubic through the four nearest.
+double interpolated_uN(const ReferenceCurve& curve, double depth_um) {
+  const Eigen::Index count = curve.depth_um.size();
+  Eigen::Index after = 0;
+  while (after < count - 1 && curve.depth_um[after] < depth_um) ++after;
+  const Eigen::Index nodes = std::min<Eigen::Index>(4, count);
+  const Eigen::Index first = std::clamp<Eigen::Index>(after - 2, 0, count - nodes);
+  double value = 0.0;
+  for (Eigen::Index i = first; i < first + nodes; ++i) {
+    double share = 1.0;
+    for (Eigen::Index j = first; j < first + nodes; ++j) {
+      if (j != i) share *= (depth_um - curve.depth_um[j]) / (curve.depth_um[i] - curve.depth_um[j]);
+    }
+    value += share * curve.force_uN[i];
+  }
+  return value;
+}
+
+/// The regions reach beyond the tool by about the length over which bending dies out, sqrt(R h).
+void set_regions(CellProfile& cell) {
+  const double outer_um = cell.mid_radius_um + 0.5 * cell.thickness_um;
+  const double bending_rad = std::sqrt(cell.thickness_um / cell.mid_radius_um);
+  const double tip_rad = 2.0 * std::asin(std::min(1.0, 0.5 * cell.tip_radius_um / outer_um));
+  const double holder_rad = std::asin(std::min(1.0, (cell.holder_ring_um + cell.holder_half_width_um) / outer_um));
+  const auto rounded = [](double angle) { return std::min(1.5, 1e-3 * std::round(1e3 * angle)); };
+  cell.tip_angle_rad = rounded(tip_rad + 0.8 * bending_rad);
+  cell.holder_angle_rad = rounded(holder_rad + 1.13 * bending_rad);
+}
+
+void check(const IdentificationRequest& request) {
+  const CellProfile& cell = request.cell;
+  const auto positive = [](double value, const char* what) {
+    if (!(value > 0.0 && std::isfinite(value))) throw UsageError(std::string("identify: ") + what + " must be above 0");
+  };
+  positive(cell.mid_radius_um, "the radius");
+  positive(cell.thickness_um, "the thickness");
+  positive(cell.young_modulus_kPa, "Young's modulus");
+  positive(cell.puncture_force_uN, "the puncture force");
+  positive(cell.puncture_indentation_um, "the puncture indentation");
+  positive(request.step_um, "the step");
+  if (!(request.assumed_scale_sigma_ratio >= 0.0 && request.assumed_scale_sigma_ratio <= 1.0)) {
+    throw UsageError("identify: the scale's uncertainty must be between 0 and 100 %");
+  }
+  if (!(cell.puncture_indentation_um <= 1.4 * cell.mid_radius_um)) {
+    throw UsageError("identify: the puncture indentation must be at most 1.4 radii; check the unit");
+  }
+}
+
+double reach_um(const IdentificationRequest& request) {
+  if (request.max_indentation_um > 0.0) return request.max_indentation_um;
+  return std::max(request.cell.puncture_indentation_um, kLeastReach * request.cell.mid_radius_um);
+}
+
+[[noreturn]] void cancelled() {
+  throw Error(ExitCode::kOurFault, "identify: cancelled; nothing was written");
+}
+
+/// The solid's curve in the form of the shells'; nothing where it couldn't be solved down to `to_um`.
+std::optional<ReferenceCurve> solid_curve(const CellProfile& cell, double to_um, double step_um,
+                                          const std::stop_token& cancel) {
+  ShellSpecimen specimen;
+  specimen.mid_radius_um = cell.mid_radius_um;
+  specimen.thickness_um = cell.thickness_um;
+  specimen.young_modulus_kPa = cell.effective_young_modulus_kPa;
+  specimen.poisson_ratio = cell.poisson_ratio;
+  specimen.bulk_modulus_ratio = cell.volume_stiffness_ratio;
+  ShellContact contact;
+  contact.tip_radius_um = cell.tip_radius_um;
+  contact.tip_bond_per_um = cell.tip_bond_per_um;
+  contact.holder_ring_um = cell.holder_ring_um;
+  contact.holder_half_width_um = cell.holder_half_width_um;
+  contact.holder_bond_per_um = cell.holder_bond_per_um;
+  SolidReference solid(specimen, contact);
+  const SolidCurve curve = solid.run(to_um, std::min(step_um, to_um), {}, cancel);
+  if (curve.outcome != CurveOutcome::kComplete) return std::nullopt;
+  ReferenceCurve reference;
+  reference.configuration = 1;
+  const auto count = static_cast<Eigen::Index>(curve.steps.size());
+  reference.depth_um.resize(count);
+  reference.force_uN.resize(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    reference.depth_um[k] = curve.steps[static_cast<std::size_t>(k)].indentation_um;
+    reference.force_uN[k] = curve.steps[static_cast<std::size_t>(k)].force_uN;
+  }
+  return reference;
+}
+
+void record_error(CellProfile& profile, const IdentifiedCurve& curve, const char* what) {
+  profile.errors.push_back({curve.reference.configuration, std::string(what) + " finite elements, scaled to the anchor",
+                            curve.error.largest_ratio, curve.error.largest_of_peak_ratio, curve.error.from_um,
+                            curve.error.to_um});
+}
+
+}  // namespace
+
+CellProfile table_one_oocyte() {
+  CellProfile cell;
+  cell.name = "mouse-oocyte";
+  cell.description = "Mouse oocyte, zona pellucida";
+  cell.mid_radius_um = 50.0;
+  cell.thickness_um = 5.0;
+  cell.inner_radius_um = 47.5;
+  cell.young_modulus_kPa = 17.9;
+  cell.poisson_ratio = 0.5;
+  cell.puncture_force_uN = 7.5;
+  cell.puncture_indentation_um = 44.0;
+  const ShellContact contact;
+  cell.tip_radius_um = contact.tip_radius_um;
+  cell.tip_bond_per_um = contact.tip_bond_per_um;
+  cell.holder_ring_um = contact.holder_ring_um;
+  cell.holder_half_width_um = contact.holder_half_width_um;
+  cell.holder_bond_per_um = contact.holder_bond_per_um;
+  cell.volume_stiffness_ratio = ShellSpecimen{}.bulk_modulus_ratio;
+  cell.mesh_frequency = 8;
+  cell.mesh_grading = 1.3;
+  return cell;
+}
+
+Identification identify(const IdentificationRequest& request,
+                        const std::function<void(std::string_view stage, double share)>& progress,
+                        const std::stop_token& cancel) {
+  check(request);
+  const SteadyClock clock;
+  Identification result;
+  CellProfile& profile = result.profile;
+  profile = request.cell;
+  profile.inner_radius_um = profile.mid_radius_um - 0.5 * profile.thickness_um;
+  profile.effective_young_modulus_kPa = profile.young_modulus_kPa;
+  profile.references.clear();
+  profile.errors.clear();
+  set_regions(profile);
+  set_starting_constants(profile);
+
+  // The reference.
+  const double deepest_um = reach_um(request);
+  const ReferenceOptions options{deepest_um, std::min(request.step_um, deepest_um), request.edge_length_ratio,
+                                 request.threads};
+  const auto tell = [&](std::string_view stage, double share) {
+    if (progress) progress(stage, share);
+  };
+  auto references =
+      compute_reference_curves(profile, options, [&](double share) { tell("finite elements", share); }, cancel);
+  if (cancel.stop_requested()) cancelled();
+  const double anchor_um = profile.puncture_indentation_um;
+  for (const ReferenceCurve& curve : references) {
+    const double reached_um = curve.depth_um[curve.depth_um.size() - 1];
+    if (reached_um < std::min(anchor_um, deepest_um) - 1e-9) {
+      throw NothingMeasuredError("identify: the finite elements find no equilibrium beyond " +
+                                 std::to_string(reached_um) + " um in configuration " +
+                                 std::to_string(curve.configuration) + "; give a smaller --puncture-indentation-um");
+    }
+    profile.references.push_back({curve.configuration, curve.holder_angle_rad * 180.0 / std::numbers::pi,
+                                  curve.offset_um, curve.node_count, reached_um});
+  }
+  result.reference_s = clock.now_s();
+
+  // The constants.
+  FitOptions fit;
+  fit.from_um = kCompareFrom_um;
+  fit.largest_strain = kLeastStrain;
+  fit.threads = request.threads;
+  fit.anchor_um = std::min(anchor_um, deepest_um);
+  result.fit = fit_constants(
+      profile, references, fit,
+      [&](int evaluations, double) { tell("fit", 1.0 - std::exp(-evaluations / 12.0)); }, cancel);
+  if (cancel.stop_requested()) cancelled();
+  if (!result.fit.complete) {
+    throw NothingMeasuredError("identify: no constants meet the finite elements; give a cell nearer to a thin shell");
+  }
+  result.fit_s = clock.now_s() - result.reference_s;
+
+  // The scale. The references are scaled to the same anchor.
+  result.scale = request.measured
+                     ? scale_to_curve(profile, *request.measured)
+                     : scale_to_point(profile, profile.puncture_force_uN, anchor_um, request.assumed_scale_sigma_ratio);
+  const CellProfile unscaled = profile;
+  apply(result.scale, profile);
+  const Eigen::VectorXd anchor = Eigen::VectorXd::Constant(1, fit.anchor_um);
+  const CurveSensitivity first(profile, setup_for_configuration(profile, 1));
+  const double anchor_force_uN = first.solve(constants_of(profile), anchor).force_uN[0];
+
+  // What they err by.
+  const double compare_to_um = fit.anchor_um;
+  const double shell_ratio = anchor_force_uN / interpolated_uN(references[0], fit.anchor_um);
+  result.curves.resize(references.size());
+  tell("errors", 0.0);
+  std::optional<ReferenceCurve> solid;
+  run_jobs(static_cast<int>(references.size()) + 1, request.threads, [&](int k) {
+    if (k == static_cast<int>(references.size())) {
+      solid = solid_curve(unscaled, fit.anchor_um, options.step_um, cancel);
+      return;
+    }
+    IdentifiedCurve& curve = result.curves[static_cast<std::size_t>(k)];
+    curve.reference = references[static_cast<std::size_t>(k)];
+    curve.reference.force_uN *= shell_ratio;
+    curve.error = compare_with_reference(profile, curve.reference, kCompareFrom_um, compare_to_um);
+    compare_with_reference(profile, curve.reference, kCompareFrom_um, deepest_um, &curve.model_force_uN);
+  });
+  if (cancel.stop_requested()) cancelled();
+  for (const IdentifiedCurve& curve : result.curves) record_error(profile, curve, "thin-shell");
+  if (solid) {
+    solid->force_uN *= anchor_force_uN / solid->force_uN[solid->force_uN.size() - 1];
+    result.solid.emplace();
+    result.solid->reference = *solid;
+    result.solid->error =
+        compare_with_reference(profile, *solid, kCompareFrom_um, compare_to_um, &result.solid->model_force_uN);
+    record_error(profile, *result.solid, "axisymmetric solid");
+  }
+
+  const MotionConstants motion = motion_constants(profile);
+  profile.node_mass_kg = motion.node_mass_kg;
+  profile.damping_uN_s_per_um = motion.damping_uN_s_per_um;
+  tell("done", 1.0);
+  return result;
+}
+
+IdentificationTimes measure_identification() {
+  const SteadyClock clock;
+  const std::clock_t begin = std::clock();
+  const Identification result = identify({});
+  IdentificationTimes times;
+  times.wall_s = clock.now_s();
+  times.processor_s = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  times.reference_s = result.reference_s;
+  times.fit_s = result.fit_s;
+  times.fit_evaluations = result.fit.evaluations;
+  return times;
+}
+
+}  // namespace pellucida

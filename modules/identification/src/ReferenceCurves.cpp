@@ -1,0 +1,123 @@
+#include "pellucida/identification/ReferenceCurves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "Workers.h"
+#include "pellucida/fem/ShellReference.h"
+#include "pellucida/mechanics/Indenter.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kConfigurations = 4;
+/// Configuration 4's offset, less on a small cell.
+constexpr double kOffset_um = 10.0, kMostOffset = 0.4;
+
+ShellSpecimen specimen_of(const CellProfile& profile) {
+  ShellSpecimen specimen;
+  specimen.mid_radius_um = profile.mid_radius_um;
+  specimen.thickness_um = profile.thickness_um;
+  specimen.young_modulus_kPa = profile.effective_young_modulus_kPa;
+  specimen.poisson_ratio = profile.poisson_ratio;
+  specimen.bulk_modulus_ratio = profile.volume_stiffness_ratio;
+  return specimen;
+}
+
+ShellContact contact_of(const CellProfile& profile, double holder_angle_rad, double offset_um) {
+  ShellContact contact;
+  contact.holder_angle_rad = holder_angle_rad;
+  contact.lateral_offset_um = offset_um;
+  contact.tip_radius_um = profile.tip_radius_um;
+  contact.tip_bond_per_um = profile.tip_bond_per_um;
+  contact.holder_ring_um = profile.holder_ring_um;
+  contact.holder_half_width_um = profile.holder_half_width_um;
+  contact.holder_bond_per_um = profile.holder_bond_per_um;
+  return contact;
+}
+
+}  // namespace
+
+ReferenceCurve compute_reference_curve(const CellProfile& profile, double holder_angle_rad, double offset_um,
+                                       const ReferenceOptions& options,
+                                       const std::function<void(double share)>& progress,
+                                       const std::stop_token& cancel) {
+  ShellReference shell(specimen_of(profile), contact_of(profile, holder_angle_rad, offset_um),
+                       {.edge_length_ratio = options.edge_length_ratio});
+  const auto heard = [&](const ShellStep&, double share) {
+    if (progress) progress(share);
+  };
+  const ShellCurve curve = shell.run(options.max_indentation_um, options.step_um, heard, cancel);
+  ReferenceCurve reference;
+  reference.holder_angle_rad = holder_angle_rad;
+  reference.offset_um = offset_um;
+  reference.node_count = static_cast<int>(shell.rest().points_um.cols());
+  reference.outcome = curve.outcome;
+  const auto count = static_cast<Eigen::Index>(curve.steps.size());
+  reference.depth_um.resize(count);
+  reference.force_uN.resize(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    reference.depth_um[k] = curve.steps[static_cast<std::size_t>(k)].indentation_um;
+    reference.force_uN[k] = curve.steps[static_cast<std::size_t>(k)].axial_force_uN;
+  }
+  return reference;
+}
+
+std::vector<ReferenceCurve> compute_reference_curves(const CellProfile& profile, const ReferenceOptions& options,
+                                                     const std::function<void(double share)>& progress,
+                                                     const std::stop_token& cancel) {
+  std::vector<ReferenceCurve> curves(kConfigurations);
+  std::vector<double> shares(kConfigurations, 0.0);
+  std::mutex heard;
+  run_jobs(kConfigurations, options.threads, [&](int k) {
+    const ShellContact contact = contact_for_configuration(k + 1, std::min(kOffset_um, kMostOffset * profile.mid_radius_um));
+    const auto tell = [&](double share) {
+      if (!progress) return;
+      const std::lock_guard lock(heard);
+      shares[static_cast<std::size_t>(k)] = share;
+      progress(std::accumulate(shares.begin(), shares.end(), 0.0) / kConfigurations);
+    };
+    auto& curve = curves[static_cast<std::size_t>(k)];
+    curve = compute_reference_curve(profile, contact.holder_angle_rad, contact.lateral_offset_um, options, tell, cancel);
+    curve.configuration = k + 1;
+  });
+  return curves;
+}
+
+CurveError compare_with_reference(const CellProfile& profile, const ReferenceCurve& reference, double from_um,
+                                  double to_um, Eigen::VectorXd* force_uN) {
+  CurveError error;
+  error.from_um = from_um;
+  error.complete = true;
+  Eigen::Index count = 0;
+  while (count < reference.depth_um.size() && reference.depth_um[count] <= to_um + 1e-9) ++count;
+  if (force_uN) force_uN->resize(count);
+  if (count == 0) return error;
+  const double peak_uN = reference.force_uN[count - 1];
+
+  Indenter indenter(profile, setup_for_needle(profile, reference.holder_angle_rad, reference.offset_um));
+  double square_sum = 0.0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const IndentationState state = indenter.advance_to(reference.depth_um[k]);
+    if (state.report.status != SolveStatus::kConverged) {
+      error.complete = false;
+      if (force_uN) force_uN->conservativeResize(k);
+      count = k;
+      break;
+    }
+    if (force_uN) (*force_uN)[k] = state.push_force_uN;
+    const double off_uN = std::abs(state.push_force_uN - reference.force_uN[k]);
+    error.to_um = reference.depth_um[k];
+    error.largest_of_peak_ratio = std::max(error.largest_of_peak_ratio, off_uN / peak_uN);
+    square_sum += off_uN * off_uN / (peak_uN * peak_uN);
+    if (reference.depth_um[k] >= from_um) {
+      error.largest_ratio = std::max(error.largest_ratio, off_uN / reference.force_uN[k]);
+    }
+  }
+  if (count > 0) error.rms_of_peak_ratio = std::sqrt(square_sum / static_cast<double>(count));
+  return error;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,61 @@
+#pragma once
+#include <vector>
+
+namespace pellucida {
+
+/// A Maxwell arm, spring and damper in line.
+struct RelaxationArm {
+  double fraction = 0.0;  ///< of the whole stiffness at once after a sudden push, above 0; the arms' sum is below 1
+  double time_s = 0.0;    ///< its relaxation time, above 0
+};
+
+/// What becomes of an elastic force in a membrane that relaxes: a spring beside Maxwell arms (quasi-linear
+/// viscoelasticity),
+///
+///     F(t) = integral of G(t - s) dFe(s),   G(t) = 1 - sum_k f_k (1 - exp(-t / tau_k)),   G(0) = 1,
+///
+/// with Fe the elastic force, that of a push too quick to relax. Step by step, exact while Fe goes straight from one
+/// instant to the next, however far apart these are:
+///
+///     q_k <- q_k exp(-dt / tau_k) + f_k dFe (1 - exp(-dt / tau_k)) tau_k / dt,   F = (1 - sum f_k) Fe + sum q_k.
+///
+///     Relaxation relaxation(profile.relaxation_arms);
+///     relaxation.start(time_s, 0.0);                                     // at contact
+///     const double force_uN = relaxation.advance(time_s, elastic_uN);    // each frame
+///
+/// `advance` takes two exponentials an arm, allocates nothing and doesn't throw: fit for a real-time loop. Without arms
+/// F is Fe. One thread at a time.
+class Relaxation {
+ public:
+  /// Throws UsageError unless every fraction and time is above 0 and the fractions' sum is below 1.
+  explicit Relaxation(std::vector<RelaxationArm> arms);
+
+  const std::vector<RelaxationArm>& arms() const noexcept { return arms_; }
+
+  /// Begins anew: the elastic force has been `elastic_uN` for ever (all arms relaxed), 0 before a contact.
+  void start(double time_s, double elastic_uN = 0.0) noexcept;
+
+  /// The force at `time_s`, uN; the elastic force went in a straight line from where it was to `elastic_uN`. At an
+  /// instant not later than the last one the elastic force jumps. Before `start`, the first call starts with 0.
+  double advance(double time_s, double elastic_uN) noexcept;
+
+  /// The last answer, uN.
+  double force_uN() const noexcept;
+
+  /// G(t): what is left of a sudden push `time_s` >= 0 later.
+  double modulus_ratio(double time_s) const noexcept;
+
+  /// F / Fe at the end of a steady rise of the elastic force over `ramp_s` from 0: what a force scale that was measured
+  /// in such a ramp must be divided by to be the scale of Fe.
+  double ramp_ratio(double ramp_s) const noexcept;
+
+ private:
+  std::vector<RelaxationArm> arms_;
+  std::vector<double> arm_force_uN_;
+  double spring_fraction_ = 1.0;
+  double elastic_uN_ = 0.0;
+  double time_s_ = 0.0;
+  bool started_ = false;
+};
+
+}  // namespace pellucida
