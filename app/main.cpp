@@ -8,6 +8,7 @@
 #include "commands/CommandLine.h"
 #include "commands/ExportCommand.h"
 #include "commands/ForceCommand.h"
+#include "commands/IdentifyCommand.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/SimulateCommand.h"
 #include "commands/WorkstationCommand.h"
@@ -32,6 +33,7 @@ int main(int argc, char** argv) {
   pellucida::add_workstation_command(app);
   pellucida::add_simulate_command(app);
   pellucida::add_analyze_command(app);
+  pellucida::add_identify_command(app);
   pellucida::add_force_command(app);
   pellucida::add_check_command(app);
   pellucida::add_export_command(app);

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <string>
 
 #include "pellucida/core/Error.h"
@@ -19,14 +21,26 @@ struct ForceArguments {
   int configuration = 1;
   double max_indentation_um = 0.0;  // 0: the profile's puncture
   double step_um = 1.0;
+  std::optional<double> angle_deg, offset_um, tip_radius_um;
   std::string output;
 };
 
 void write_force_curve(const ForceArguments& arguments) {
-  const CellProfile profile = load_profile(arguments.profile);
+  CellProfile profile = load_profile(arguments.profile);
+  if (arguments.tip_radius_um) {
+    if (*arguments.tip_radius_um > 0.5 * profile.mid_radius_um) {
+      throw UsageError("--tip-radius-um: give at most half of the cell's radius, " +
+                       csv_number(0.5 * profile.mid_radius_um) + " um");
+    }
+    profile.tip_radius_um = *arguments.tip_radius_um;
+  }
+  const bool own_setup = arguments.angle_deg || arguments.offset_um;
+  const MembraneSetup setup = own_setup ? setup_for_needle(profile, arguments.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
+                                                           arguments.offset_um.value_or(0.0))
+                                        : setup_for_configuration(profile, arguments.configuration);
   const double deepest_um =
       arguments.max_indentation_um != 0.0 ? arguments.max_indentation_um : profile.puncture_indentation_um;
-  const auto curve = force_curve(profile, arguments.configuration, deepest_um, arguments.step_um);
+  const auto curve = force_curve(profile, setup, deepest_um, arguments.step_um);
 
   // The file, as far as the model goes.
   std::ofstream file(arguments.output);
@@ -45,8 +59,10 @@ void write_force_curve(const ForceArguments& arguments) {
                                          csv_number(last ? last->depth_um : 0.0) +
                                          " um; give a smaller --max-indentation-um");
   }
-  std::cout << profile.name << ", configuration " << arguments.configuration << ": " << csv_number(last->push_force_uN)
-            << " uN at " << csv_number(last->depth_um) << " um; " << curve.size() << " rows in " << arguments.output
+  const std::string where = own_setup ? "needle at " + csv_number(arguments.angle_deg.value_or(0.0)) + " degrees, " +
+                                            csv_number(arguments.offset_um.value_or(0.0)) + " um beside the centre"
+                                      : "configuration " + std::to_string(arguments.configuration);
+  std::cout << profile.name << ", " << where << ": " << csv_number(last->push_force_uN) << " uN at " << csv_number(last->depth_um) << " um; " << curve.size() << " rows in " << arguments.output
             << '\n';
 }
 
@@ -62,6 +78,20 @@ void add_force_command(CLI::App& app) {
           "1: needle opposite the holder; 2: at 45 degrees; 3: at 90 degrees; 4: parallel, 10 um beside the axis")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
+  command
+      ->add_option("--angle-deg", arguments->angle_deg,
+                   "between the axes of needle and holder, 0 to 90 degrees, instead of a configuration")
+      ->check(CLI::Range(0.0, 90.0))
+      ->excludes("--configuration");
+  command
+      ->add_option("--offset-um", arguments->offset_um,
+                   "of the needle's axis beside the cell's centre, um, towards the holder's side above 0, instead of a "
+                   "configuration")
+      ->excludes("--configuration");
+  command
+      ->add_option("--tip-radius-um", arguments->tip_radius_um,
+                   "another tip, um; the profile's constants stay, which costs accuracy (see the identification's README)")
+      ->check(CLI::PositiveNumber);
   command
       ->add_option("--max-indentation-um", arguments->max_indentation_um,
                    "deepest point, um (default: the profile's puncture)")

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
-  for (const char* command : {"workstation", "simulate", "analyze", "force", "check", "export", "bench", "profiles"}) {
+  for (const char* command : {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench", "profiles"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
@@ -95,6 +95,32 @@ TEST(Commands, AnalyzeWithAKnownForceMakesTheForcesThisCellsOwn) {
   EXPECT_NE(test::text_of(folder / "known/events.csv").find("palpation"), std::string::npos);
   // A force without its depth is wrong usage.
   EXPECT_EQ(test::run_program(run + (folder / "none").string() + "' --known-force-uN 1.0", folder).exit_code, 2);
+}
+
+TEST(Commands, ForceTakesAnyAngleOffsetAndTip) {
+  const auto folder = test::fresh_folder("commands_force_any", testing::TempDir());
+  const auto last_force_uN = [&](const std::string& options) {
+    const auto file = folder / "f.csv";
+    const auto outcome = test::run_program(
+        "force mouse-oocyte --max-indentation-um 20 --step-um 4 --output '" + file.string() + "' " + options, folder);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto force_uN = Table::read(file).column("force_uN");
+    return force_uN[force_uN.size() - 1];
+  };
+  const double aligned = last_force_uN("--configuration 1"), across = last_force_uN("--configuration 3");
+  EXPECT_NEAR(last_force_uN("--angle-deg 90"), across, 1e-9);
+  EXPECT_NEAR(last_force_uN("--offset-um 10"), last_force_uN("--configuration 4"), 1e-9);
+  const double between = last_force_uN("--angle-deg 60");
+  EXPECT_GT(between, across);
+  EXPECT_LT(between, aligned);
+  EXPECT_GT(last_force_uN("--tip-radius-um 8"), aligned);
+  for (const char* wrong : {"--angle-deg 100", "--offset-um 60", "--tip-radius-um 40", "--configuration 2 --angle-deg 5",
+                            "--configuration 5"}) {
+    EXPECT_EQ(test::run_program("force mouse-oocyte --output '" + (folder / "w.csv").string() + "' " + wrong, folder)
+                  .exit_code,
+              2)
+        << wrong;
+  }
 }
 
 // With no display the main job runs headless: a session that checks out, and a picture that shows something.

@@ -50,6 +50,13 @@ TEST_P(OocyteReference, IsMetWithinFivePercent) {
 
 INSTANTIATE_TEST_SUITE_P(Configurations, OocyteReference, ::testing::Values(1, 2, 3));
 
+TEST(OocyteReferenceBesideTheAxis, IsMetWithinFivePercent) {
+  const Errors errors =
+      compare(load_profile("mouse-oocyte"), 4, reference("offset/mouse-oocyte-4"), "force_uN");
+  EXPECT_LT(errors.largest_ratio, 0.05);
+  EXPECT_LT(errors.largest_of_peak_ratio, 0.035);
+}
+
 // The embryo's shipped reference is the axisymmetric solid: thin-shell theory is off by 17 to 20 % at 10 um whatever
 // the scale.
 TEST(EmbryoReference, StaysWithinFivePercentOfPeak) {
@@ -75,20 +82,22 @@ TEST(TableOneModulus, CarriesOnlyAnEighthOfTheMeasuredForce) {
   EXPECT_NEAR(force, 0.92, 0.05);
 }
 
-TEST(ProfileErrors, AreWhatIsFoundToday) {
+TEST(ProfileErrors, AreGivenForAllConfigurationsAndTheSolid) {
+  // That the figures are true is tested where the finite elements are run: tests/identification.
   for (const char* name : {"mouse-oocyte", "mouse-embryo"}) {
     const CellProfile profile = load_profile(name);
-    const std::string shipped = profile.name == "mouse-oocyte" ? "thin-shell" : "solid";
-    int compared = 0;
-    for (const auto& claim : profile.errors) {
-      if (claim.reference.find(shipped) == std::string::npos) continue;
-      const Errors errors = compare(profile, claim.configuration,
-                                    reference(profile.name + "-" + std::to_string(claim.configuration)), "force_uN");
-      EXPECT_NEAR(errors.largest_ratio, claim.largest_ratio, 0.002);
-      EXPECT_NEAR(errors.largest_of_peak_ratio, claim.largest_of_peak_ratio, 0.002);
-      ++compared;
+    for (int configuration = 1; configuration <= 4; ++configuration) {
+      int shells = 0, solids = 0;
+      for (const auto& claim : profile.errors) {
+        if (claim.configuration != configuration) continue;
+        (claim.reference.find("thin-shell") != std::string::npos ? shells : solids) += 1;
+        EXPECT_GT(claim.largest_of_peak_ratio, 0.0);
+        EXPECT_DOUBLE_EQ(claim.to_um, profile.puncture_indentation_um);
+      }
+      EXPECT_EQ(shells, 1) << name << configuration;
+      EXPECT_EQ(solids, configuration == 1 ? 1 : 0) << name << configuration;
     }
-    EXPECT_GE(compared, 1) << name;
+    EXPECT_EQ(profile.references.size(), 4U);
   }
 }
 

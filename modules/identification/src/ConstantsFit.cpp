@@ -64,31 +64,27 @@ class Evaluation {
       models_.emplace_back(profile, setup_for_needle(profile, curve.holder_angle_rad, curve.offset_um));
       rows_ += curve.depth_um.size();
     }
+    (curves.front().depth_um.array() - options.anchor_um).abs().minCoeff(&anchor_);
     units_.resize(rows_);
     Eigen::Index row = 0;
     for (const ReferenceCurve& curve : curves) {
-      const double peak_uN = curve.force_uN[curve.force_uN.size() - 1];
+      Eigen::Index last = curve.depth_um.size() - 1;
+      if (options.anchor_um > 0.0) (curve.depth_um.array() - options.anchor_um).abs().minCoeff(&last);
+      const double peak_uN = curve.force_uN[last];
       for (Eigen::Index k = 0; k < curve.depth_um.size(); ++k) {
-        const double share = (curve.depth_um[k] < options.from_um ? 2.0 : 1.0) * options.force_tolerance_ratio;
-        const double unit = std::min(share * curve.force_uN[k], options.peak_tolerance_ratio * peak_uN);
-        units_[row] = unit > 0.0 ? unit : options.peak_tolerance_ratio * peak_uN;  // at rest both are 0
-        if (&curve == &curves.front() && is_anchor(curve, k)) units_[row] = options.anchor_tolerance_ratio * curve.force_uN[k];
-        ++row;
+        const bool outside = curve.depth_um[k] < options.from_um || k > last;
+        const double share = (outside ? 2.0 : 1.0) * options.force_tolerance_ratio;
+        const double peak_share = (k > last ? 2.0 : 1.0) * options.peak_tolerance_ratio;
+        const double unit = std::min(share * curve.force_uN[k], peak_share * peak_uN);
+        units_[row++] = unit > 0.0 ? unit : options.peak_tolerance_ratio * peak_uN;  // at rest both are 0
       }
     }
   }
 
-  /// Whether the curve's point `k` is the nearest one to the anchor.
-  bool is_anchor(const ReferenceCurve& curve, Eigen::Index k) const {
-    if (!(options_.anchor_um > 0.0)) return false;
-    Eigen::Index nearest = 0;
-    (curve.depth_um.array() - options_.anchor_um).abs().minCoeff(&nearest);
-    return nearest == k;
-  }
-
-  Eigen::Index rows() const noexcept { return rows_; }
+  /// Points of all curves, and the scale.
+  Eigen::Index rows() const noexcept { return rows_ + 1; }
   int count() const noexcept { return count_; }
-  double worst_unit() const { return errors_.cwiseAbs().maxCoeff(); }
+  double worst_unit() const { return errors_.head(rows_).cwiseAbs().maxCoeff(); }
   bool cancelled() const { return cancel_.stop_requested(); }
   const Eigen::VectorXd& errors() const noexcept { return errors_; }
   const Eigen::Matrix<double, Eigen::Dynamic, kCount>& slopes() const noexcept { return slopes_; }
@@ -105,18 +101,29 @@ class Evaluation {
       found[c] = models_[c].solve(to_constants(parameters), curves_[c].depth_um);
     });
     ++count_;
-    errors_.resize(rows_);
-    slopes_.resize(rows_, kCount);
+    for (const CurveWithSlopes& curve : found) {
+      if (!curve.complete) return false;
+    }
+
+    // Scaled to the anchor: f = s F, s = Fref_a / F_a, df = s (dF - F / F_a dF_a).
+    const double force_a_uN = found[0].force_uN[anchor_], reference_a_uN = curves_[0].force_uN[anchor_];
+    if (!(force_a_uN > 0.0)) return false;
+    const double scale = reference_a_uN / force_a_uN;
+    for (CurveWithSlopes& curve : found) to_parameter_slopes(parameters, curve.slopes_uN);
+    const Eigen::Matrix<double, 1, kCount> slope_a = found[0].slopes_uN.row(anchor_) / force_a_uN;
+    errors_.resize(rows_ + 1);
+    slopes_.resize(rows_ + 1, kCount);
     Eigen::Index row = 0;
     for (std::size_t c = 0; c < curves_.size(); ++c) {
-      if (!found[c].complete) return false;
       const Eigen::Index size = curves_[c].depth_um.size();
       const auto units = units_.segment(row, size);
-      errors_.segment(row, size) = (found[c].force_uN - curves_[c].force_uN).cwiseQuotient(units);
-      to_parameter_slopes(parameters, found[c].slopes_uN);
-      slopes_.middleRows(row, size) = units.cwiseInverse().asDiagonal() * found[c].slopes_uN;
+      errors_.segment(row, size) = (scale * found[c].force_uN - curves_[c].force_uN).cwiseQuotient(units);
+      slopes_.middleRows(row, size) = units.cwiseInverse().asDiagonal() *
+                                      (scale * (found[c].slopes_uN - found[c].force_uN * slope_a)).eval();
       row += size;
     }
+    errors_[rows_] = -std::log(scale) / options_.scale_tolerance_ratio;
+    slopes_.row(rows_) = slope_a / options_.scale_tolerance_ratio;
     valid_ = true;
     best_unit_ = count_ == 1 ? worst_unit() : std::min(best_unit_, worst_unit());
     if (progress_) progress_(count_, best_unit_);
@@ -131,6 +138,7 @@ class Evaluation {
   std::vector<CurveSensitivity> models_;
   Eigen::VectorXd units_;
   Eigen::Index rows_ = 0;
+  Eigen::Index anchor_ = 0;  // of the first curve's points
   Parameters parameters_ = Parameters::Zero();
   bool valid_ = false;
   int count_ = 0;
@@ -211,7 +219,7 @@ FitReport fit_constants(CellProfile& profile, const std::vector<ReferenceCurve>&
 
   FitReport report;
   report.complete = true;
-  for (const int power : {1, 3}) {
+  for (const int power : {1, 2, 4}) {
     ceres::Problem problem;
     problem.AddResidualBlock(new Cost(evaluation, start, power), nullptr, parameters.data());
     for (int r = 0; r < kCount; r += 3) {
@@ -221,7 +229,7 @@ FitReport fit_constants(CellProfile& profile, const std::vector<ReferenceCurve>&
     ceres::Solver::Options solver;
     solver.linear_solver_type = ceres::DENSE_QR;
     solver.max_num_iterations = options.max_iterations;
-    solver.function_tolerance = power == 1 ? 1e-3 : 3e-3;
+    solver.function_tolerance = 1e-2;
     solver.parameter_tolerance = 1e-5;
     solver.initial_trust_region_radius = 10.0;
     solver.logging_type = ceres::SILENT;

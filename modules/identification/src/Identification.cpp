@@ -19,25 +19,14 @@ namespace {
 constexpr double kCompareFrom_um = 4.0;
 /// Curves reach at least this share of the radius, so that constants hold somewhat beyond the puncture.
 constexpr double kLeastReach = 1.06;
-/// A connector may strain this much more than the reference's middle surface before it turns soft.
-constexpr double kLeastStrain = 1.0;
+/// Connectors must bear strains beyond the largest of the reference's middle surface, and never less than these.
+constexpr double kStrainReserve = 1.2, kLeastStrain = 0.5;
 
-/// The force of a curve at a depth between its points, by the cubic through the four nearest.
-double interpolated_uN(const ReferenceCurve& curve, double depth_um) {
-  const Eigen::Index count = curve.depth_um.size();
-  Eigen::Index after = 0;
-  while (after < count - 1 && curve.depth_um[after] < depth_um) ++after;
-  const Eigen::Index nodes = std::min<Eigen::Index>(4, count);
-  const Eigen::Index first = std::clamp<Eigen::Index>(after - 2, 0, count - nodes);
-  double value = 0.0;
-  for (Eigen::Index i = first; i < first + nodes; ++i) {
-    double share = 1.0;
-    for (Eigen::Index j = first; j < first + nodes; ++j) {
-      if (j != i) share *= (depth_um - curve.depth_um[j]) / (curve.depth_um[i] - curve.depth_um[j]);
-    }
-    value += share * curve.force_uN[i];
-  }
-  return value;
+/// The force at the point nearest to a depth.
+double force_near_uN(const ReferenceCurve& curve, double depth_um) {
+  Eigen::Index nearest = 0;
+  (curve.depth_um.array() - depth_um).abs().minCoeff(&nearest);
+  return curve.force_uN[nearest];
 }
 
 /// The regions reach beyond the tool by about the length over which bending dies out, sqrt(R h).
@@ -136,7 +125,7 @@ CellProfile table_one_oocyte() {
   cell.holder_bond_per_um = contact.holder_bond_per_um;
   cell.volume_stiffness_ratio = ShellSpecimen{}.bulk_modulus_ratio;
   cell.mesh_frequency = 8;
-  cell.mesh_grading = 1.3;
+  cell.mesh_grading = 1.5;
   return cell;
 }
 
@@ -157,36 +146,38 @@ Identification identify(const IdentificationRequest& request,
 
   // The reference.
   const double deepest_um = reach_um(request);
-  const ReferenceOptions options{deepest_um, std::min(request.step_um, deepest_um), request.edge_length_ratio,
-                                 request.threads};
+  const double anchor_um = std::min(profile.puncture_indentation_um, deepest_um);
+  const double step_um = anchor_um / std::ceil(anchor_um / request.step_um - 1e-9);  // one point at the anchor
+  const ReferenceOptions options{deepest_um, step_um, request.edge_length_ratio, request.threads};
   const auto tell = [&](std::string_view stage, double share) {
     if (progress) progress(stage, share);
   };
   auto references =
       compute_reference_curves(profile, options, [&](double share) { tell("finite elements", share); }, cancel);
   if (cancel.stop_requested()) cancelled();
-  const double anchor_um = profile.puncture_indentation_um;
+  double largest_stretch = 1.0;
   for (const ReferenceCurve& curve : references) {
     const double reached_um = curve.depth_um[curve.depth_um.size() - 1];
-    if (reached_um < std::min(anchor_um, deepest_um) - 1e-9) {
+    if (reached_um < anchor_um - 1e-6) {
       throw NothingMeasuredError("identify: the finite elements find no equilibrium beyond " +
                                  std::to_string(reached_um) + " um in configuration " +
                                  std::to_string(curve.configuration) + "; give a smaller --puncture-indentation-um");
     }
     profile.references.push_back({curve.configuration, curve.holder_angle_rad * 180.0 / std::numbers::pi,
                                   curve.offset_um, curve.node_count, reached_um});
+    largest_stretch = std::max(largest_stretch, curve.largest_stretch);
   }
   result.reference_s = clock.now_s();
 
   // The constants.
   FitOptions fit;
   fit.from_um = kCompareFrom_um;
-  fit.largest_strain = kLeastStrain;
+  fit.largest_strain = std::max(kLeastStrain, kStrainReserve * (largest_stretch - 1.0));
   fit.threads = request.threads;
-  fit.anchor_um = std::min(anchor_um, deepest_um);
+  fit.anchor_um = anchor_um;
   result.fit = fit_constants(
       profile, references, fit,
-      [&](int evaluations, double) { tell("fit", 1.0 - std::exp(-evaluations / 12.0)); }, cancel);
+      [&](int evaluations, double) { tell("fit", 1.0 - std::exp(-evaluations / 16.0)); }, cancel);
   if (cancel.stop_requested()) cancelled();
   if (!result.fit.complete) {
     throw NothingMeasuredError("identify: no constants meet the finite elements; give a cell nearer to a thin shell");
@@ -196,28 +187,28 @@ Identification identify(const IdentificationRequest& request,
   // The scale. The references are scaled to the same anchor.
   result.scale = request.measured
                      ? scale_to_curve(profile, *request.measured)
-                     : scale_to_point(profile, profile.puncture_force_uN, anchor_um, request.assumed_scale_sigma_ratio);
+                     : scale_to_point(profile, profile.puncture_force_uN, profile.puncture_indentation_um,
+                                      request.assumed_scale_sigma_ratio);
   const CellProfile unscaled = profile;
   apply(result.scale, profile);
-  const Eigen::VectorXd anchor = Eigen::VectorXd::Constant(1, fit.anchor_um);
+  const Eigen::VectorXd anchor = Eigen::VectorXd::Constant(1, anchor_um);
   const CurveSensitivity first(profile, setup_for_configuration(profile, 1));
   const double anchor_force_uN = first.solve(constants_of(profile), anchor).force_uN[0];
 
   // What they err by.
-  const double compare_to_um = fit.anchor_um;
-  const double shell_ratio = anchor_force_uN / interpolated_uN(references[0], fit.anchor_um);
+  const double shell_ratio = anchor_force_uN / force_near_uN(references[0], anchor_um);
   result.curves.resize(references.size());
   tell("errors", 0.0);
   std::optional<ReferenceCurve> solid;
   run_jobs(static_cast<int>(references.size()) + 1, request.threads, [&](int k) {
     if (k == static_cast<int>(references.size())) {
-      solid = solid_curve(unscaled, fit.anchor_um, options.step_um, cancel);
+      solid = solid_curve(unscaled, anchor_um, options.step_um, cancel);
       return;
     }
     IdentifiedCurve& curve = result.curves[static_cast<std::size_t>(k)];
     curve.reference = references[static_cast<std::size_t>(k)];
     curve.reference.force_uN *= shell_ratio;
-    curve.error = compare_with_reference(profile, curve.reference, kCompareFrom_um, compare_to_um);
+    curve.error = compare_with_reference(profile, curve.reference, kCompareFrom_um, anchor_um);
     compare_with_reference(profile, curve.reference, kCompareFrom_um, deepest_um, &curve.model_force_uN);
   });
   if (cancel.stop_requested()) cancelled();
@@ -227,7 +218,7 @@ Identification identify(const IdentificationRequest& request,
     result.solid.emplace();
     result.solid->reference = *solid;
     result.solid->error =
-        compare_with_reference(profile, *solid, kCompareFrom_um, compare_to_um, &result.solid->model_force_uN);
+        compare_with_reference(profile, *solid, kCompareFrom_um, anchor_um, &result.solid->model_force_uN);
     record_error(profile, *result.solid, "axisymmetric solid");
   }
 

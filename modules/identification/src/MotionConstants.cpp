@@ -46,7 +46,14 @@ MotionConstants motion_constants(const CellProfile& profile) {
   MotionConstants constants;
   constants.node_mass_kg = kWaterDensity_kg_per_um3 * 4.0 / 3.0 * std::numbers::pi * std::pow(outer_um, 3) / count;
   constants.damping_uN_s_per_um = 2.0 * std::sqrt(0.5 * stiffest * constants.node_mass_kg);
-  constants.stable_step_s = 2.0 / std::sqrt(2.0 * at_node.maxCoeff() / constants.node_mass_kg);
+
+  at_node *= 2.0;
+  for (const AttachmentTerm* tool : {&model.tip(), &model.holder()}) {
+    for (std::size_t k = 0; k < tool->nodes().size(); ++k) at_node[tool->nodes()[k]] += tool->weights_uN_per_um()[k];
+  }
+  const double liquid =
+      model.volume().rank_one_factor() * model.volume().gradient_of_volume(rest.points_um).squaredNorm();
+  constants.stable_step_s = 2.0 / std::sqrt((at_node.maxCoeff() + liquid) / constants.node_mass_kg);
   return constants;
 }
 

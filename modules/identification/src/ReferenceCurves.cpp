@@ -61,6 +61,8 @@ ReferenceCurve compute_reference_curve(const CellProfile& profile, double holder
   for (Eigen::Index k = 0; k < count; ++k) {
     reference.depth_um[k] = curve.steps[static_cast<std::size_t>(k)].indentation_um;
     reference.force_uN[k] = curve.steps[static_cast<std::size_t>(k)].axial_force_uN;
+    reference.largest_stretch =
+        std::max(reference.largest_stretch, curve.steps[static_cast<std::size_t>(k)].largest_stretch);
   }
   return reference;
 }

@@ -88,6 +88,13 @@ MembraneSetup setup_for_needle(const CellProfile& profile, double holder_angle_r
   }
   // The contact point is the +z of the frame: seen from there, push and holder both turn by the offset's angle.
   const double turn_rad = std::asin(offset_um / outer_radius_um);
+  const double between_rad = std::numbers::pi - holder_angle_rad - turn_rad;
+  const double reach_rad =
+      std::asin(std::min(1.0, (profile.holder_ring_um + profile.holder_half_width_um) / outer_radius_um)) +
+      2.0 * std::asin(std::min(1.0, 0.5 * profile.tip_radius_um / outer_radius_um));
+  if (!(std::min(between_rad, 2.0 * std::numbers::pi - between_rad) > reach_rad)) {
+    throw UsageError("needle and holder bear on the same place; give a smaller angle or offset");
+  }
   const auto turned = [](double angle_rad) { return Eigen::Vector3d(std::sin(angle_rad), 0.0, -std::cos(angle_rad)); };
   return {profile.mid_radius_um, profile.thickness_um, turned(turn_rad), turned(holder_angle_rad + turn_rad)};
 }

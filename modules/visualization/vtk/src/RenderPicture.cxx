@@ -71,12 +71,6 @@ class HeaderView : public View {
   Measurement m_;
 };
 
-void check_size(const PictureSize& size) {
-  if (size.width_px >= 400 && size.height_px >= 300 && size.width_px <= 8000 && size.height_px <= 8000) return;
-  throw UsageError("a picture of " + std::to_string(size.width_px) + " x " + std::to_string(size.height_px) +
-                   " px can't be drawn: choose 400 x 300 to 8000 x 8000");
-}
-
 // Bytes to a file beside the wanted one, then renamed over it: nobody ever sees half a picture.
 void write_whole(const std::filesystem::path& file, const char* bytes, std::size_t count) {
   const auto fail = [&](const std::string& why) {
@@ -105,6 +99,12 @@ void write_whole(const std::filesystem::path& file, const char* bytes, std::size
 
 }  // namespace
 
+void check_picture_size(const PictureSize& size) {
+  if (size.width_px >= 400 && size.height_px >= 300 && size.width_px <= 8000 && size.height_px <= 8000) return;
+  throw UsageError("a picture of " + std::to_string(size.width_px) + " x " + std::to_string(size.height_px) +
+                   " px can't be drawn: choose 400 x 300 to 8000 x 8000");
+}
+
 void save_window(vtkRenderWindow* window, const std::filesystem::path& png) {
   vtkNew<vtkWindowToImageFilter> picture;
   picture->SetInput(window);
@@ -121,7 +121,7 @@ void save_window(vtkRenderWindow* window, const std::filesystem::path& png) {
 
 void render_picture(const Scene& scene, std::span<const Measurement> rows, const std::filesystem::path& png,
                     const PictureSize& size) {
-  check_size(size);
+  check_picture_size(size);
   MessageLog::install();
   VirtualDisplay display;
 

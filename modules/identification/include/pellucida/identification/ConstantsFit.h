@@ -9,18 +9,19 @@
 namespace pellucida {
 
 /// What counts as one unit of error at a depth: the lesser of a share of the reference's force there and a share of its
-/// last force; before `from_um` the share of the force there is twice as large.
+/// force at the anchor. Before `from_um` the first is twice as large, beyond the anchor both are.
 struct FitOptions {
   double force_tolerance_ratio = 0.05;
-  double peak_tolerance_ratio = 0.03;
+  double peak_tolerance_ratio = 0.027;
   double from_um = 4.0;
-  /// Where above 0: configuration 1 (or the first curve) must be met this close at this depth, since the force scale is
-  /// anchored there.
+  /// The force scale is anchored to the first curve at its point nearest to this depth: errors are counted after model
+  /// and reference are scaled to the same force there.
   double anchor_um = 0.0;
-  double anchor_tolerance_ratio = 0.01;
+  /// The scale itself, model over reference at the anchor, stays within about this share of 1.
+  double scale_tolerance_ratio = 0.02;
   /// Largest connector strain the constants must bear without turning soft: k1/k2 >= -1 / (3 e^2).
   double largest_strain = 1.0;
-  int max_iterations = 40;  ///< of each of the two rounds
+  int max_iterations = 12;  ///< of each of the three rounds
   int threads = 0;          ///< 0: as many as the machine has cores
 };
 
@@ -34,7 +35,7 @@ struct FitReport {
 void set_starting_constants(CellProfile& profile);
 
 /// Fits the nine constants of `profile` (K2, K1, g by region; the rest of it stays) to the curves: first least squares
-/// of the errors in their units, then the sum of their sixth powers, which presses down the largest one. Levenberg and
+/// of the errors in their units, then the sums of their fourth and of their eighth powers, which press down the largest. Levenberg and
 /// Marquardt (Ceres) on log K2, K1/K2 (bounded), log g, with the exact Jacobian of CurveSensitivity; a weak pull to the
 /// starting constants decides what the curves leave open. `progress` hears of every evaluation: how many there were and
 /// the worst error so far. Same input, same constants. Throws UsageError when there is no curve or the model doesn't

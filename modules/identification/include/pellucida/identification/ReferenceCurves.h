@@ -17,6 +17,7 @@ struct ReferenceCurve {
   Eigen::VectorXd depth_um;       ///< (n) rising, the first 0
   Eigen::VectorXd force_uN;       ///< (n) along the push, at the profile's effective modulus
   int node_count = 0;             ///< of the finite-element mesh
+  double largest_stretch = 1.0;   ///< largest principal stretch of the middle surface, at any depth
   CurveOutcome outcome = CurveOutcome::kComplete;
 };
 

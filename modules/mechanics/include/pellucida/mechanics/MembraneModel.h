@@ -23,7 +23,7 @@ struct MembraneSetup {
 /// A needle whose axis makes the angle `holder_angle_rad` with the holder's (0: opposite it, pi/2: across it) and runs
 /// `offset_um` beside the cell's centre, towards the side a turned holder lies on where above 0. The contact point is
 /// where the axis meets the outer surface. Throws UsageError unless the angle is in 0..pi/2 and the offset within 0.8
-/// of the outer radius.
+/// of the outer radius, or when tip and holder would bear on the same place.
 MembraneSetup setup_for_needle(const CellProfile& profile, double holder_angle_rad, double offset_um);
 
 /// The paper's four tested configurations, seen in the cell frame. Throws UsageError for a number outside 1..4.

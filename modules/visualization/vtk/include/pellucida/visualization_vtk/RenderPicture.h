@@ -23,6 +23,9 @@ struct PictureSize {
 void render_picture(const Scene& scene, std::span<const Measurement> rows, const std::filesystem::path& png,
                     const PictureSize& size = {});
 
+/// Throws UsageError for a size below 400 x 300 or above 8000 x 8000.
+void check_picture_size(const PictureSize& size);
+
 /// What a window shows now, as a PNG, whole or not at all. Throws OutputError.
 void save_window(vtkRenderWindow* window, const std::filesystem::path& png);
 

@@ -1,0 +1,113 @@
+// The shipped profiles against finite elements computed here and now: every claim in them is found again.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "TestCells.h"
+#include "pellucida/core/Resources.h"
+#include "pellucida/core/Table.h"
+
+namespace pellucida {
+namespace {
+
+/// Factor on the forces of `curve` that takes it through the profile's puncture point, where configuration 1's does.
+double anchor_ratio(const CellProfile& profile, const ReferenceCurve& first) {
+  Eigen::Index at = 0;
+  (first.depth_um.array() - profile.puncture_indentation_um).abs().minCoeff(&at);
+  EXPECT_NEAR(first.depth_um[at], profile.puncture_indentation_um, 1e-6);
+  return profile.puncture_force_uN / first.force_uN[at];
+}
+
+ReferenceOptions options_for(const CellProfile& profile) {
+  ReferenceOptions options;
+  options.max_indentation_um = profile.puncture_indentation_um;
+  options.step_um = options.max_indentation_um / std::ceil(0.5 * options.max_indentation_um);
+  return options;
+}
+
+/// The four reference curves of the oocyte, computed once.
+const std::vector<ReferenceCurve>& oocyte_curves() {
+  static const std::vector<ReferenceCurve> kCurves = [] {
+    const CellProfile profile = load_profile("mouse-oocyte");
+    auto curves = compute_reference_curves(profile, options_for(profile));
+    const double ratio = anchor_ratio(profile, curves[0]);
+    for (ReferenceCurve& curve : curves) curve.force_uN *= ratio;
+    return curves;
+  }();
+  return kCurves;
+}
+
+TEST(ShippedOocyte, MeetsTheFiniteElementsInAllFourConfigurations) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  for (const ReferenceCurve& curve : oocyte_curves()) {
+    const CurveError error = compare_with_reference(profile, curve, 4.0, profile.puncture_indentation_um);
+    EXPECT_TRUE(error.complete);
+    EXPECT_LT(error.largest_ratio, 0.05) << "configuration " << curve.configuration;
+    EXPECT_LT(error.largest_of_peak_ratio, 0.03) << "configuration " << curve.configuration;
+
+    // What the profile says of itself.
+    bool claimed = false;
+    for (const ProfileError& claim : profile.errors) {
+      if (claim.configuration != curve.configuration || claim.reference.find("shell") == std::string::npos) continue;
+      claimed = true;
+      EXPECT_NEAR(claim.largest_ratio, error.largest_ratio, 0.001) << curve.configuration;
+      EXPECT_NEAR(claim.largest_of_peak_ratio, error.largest_of_peak_ratio, 0.001) << curve.configuration;
+    }
+    EXPECT_TRUE(claimed) << "configuration " << curve.configuration;
+  }
+}
+
+TEST(ShippedCurves, AreThoseOfOurFiniteElements) {
+  for (int c = 1; c <= 3; ++c) {
+    const Table table =
+        Table::read(resource_folder() / "reference" / ("mouse-oocyte-" + std::to_string(c) + "-force.csv"));
+    const Eigen::VectorXd depth_um = table.column("indentation_um"), force_uN = table.column("force_uN");
+    const ReferenceCurve& ours = oocyte_curves()[static_cast<std::size_t>(c) - 1];
+    for (Eigen::Index k = 0; k < ours.depth_um.size(); ++k) {
+      for (Eigen::Index row = 0; row < table.rows(); ++row) {
+        if (depth_um[row] < 4.0 || std::abs(depth_um[row] - ours.depth_um[k]) > 1e-6) continue;
+        EXPECT_NEAR(ours.force_uN[k], force_uN[row], 0.02 * force_uN[row]) << c << " at " << depth_um[row];
+      }
+    }
+  }
+}
+
+TEST(Transfer, ConstantsCarryOverToOtherAnglesAndOffsets) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  const double ratio = profile.puncture_force_uN / oocyte_curves()[0].force_uN[oocyte_curves()[0].force_uN.size() - 1];
+  ASSERT_NEAR(ratio, 1.0, 1e-9);
+  ReferenceOptions options = options_for(profile);
+  options.step_um = 4.0;
+  const ReferenceCurve aligned = compute_reference_curve(profile, 0.0, 0.0, options);
+  const double scale = profile.puncture_force_uN / aligned.force_uN[aligned.force_uN.size() - 1];
+  for (const auto& [angle_deg, offset_um] : {std::pair{22.5, 0.0}, {67.5, 0.0}, {0.0, 20.0}, {45.0, 10.0}}) {
+    ReferenceCurve curve = compute_reference_curve(profile, angle_deg * std::numbers::pi / 180.0, offset_um, options);
+    curve.force_uN *= scale;
+    const CurveError error = compare_with_reference(profile, curve, 4.0, 44.0);
+    std::printf("%.1f degrees, offset %.0f um: %.2f %% pointwise, %.2f %% of peak\n", angle_deg, offset_um,
+                100.0 * error.largest_ratio, 100.0 * error.largest_of_peak_ratio);
+    EXPECT_LT(error.largest_ratio, 0.08);
+    EXPECT_LT(error.largest_of_peak_ratio, 0.06);
+  }
+}
+
+TEST(Transfer, OtherThicknessAndTipNeedToBeIdentifiedAnew) {
+  // Constants of h = 5, a = 5 at another thickness and tip: the figures in the module's README.
+  const CellProfile profile = load_profile("mouse-oocyte");
+  for (const auto& [thickness_um, tip_um, limit] : {std::tuple{4.0, 5.0, 0.12}, {7.0, 5.0, 0.15}, {5.0, 8.0, 0.15}}) {
+    CellProfile other = profile;
+    other.thickness_um = thickness_um;
+    other.inner_radius_um = other.mid_radius_um - 0.5 * thickness_um;
+    other.tip_radius_um = tip_um;
+    ReferenceOptions options = options_for(profile);
+    options.step_um = 4.0;
+    const CurveError error =
+        compare_with_reference(other, compute_reference_curve(other, 0.0, 0.0, options), 4.0, 44.0);
+    std::printf("h %.0f um, a %.0f um: %.2f %% pointwise, %.2f %% of peak\n", thickness_um, tip_um,
+                100.0 * error.largest_ratio, 100.0 * error.largest_of_peak_ratio);
+    EXPECT_LT(error.largest_of_peak_ratio, limit);
+  }
+}
+
+}  // namespace
+}  // namespace pellucida
