@@ -55,8 +55,8 @@ ChartPanel differences(const Identification& identification, double end_um) {
   ChartPanel panel{"Model less finite elements, of the force there", "Indentation (µm)", "Difference (%)"};
   panel.x_end = axis_end(end_um);
   double largest = 5.0;
-  panel.series.push_back({"5 % either way", ChartStyle::kBand, {0.0, panel.x_end}, {-5.0, -5.0}, {5.0, 5.0},
-                          Color::from_hex(0x8A93A0), 0.18});
+  panel.series.push_back({"5 % either way", ChartStyle::kBand, {0.0, 0.5 * panel.x_end, panel.x_end},
+                          {-5.0, -5.0, -5.0}, {5.0, 5.0, 5.0}, Color::from_hex(0x8A93A0), 0.25});
   for (std::size_t k = 0; k < identification.curves.size(); ++k) {
     const IdentifiedCurve& curve = identification.curves[k];
     std::vector<double> x, y;

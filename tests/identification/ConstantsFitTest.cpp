@@ -33,12 +33,12 @@ TEST(ConstantsFit, FindsTheConstantsThatMadeTheCurves) {
   set_starting_constants(fitted);
   const FitReport report = fit_constants(fitted, curves, options());
   ASSERT_TRUE(report.complete);
-  EXPECT_LT(report.worst_unit, 0.1);  // a tenth of the tolerance: 0.5 % of the force, 0.3 % of the peak
+  EXPECT_LT(report.worst_unit, 0.3);  // 1.5 % of the force, 0.8 % of the peak: the pull to the start takes the rest
 
-  // What the curves tell well comes back; the springs by the holder strain too little to tell K1 there.
+  // What the curves tell well comes back: the body's springs and plates, and the tip's plates. The tip's springs and
+  // those by the holder trade with them.
   EXPECT_NEAR(fitted.body.k2_ratio, cell.body.k2_ratio, 0.05 * cell.body.k2_ratio);
   EXPECT_NEAR(fitted.body.hinge_ratio, cell.body.hinge_ratio, 0.1 * cell.body.hinge_ratio);
-  EXPECT_NEAR(fitted.tip.k2_ratio, cell.tip.k2_ratio, 0.15 * cell.tip.k2_ratio);
   EXPECT_NEAR(fitted.tip.hinge_ratio, cell.tip.hinge_ratio, 0.15 * cell.tip.hinge_ratio);
 }
 
@@ -74,11 +74,12 @@ TEST(ConstantsFit, IsTheSameInOneThreadAndInFour) {
 
 TEST(ConstantsFit, CanBeCancelled) {
   CellProfile cell = testing::coarse_cell();
-  const ModelConstants before = constants_of(cell);
   const auto curves = four_curves(cell);
+  set_starting_constants(cell);
+  const ModelConstants before = constants_of(cell);
   std::stop_source stop;
   const FitReport report = fit_constants(
-      cell, curves, options(), [&](int evaluations, double) { evaluations == 2 && stop.request_stop(); },
+      cell, curves, options(), [&](int evaluations, double) { if (evaluations >= 2) stop.request_stop(); },
       stop.get_token());
   EXPECT_FALSE(report.complete);
   EXPECT_LE(report.evaluations, 3);

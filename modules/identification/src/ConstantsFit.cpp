@@ -72,10 +72,9 @@ class Evaluation {
       if (options.anchor_um > 0.0) (curve.depth_um.array() - options.anchor_um).abs().minCoeff(&last);
       const double peak_uN = curve.force_uN[last];
       for (Eigen::Index k = 0; k < curve.depth_um.size(); ++k) {
-        const bool outside = curve.depth_um[k] < options.from_um || k > last;
-        const double share = (outside ? 2.0 : 1.0) * options.force_tolerance_ratio;
-        const double peak_share = (k > last ? 2.0 : 1.0) * options.peak_tolerance_ratio;
-        const double unit = std::min(share * curve.force_uN[k], peak_share * peak_uN);
+        const double share = (curve.depth_um[k] < options.from_um ? 2.0 : 1.0) * options.force_tolerance_ratio;
+        const double unit = std::min(share * curve.force_uN[k],
+                                     options.peak_tolerance_ratio * std::max(peak_uN, curve.force_uN[k]));
         units_[row++] = unit > 0.0 ? unit : options.peak_tolerance_ratio * peak_uN;  // at rest both are 0
       }
     }
@@ -196,7 +195,7 @@ void set_starting_constants(CellProfile& profile) {
   // Springs as stiff as an isotropic membrane of nu = 1/2 is on regular triangles, plates as the law of the hinges has
   // them; a little softer towards the tools, where the strains are large.
   profile.tip = {2.6, -0.3, 0.7};
-  profile.body = {3.2, -0.3, 1.2};
+  profile.body = {3.2, 0.0, 1.2};
   profile.holder = {2.6, -0.1, 0.7};
 }
 

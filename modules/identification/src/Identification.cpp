@@ -125,7 +125,7 @@ CellProfile table_one_oocyte() {
   cell.holder_bond_per_um = contact.holder_bond_per_um;
   cell.volume_stiffness_ratio = ShellSpecimen{}.bulk_modulus_ratio;
   cell.mesh_frequency = 8;
-  cell.mesh_grading = 1.5;
+  cell.mesh_grading = 1.4;
   return cell;
 }
 
@@ -142,7 +142,7 @@ Identification identify(const IdentificationRequest& request,
   profile.references.clear();
   profile.errors.clear();
   set_regions(profile);
-  set_starting_constants(profile);
+  if (!(profile.body.k2_ratio > 0.0)) set_starting_constants(profile);
 
   // The reference.
   const double deepest_um = reach_um(request);

@@ -11,6 +11,7 @@
 #include <vtkPen.h>
 #include <vtkPlotArea.h>
 #include <vtkPlotPoints.h>
+#include <vtkRect.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -31,8 +32,11 @@ namespace {
 
 constexpr Color kInk = Color::from_hex(0x1B1F24);
 constexpr Color kFineInk = Color::from_hex(0xD9DDE2);
+/// One size for all: at 16 the bundled text renderer leaves a stripe of each label under it.
 constexpr int kLetterSize = 17;
 constexpr int kTitleSize = 20;
+/// Round each chart, pixels.
+constexpr float kMargin = 12.0F;
 /// Ticks an axis has at most.
 constexpr double kMostTicks = 7.0;
 
@@ -47,7 +51,7 @@ void set_axis(vtkAxis* axis, const std::string& title, double begin, double end)
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetNotation(vtkAxis::STANDARD_NOTATION);
   set_letters(axis->GetTitleProperties(), kLetterSize, false);
-  set_letters(axis->GetLabelProperties(), kLetterSize - 1, false);
+  set_letters(axis->GetLabelProperties(), kLetterSize, false);
   axis->GetPen()->SetColorF(kInk.red, kInk.green, kInk.blue);
   axis->GetPen()->SetWidth(1.5F);
   axis->GetGridPen()->SetColorF(kFineInk.red, kFineInk.green, kFineInk.blue);
@@ -123,10 +127,10 @@ void fill(vtkChartXY* chart, const ChartPanel& panel) {
   vtkChartLegend* legend = chart->GetLegend();
   legend->SetHorizontalAlignment(panel.legend_right ? vtkChartLegend::RIGHT : vtkChartLegend::LEFT);
   legend->SetVerticalAlignment(panel.legend_bottom ? vtkChartLegend::BOTTOM : vtkChartLegend::TOP);
-  legend->SetLabelSize(kLetterSize - 1);
+  legend->SetLabelSize(kLetterSize);
   legend->SetSymbolWidth(34);
   legend->SetDragEnabled(false);
-  set_letters(legend->GetLabelProperties(), kLetterSize - 1, false);
+  set_letters(legend->GetLabelProperties(), kLetterSize, false);
   legend->GetBrush()->SetColorF(1.0, 1.0, 1.0, 0.9);
   legend->GetPen()->SetColorF(kFineInk.red, kFineInk.green, kFineInk.blue);
   chart->SetHiddenAxisBorder(24);
@@ -160,6 +164,9 @@ void render_charts(std::span<const ChartPanel> panels, int columns, const std::f
     part->AddActor(actor);
     window->AddRenderer(part);
     fill(chart, panels[static_cast<std::size_t>(k)]);
+    chart->SetAutoSize(false);
+    chart->SetSize(vtkRectf(kMargin, kMargin, static_cast<float>(size.width_px) / static_cast<float>(columns) - 2.0F * kMargin,
+                            static_cast<float>(size.height_px) / static_cast<float>(rows) - 2.0F * kMargin));
   }
   window->Render();
   save_window(window, png);

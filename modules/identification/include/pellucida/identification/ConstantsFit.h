@@ -8,8 +8,8 @@
 
 namespace pellucida {
 
-/// What counts as one unit of error at a depth: the lesser of a share of the reference's force there and a share of its
-/// force at the anchor. Before `from_um` the first is twice as large, beyond the anchor both are.
+/// What counts as one unit of error at a depth: the lesser of a share of the reference's force there (before `from_um`
+/// twice as large) and a share of its force at the anchor, or of that there where it is larger.
 struct FitOptions {
   double force_tolerance_ratio = 0.05;
   double peak_tolerance_ratio = 0.027;
@@ -21,7 +21,7 @@ struct FitOptions {
   double scale_tolerance_ratio = 0.02;
   /// Largest connector strain the constants must bear without turning soft: k1/k2 >= -1 / (3 e^2).
   double largest_strain = 1.0;
-  int max_iterations = 12;  ///< of each of the three rounds
+  int max_iterations = 16;  ///< of each of the three rounds
   int threads = 0;          ///< 0: as many as the machine has cores
 };
 
