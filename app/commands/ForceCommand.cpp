@@ -35,9 +35,10 @@ void write_force_curve(const ForceArguments& arguments) {
     profile.tip_radius_um = *arguments.tip_radius_um;
   }
   const bool own_setup = arguments.angle_deg || arguments.offset_um;
-  const MembraneSetup setup = own_setup ? setup_for_needle(profile, arguments.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
-                                                           arguments.offset_um.value_or(0.0))
-                                        : setup_for_configuration(profile, arguments.configuration);
+  const MembraneSetup setup =
+      own_setup ? setup_for_needle(profile, arguments.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
+                                   arguments.offset_um.value_or(0.0))
+                : setup_for_configuration(profile, arguments.configuration);
   const double deepest_um =
       arguments.max_indentation_um != 0.0 ? arguments.max_indentation_um : profile.puncture_indentation_um;
   const auto curve = force_curve(profile, setup, deepest_um, arguments.step_um);
@@ -62,8 +63,8 @@ void write_force_curve(const ForceArguments& arguments) {
   const std::string where = own_setup ? "needle at " + csv_number(arguments.angle_deg.value_or(0.0)) + " degrees, " +
                                             csv_number(arguments.offset_um.value_or(0.0)) + " um beside the centre"
                                       : "configuration " + std::to_string(arguments.configuration);
-  std::cout << profile.name << ", " << where << ": " << csv_number(last->push_force_uN) << " uN at " << csv_number(last->depth_um) << " um; " << curve.size() << " rows in " << arguments.output
-            << '\n';
+  std::cout << profile.name << ", " << where << ": " << csv_number(last->push_force_uN) << " uN at "
+            << csv_number(last->depth_um) << " um; " << curve.size() << " rows in " << arguments.output << '\n';
 }
 
 }  // namespace
@@ -89,8 +90,9 @@ void add_force_command(CLI::App& app) {
                    "configuration")
       ->excludes("--configuration");
   command
-      ->add_option("--tip-radius-um", arguments->tip_radius_um,
-                   "another tip, um; the profile's constants stay, which costs accuracy (see the identification's README)")
+      ->add_option(
+          "--tip-radius-um", arguments->tip_radius_um,
+          "another tip, um; the profile's constants stay, which costs accuracy (see the identification's README)")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--max-indentation-um", arguments->max_indentation_um,

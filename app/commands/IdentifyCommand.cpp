@@ -129,12 +129,14 @@ void name_sources(const IdentifyArguments& arguments, CellProfile& cell) {
                          fs::path(arguments.measured_curve).filename().string()
                    : std::string("the model, configuration 1, passes the puncture point; Table I's modulus does not "
                                  "(see the mechanics module's README)"));
-  set_source(cell, "force_scale_relative_sigma",
-             curve ? "standard error of that least squares"
-                   : (arguments.scale_uncertainty_percent ? "given on the command line" : "assumed: one point has no spread"));
+  set_source(
+      cell, "force_scale_relative_sigma",
+      curve ? "standard error of that least squares"
+            : (arguments.scale_uncertainty_percent ? "given on the command line" : "assumed: one point has no spread"));
   if (!arguments.relaxation.empty()) {
-    set_source(cell, "relaxation_arms", "spring and two Maxwell arms fitted to the ramp-and-hold record " +
-                                            fs::path(arguments.relaxation).filename().string());
+    set_source(cell, "relaxation_arms",
+               "spring and two Maxwell arms fitted to the ramp-and-hold record " +
+                   fs::path(arguments.relaxation).filename().string());
   }
   set_source(cell, "made with", command_line() + ", version " + kVersion);
 }
@@ -151,7 +153,8 @@ void print_errors(const Identification& result) {
   };
   for (const IdentifiedCurve& curve : result.curves) row(curve, "thin shell");
   if (result.solid) row(*result.solid, "solid");
-  std::printf("pointwise: largest difference over the force there; of peak, rms: over the force at the deepest point\n");
+  std::printf(
+      "pointwise: largest difference over the force there; of peak, rms: over the force at the deepest point\n");
 }
 
 void print_constants(const CellProfile& p) {
@@ -207,7 +210,8 @@ void run_identify(const IdentifyArguments& arguments) {
     set_source(request.cell, "puncture_force_uN", "the measured curve's deepest point");
     set_source(request.cell, "puncture_indentation_um", "the measured curve's deepest point");
   }
-  if (arguments.scale_uncertainty_percent) request.assumed_scale_sigma_ratio = 0.01 * *arguments.scale_uncertainty_percent;
+  if (arguments.scale_uncertainty_percent)
+    request.assumed_scale_sigma_ratio = 0.01 * *arguments.scale_uncertainty_percent;
   if (arguments.max_indentation_um) request.max_indentation_um = *arguments.max_indentation_um;
   request.edge_length_ratio = arguments.edge_length_ratio;
   request.threads = arguments.threads;
@@ -218,10 +222,10 @@ void run_identify(const IdentifyArguments& arguments) {
   Identification result;
   if (arguments.keep_constants) {
     result.profile = request.cell;
-    result.scale = request.measured ? scale_to_curve(request.cell, *request.measured)
-                                    : scale_to_point(request.cell, request.cell.puncture_force_uN,
-                                                     request.cell.puncture_indentation_um,
-                                                     request.assumed_scale_sigma_ratio);
+    result.scale = request.measured
+                       ? scale_to_curve(request.cell, *request.measured)
+                       : scale_to_point(request.cell, request.cell.puncture_force_uN,
+                                        request.cell.puncture_indentation_um, request.assumed_scale_sigma_ratio);
     apply(result.scale, result.profile);
   } else {
     Progress progress("identify: %");
@@ -239,6 +243,8 @@ void run_identify(const IdentifyArguments& arguments) {
   const CellProfile& p = result.profile;
   if (!arguments.keep_constants) {
     print_errors(result);
+    std::printf("finite elements %.1f s; fit %.1f s, %d times all four curves\n", result.reference_s, result.fit_s,
+                result.fit.evaluations);
     print_constants(p);
   }
   std::printf("force scale: effective modulus %.2f kPa, %.3f times the %.4g kPa given, +- %.2g %%%s\n",
@@ -274,8 +280,9 @@ void add_identify_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "identify", "a cell's profile: the model's constants from finite elements, its force scale from a measurement");
   command->add_option("--output", a->output, "profile to write, JSON; a picture goes beside it, as PNG")->required();
-  command->add_option("--from", a->base, "profile, by name or file, whose numbers are taken where none is given "
-                                         "(default: Table I's mouse oocyte)");
+  command->add_option("--from", a->base,
+                      "profile, by name or file, whose numbers are taken where none is given "
+                      "(default: Table I's mouse oocyte)");
   command->add_option("--name", a->name, "the profile's name (default: the file's)");
   command->add_option("--description", a->description, "one line on what the cell is");
   command->add_option("--source", a->source, "where the numbers given here come from, for the profile")
@@ -310,8 +317,9 @@ void add_identify_command(CLI::App& app) {
                    "CSV, indentation_um,force_uN, needle opposite the holder: anchors the scale by least squares, with "
                    "its standard error")
       ->excludes("--scale-uncertainty-percent");
-  command->add_option("--relaxation", a->relaxation,
-                      "CSV, segment,style,time_s,height_um,force_uN: a ramp-and-hold record to fit two relaxation arms to");
+  command->add_option(
+      "--relaxation", a->relaxation,
+      "CSV, segment,style,time_s,height_um,force_uN: a ramp-and-hold record to fit two relaxation arms to");
   command
       ->add_flag("--keep-constants", a->keep_constants,
                  "keep the constants of --from; only the force scale and the relaxation are found")

@@ -40,10 +40,19 @@ ChartPanel comparison(const Identification& identification, double end_um) {
     const IdentifiedCurve& curve = identification.curves[k];
     const Color color = kConfigurationColors[k % kConfigurationColors.size()];
     const Eigen::Index count = curve.model_force_uN.size();
-    panel.series.push_back({std::string(kConfigurationNames[k % 4]) + ", model", ChartStyle::kLine,
-                            to_vector(curve.reference.depth_um.head(count)), to_vector(curve.model_force_uN), {}, color});
-    panel.series.push_back({k == 0 ? "points: finite elements" : "", ChartStyle::kPoints,
-                            to_vector(curve.reference.depth_um), to_vector(curve.reference.force_uN), {}, color, 1.0,
+    panel.series.push_back({std::string(kConfigurationNames[k % 4]) + ", model",
+                            ChartStyle::kLine,
+                            to_vector(curve.reference.depth_um.head(count)),
+                            to_vector(curve.model_force_uN),
+                            {},
+                            color});
+    panel.series.push_back({k == 0 ? "points: finite elements" : "",
+                            ChartStyle::kPoints,
+                            to_vector(curve.reference.depth_um),
+                            to_vector(curve.reference.force_uN),
+                            {},
+                            color,
+                            1.0,
                             7.0});
     peak_uN = std::max(peak_uN, curve.reference.force_uN.maxCoeff());
   }
@@ -55,8 +64,13 @@ ChartPanel differences(const Identification& identification, double end_um) {
   ChartPanel panel{"Model less finite elements, of the force there", "Indentation (µm)", "Difference (%)"};
   panel.x_end = axis_end(end_um);
   double largest = 5.0;
-  panel.series.push_back({"5 % either way", ChartStyle::kBand, {0.0, 0.5 * panel.x_end, panel.x_end},
-                          {-5.0, -5.0, -5.0}, {5.0, 5.0, 5.0}, Color::from_hex(0x8A93A0), 0.25});
+  panel.series.push_back({"5 % either way",
+                          ChartStyle::kBand,
+                          {0.0, 0.5 * panel.x_end, panel.x_end},
+                          {-5.0, -5.0, -5.0},
+                          {5.0, 5.0, 5.0},
+                          Color::from_hex(0x8A93A0),
+                          0.25});
   for (std::size_t k = 0; k < identification.curves.size(); ++k) {
     const IdentifiedCurve& curve = identification.curves[k];
     std::vector<double> x, y;
@@ -66,7 +80,11 @@ ChartPanel differences(const Identification& identification, double end_um) {
       y.push_back(100.0 * (curve.model_force_uN[n] / curve.reference.force_uN[n] - 1.0));
       largest = std::max(largest, std::abs(y.back()));
     }
-    panel.series.push_back({kConfigurationNames[k % 4], ChartStyle::kLine, x, y, {},
+    panel.series.push_back({kConfigurationNames[k % 4],
+                            ChartStyle::kLine,
+                            x,
+                            y,
+                            {},
                             kConfigurationColors[k % kConfigurationColors.size()]});
   }
   panel.y_end = axis_end(1.6 * largest);
@@ -108,8 +126,8 @@ ChartPanel sensitivity(const FineCurve& fine, const MeasuredCurve& measured, dou
     middle.push_back(fine.force_uN[n]);
   }
   double largest_uN = measured.force_uN.size() > 0 ? measured.force_uN.maxCoeff() : 0.0;
-  for (const auto& [error, color, name] : {std::tuple{0.10, kLargeError, "error 10 %"},
-                                           std::tuple{0.03, kSmallError, "error 3 %"}}) {
+  for (const auto& [error, color, name] :
+       {std::tuple{0.10, kLargeError, "error 10 %"}, std::tuple{0.03, kSmallError, "error 3 %"}}) {
     std::vector<double> low, high;
     for (const double depth : x) {
       low.push_back(changed(depth, 1.0 - error));
@@ -122,8 +140,14 @@ ChartPanel sensitivity(const FineCurve& fine, const MeasuredCurve& measured, dou
   }
   panel.series.push_back({"model, configuration 1", ChartStyle::kLine, x, middle, {}, kModel, 1.0, 2.5});
   if (measured.force_uN.size() > 0) {
-    panel.series.push_back({"measured", ChartStyle::kPoints, to_vector(measured.indentation_um),
-                            to_vector(measured.force_uN), {}, kMeasured, 1.0, 11.0});
+    panel.series.push_back({"measured",
+                            ChartStyle::kPoints,
+                            to_vector(measured.indentation_um),
+                            to_vector(measured.force_uN),
+                            {},
+                            kMeasured,
+                            1.0,
+                            11.0});
   }
   panel.y_end = axis_end(1.02 * largest_uN);
   return panel;

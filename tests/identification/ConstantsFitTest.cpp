@@ -79,7 +79,10 @@ TEST(ConstantsFit, CanBeCancelled) {
   const ModelConstants before = constants_of(cell);
   std::stop_source stop;
   const FitReport report = fit_constants(
-      cell, curves, options(), [&](int evaluations, double) { if (evaluations >= 2) stop.request_stop(); },
+      cell, curves, options(),
+      [&](int evaluations, double) {
+        if (evaluations >= 2) stop.request_stop();
+      },
       stop.get_token());
   EXPECT_FALSE(report.complete);
   EXPECT_LE(report.evaluations, 3);

@@ -30,7 +30,8 @@ class MeasuredCurveFile : public ::testing::Test {
 };
 
 TEST_F(MeasuredCurveFile, IsReadInAnyOrder) {
-  const MeasuredCurve curve = read_measured_curve(with("time_s,force_uN,indentation_um\n0,3,20\n1,0,0\n2,1,10\n3,5,30\n"));
+  const MeasuredCurve curve =
+      read_measured_curve(with("time_s,force_uN,indentation_um\n0,3,20\n1,0,0\n2,1,10\n3,5,30\n"));
   EXPECT_EQ(curve.indentation_um, Eigen::Vector4d(0.0, 10.0, 20.0, 30.0));
   EXPECT_EQ(curve.force_uN, Eigen::Vector4d(0.0, 1.0, 3.0, 5.0));
 }

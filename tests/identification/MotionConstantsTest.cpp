@@ -11,8 +11,7 @@ namespace {
 TEST(MotionConstants, TheNodesWeighWhatTheCellWeighs) {
   const CellProfile cell = testing::coarse_cell();
   const MembraneModel model(cell, setup_for_configuration(cell, 1));
-  const double total_kg =
-      motion_constants(cell).node_mass_kg * static_cast<double>(model.rest().points_um.cols());
+  const double total_kg = motion_constants(cell).node_mass_kg * static_cast<double>(model.rest().points_um.cols());
   EXPECT_NEAR(total_kg, 6.06e-10, 0.01e-10);  // 606 pl of water: a ball of 52.5 um
 }
 

@@ -29,7 +29,7 @@ RelaxationRecord made_record(const std::vector<RelaxationArm>& arms) {
   relaxation.start(0.0);
   for (Eigen::Index k = 0; k < record.time_s.size(); ++k) {
     const double ramp_s = std::clamp((static_cast<double>(k) - kRest) / (kRamp - 1), 0.0, 1.0);
-    record.time_s[k] = k < kRest ? 0.01 * static_cast<double>(k)
+    record.time_s[k] = k < kRest           ? 0.01 * static_cast<double>(k)
                        : k < kRest + kRamp ? 0.2 + ramp_s
                                            : 1.2 + 20.0 * static_cast<double>(k - kRest - kRamp + 1) / kHold;
     record.height_um[k] = 100.0 - 10.0 * ramp_s;

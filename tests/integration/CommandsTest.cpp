@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
-  for (const char* command : {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench", "profiles"}) {
+  for (const char* command :
+       {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench", "profiles"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
@@ -114,8 +115,8 @@ TEST(Commands, ForceTakesAnyAngleOffsetAndTip) {
   EXPECT_GT(between, across);
   EXPECT_LT(between, aligned);
   EXPECT_GT(last_force_uN("--tip-radius-um 8"), aligned);
-  for (const char* wrong : {"--angle-deg 100", "--offset-um 60", "--tip-radius-um 40", "--configuration 2 --angle-deg 5",
-                            "--configuration 5"}) {
+  for (const char* wrong : {"--angle-deg 100", "--offset-um 60", "--tip-radius-um 40",
+                            "--configuration 2 --angle-deg 5", "--configuration 5"}) {
     EXPECT_EQ(test::run_program("force mouse-oocyte --output '" + (folder / "w.csv").string() + "' " + wrong, folder)
                   .exit_code,
               2)

@@ -22,11 +22,11 @@ std::string quoted(const fs::path& file) {
 TEST(Identify, WritesAProfileThatTheOtherCommandsTake) {
   const auto folder = test::fresh_folder("identify", testing::TempDir());
   const auto profile = folder / "small-cell.json";
-  const auto outcome = test::run_program(
-      "identify --output " + quoted(profile) +
-          " --radius-um 40 --thickness-um 5 --puncture-force-uN 1.2 --puncture-indentation-um 12 "
-          "--max-indentation-um 12 --edge-length-ratio 1.8",
-      folder);
+  const auto outcome =
+      test::run_program("identify --output " + quoted(profile) +
+                            " --radius-um 40 --thickness-um 5 --puncture-force-uN 1.2 --puncture-indentation-um 12 "
+                            "--max-indentation-um 12 --edge-length-ratio 1.8",
+                        folder);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (int configuration = 1; configuration <= 4; ++configuration) {
     EXPECT_NE(outcome.out.find("configuration " + std::to_string(configuration)), std::string::npos) << outcome.out;
@@ -47,7 +47,8 @@ TEST(Identify, WritesAProfileThatTheOtherCommandsTake) {
   EXPECT_GT(deviation[1], 10.0);
 
   const auto curve = folder / "curve.csv";
-  const auto force = test::run_program("force " + quoted(profile) + " --configuration 1 --output " + quoted(curve), folder);
+  const auto force =
+      test::run_program("force " + quoted(profile) + " --configuration 1 --output " + quoted(curve), folder);
   ASSERT_EQ(force.exit_code, 0) << force.err;
   const Eigen::VectorXd force_uN = Table::read(curve).column("force_uN");
   EXPECT_NEAR(force_uN[force_uN.size() - 1], 1.2, 0.01);
@@ -62,8 +63,8 @@ TEST(Identify, AddsScaleAndRelaxationToAProfile) {
   }
   const fs::path record = fs::path(PELLUCIDA_SOURCE_DIR) / "tests/data/oocyte_relaxation/curve_01.csv";
   const auto outcome =
-      test::run_program("identify --from mouse-oocyte --keep-constants --no-picture --measured-curve " + quoted(measured) +
-                            " --relaxation " + quoted(record) + " --output " + quoted(profile),
+      test::run_program("identify --from mouse-oocyte --keep-constants --no-picture --measured-curve " +
+                            quoted(measured) + " --relaxation " + quoted(record) + " --output " + quoted(profile),
                         folder);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("spring and one arm"), std::string::npos) << outcome.out;

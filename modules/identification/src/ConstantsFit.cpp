@@ -73,8 +73,8 @@ class Evaluation {
       const double peak_uN = curve.force_uN[last];
       for (Eigen::Index k = 0; k < curve.depth_um.size(); ++k) {
         const double share = (curve.depth_um[k] < options.from_um ? 2.0 : 1.0) * options.force_tolerance_ratio;
-        const double unit = std::min(share * curve.force_uN[k],
-                                     options.peak_tolerance_ratio * std::max(peak_uN, curve.force_uN[k]));
+        const double unit =
+            std::min(share * curve.force_uN[k], options.peak_tolerance_ratio * std::max(peak_uN, curve.force_uN[k]));
         units_[row++] = unit > 0.0 ? unit : options.peak_tolerance_ratio * peak_uN;  // at rest both are 0
       }
     }
@@ -117,8 +117,8 @@ class Evaluation {
       const Eigen::Index size = curves_[c].depth_um.size();
       const auto units = units_.segment(row, size);
       errors_.segment(row, size) = (scale * found[c].force_uN - curves_[c].force_uN).cwiseQuotient(units);
-      slopes_.middleRows(row, size) = units.cwiseInverse().asDiagonal() *
-                                      (scale * (found[c].slopes_uN - found[c].force_uN * slope_a)).eval();
+      slopes_.middleRows(row, size) =
+          units.cwiseInverse().asDiagonal() * (scale * (found[c].slopes_uN - found[c].force_uN * slope_a)).eval();
       row += size;
     }
     errors_[rows_] = -std::log(scale) / options_.scale_tolerance_ratio;

@@ -152,8 +152,8 @@ Identification identify(const IdentificationRequest& request,
   const auto tell = [&](std::string_view stage, double share) {
     if (progress) progress(stage, share);
   };
-  auto references =
-      compute_reference_curves(profile, options, [&](double share) { tell("finite elements", share); }, cancel);
+  auto references = compute_reference_curves(
+      profile, options, [&](double share) { tell("finite elements", share); }, cancel);
   if (cancel.stop_requested()) cancelled();
   double largest_stretch = 1.0;
   for (const ReferenceCurve& curve : references) {
@@ -176,8 +176,8 @@ Identification identify(const IdentificationRequest& request,
   fit.threads = request.threads;
   fit.anchor_um = anchor_um;
   result.fit = fit_constants(
-      profile, references, fit,
-      [&](int evaluations, double) { tell("fit", 1.0 - std::exp(-evaluations / 16.0)); }, cancel);
+      profile, references, fit, [&](int evaluations, double) { tell("fit", 1.0 - std::exp(-evaluations / 16.0)); },
+      cancel);
   if (cancel.stop_requested()) cancelled();
   if (!result.fit.complete) {
     throw NothingMeasuredError("identify: no constants meet the finite elements; give a cell nearer to a thin shell");
@@ -185,10 +185,9 @@ Identification identify(const IdentificationRequest& request,
   result.fit_s = clock.now_s() - result.reference_s;
 
   // The scale. The references are scaled to the same anchor.
-  result.scale = request.measured
-                     ? scale_to_curve(profile, *request.measured)
-                     : scale_to_point(profile, profile.puncture_force_uN, profile.puncture_indentation_um,
-                                      request.assumed_scale_sigma_ratio);
+  result.scale = request.measured ? scale_to_curve(profile, *request.measured)
+                                  : scale_to_point(profile, profile.puncture_force_uN, profile.puncture_indentation_um,
+                                                   request.assumed_scale_sigma_ratio);
   const CellProfile unscaled = profile;
   apply(result.scale, profile);
   const Eigen::VectorXd anchor = Eigen::VectorXd::Constant(1, anchor_um);

@@ -74,7 +74,8 @@ std::vector<ReferenceCurve> compute_reference_curves(const CellProfile& profile,
   std::vector<double> shares(kConfigurations, 0.0);
   std::mutex heard;
   run_jobs(kConfigurations, options.threads, [&](int k) {
-    const ShellContact contact = contact_for_configuration(k + 1, std::min(kOffset_um, kMostOffset * profile.mid_radius_um));
+    const ShellContact contact =
+        contact_for_configuration(k + 1, std::min(kOffset_um, kMostOffset * profile.mid_radius_um));
     const auto tell = [&](double share) {
       if (!progress) return;
       const std::lock_guard lock(heard);
@@ -82,7 +83,8 @@ std::vector<ReferenceCurve> compute_reference_curves(const CellProfile& profile,
       progress(std::accumulate(shares.begin(), shares.end(), 0.0) / kConfigurations);
     };
     auto& curve = curves[static_cast<std::size_t>(k)];
-    curve = compute_reference_curve(profile, contact.holder_angle_rad, contact.lateral_offset_um, options, tell, cancel);
+    curve =
+        compute_reference_curve(profile, contact.holder_angle_rad, contact.lateral_offset_um, options, tell, cancel);
     curve.configuration = k + 1;
   });
   return curves;

@@ -114,8 +114,8 @@ RelaxationFit fit_relaxation(const RelaxationRecord& record, int arm_count) {
       p[kFixed + 2 * k] = 0.0;
       p[kFixed + 2 * k + 1] = std::log(hold_s * quickest_share * std::pow(6.0, k));
     }
-    auto* cost = new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL>(
-        new Residuals(record, arm_count, peak_uN));
+    auto* cost =
+        new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL>(new Residuals(record, arm_count, peak_uN));
     cost->AddParameterBlock(static_cast<int>(p.size()));
     cost->SetNumResiduals(static_cast<int>(used));
     ceres::Problem problem;

@@ -165,7 +165,8 @@ void render_charts(std::span<const ChartPanel> panels, int columns, const std::f
     window->AddRenderer(part);
     fill(chart, panels[static_cast<std::size_t>(k)]);
     chart->SetAutoSize(false);
-    chart->SetSize(vtkRectf(kMargin, kMargin, static_cast<float>(size.width_px) / static_cast<float>(columns) - 2.0F * kMargin,
+    chart->SetSize(vtkRectf(kMargin, kMargin,
+                            static_cast<float>(size.width_px) / static_cast<float>(columns) - 2.0F * kMargin,
                             static_cast<float>(size.height_px) / static_cast<float>(rows) - 2.0F * kMargin));
   }
   window->Render();

@@ -18,10 +18,10 @@ CellProfile table_one_oocyte();
 
 struct IdentificationRequest {
   /// Geometry, Young's modulus, Poisson's ratio, puncture point, tools, mesh, name and sources. What identification
-  /// finds (constants, effective modulus and its uncertainty, m, b, errors) is overwritten; constants it has already are
-  /// where the fit starts.
+  /// finds (constants, effective modulus and its uncertainty, m, b, errors) is overwritten; constants it has already
+  /// are where the fit starts.
   CellProfile cell = table_one_oocyte();
-  std::optional<MeasuredCurve> measured;  ///< anchors the force scale; without it the puncture point does
+  std::optional<MeasuredCurve> measured;    ///< anchors the force scale; without it the puncture point does
   double assumed_scale_sigma_ratio = 0.05;  ///< of the scale, where one point alone anchors it
   double max_indentation_um = 0.0;          ///< of the curves; 0: the deeper of the puncture and 1.06 R
   double step_um = 2.0;                     ///< between their points

@@ -12,8 +12,8 @@ struct MotionConstants {
   /// the reduced mass of its two nodes. More would shorten the stable step of eq. (4), less would let it ring.
   double damping_uN_s_per_um = 0.0;
   /// Eq. (4) is stable at least below 2 / omega, omega^2 m the bound on the rest shape's largest stiffness: at a node
-  /// twice the sum of its connectors' and its bond to a tool (Gershgorin's circles), and the liquid's kv |grad V|^2 / V0.
-  /// Hinges add little; dampers shorten it.
+  /// twice the sum of its connectors' and its bond to a tool (Gershgorin's circles), and the liquid's kv |grad V|^2 /
+  /// V0. Hinges add little; dampers shorten it.
   double stable_step_s = 0.0;
 };
 

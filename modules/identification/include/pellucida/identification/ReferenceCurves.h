@@ -48,7 +48,7 @@ struct CurveError {
   double largest_of_peak_ratio = 0.0;  ///< largest |model - reference| over the reference's last force, everywhere
   double rms_of_peak_ratio = 0.0;      ///< root mean square of that
   double from_um = 0.0;
-  double to_um = 0.0;  ///< deepest point compared
+  double to_um = 0.0;     ///< deepest point compared
   bool complete = false;  ///< the model found its equilibrium at every depth
 };
 

@@ -11,13 +11,13 @@ namespace pellucida {
 /// Fe = a1 u + a2 u^2 + a3 u^3, u the depth below the contact point over the record's largest, and the force what
 /// Relaxation makes of it. Fitted together: a1, a2, a3, the contact point, each arm's fraction and time.
 struct RelaxationFit {
-  std::vector<RelaxationArm> arms;     ///< the quickest first
-  double contact_height_um = 0.0;      ///< where the probe met the cell
+  std::vector<RelaxationArm> arms;                       ///< the quickest first
+  double contact_height_um = 0.0;                        ///< where the probe met the cell
   Eigen::Vector3d elastic_uN = Eigen::Vector3d::Zero();  ///< a1, a2, a3
-  Eigen::VectorXd force_uN;            ///< (n) of the fit, at the record's samples
-  double hold_rms_uN = 0.0;            ///< root mean square of record less fit over the hold
-  double ramp_rms_uN = 0.0;            ///< over the ramp
-  double ramp_and_hold_rms_uN = 0.0;   ///< over both, each sample counting the same
+  Eigen::VectorXd force_uN;                              ///< (n) of the fit, at the record's samples
+  double hold_rms_uN = 0.0;                              ///< root mean square of record less fit over the hold
+  double ramp_rms_uN = 0.0;                              ///< over the ramp
+  double ramp_and_hold_rms_uN = 0.0;                     ///< over both, each sample counting the same
 };
 
 /// Fits 1 to 3 arms by least squares (Ceres); ramp and hold weigh the same, however many samples each has. Throws

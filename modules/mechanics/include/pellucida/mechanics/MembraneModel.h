@@ -40,7 +40,8 @@ RegionShares region_shares(const TriangleMesh& rest, const CellProfile& profile,
 
 /// The mass-spring-damper membrane: one triangulated sphere with X-shaped connectors, hinges, constant volume, needle
 /// and holder attached elastically. The tools touch the outer surface: their radii in the profile are measured there
-/// and brought to the middle surface, which is the sphere, along the normal, as in the finite-element reference. Energy U = U_springs + U_hinges + U_volume + U_tip + U_holder.
+/// and brought to the middle surface, which is the sphere, along the normal, as in the finite-element reference. Energy
+/// U = U_springs + U_hinges + U_volume + U_tip + U_holder.
 class MembraneModel {
  public:
   MembraneModel(const CellProfile& profile, const MembraneSetup& setup);

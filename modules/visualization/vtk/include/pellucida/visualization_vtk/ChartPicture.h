@@ -19,8 +19,8 @@ struct ChartSeries {
   std::vector<double> y;
   std::vector<double> y_upper;  ///< the band's other edge; for kBand only
   Color color;
-  double opacity = 1.0;  ///< of a band, 0..1
-  double width_px = 2.0; ///< of a line, or a point's size
+  double opacity = 1.0;   ///< of a band, 0..1
+  double width_px = 2.0;  ///< of a line, or a point's size
 };
 
 /// One chart: axes with their titles (and units), curves from the back to the front, a legend in a corner.
@@ -36,9 +36,9 @@ struct ChartPanel {
 };
 
 /// Charts side by side in rows of `columns`, dark on white, for print; as PNG, whole or not at all, drawn off screen.
-/// Needs an X server, its own (VirtualDisplay) where there is none. Main thread only. Throws DeviceError when there is no
-/// way to draw, OutputError when the file can't be written, UsageError for a size below 400 x 300 or above 8000 x 8000,
-/// or a series whose columns differ in length.
+/// Needs an X server, its own (VirtualDisplay) where there is none. Main thread only. Throws DeviceError when there is
+/// no way to draw, OutputError when the file can't be written, UsageError for a size below 400 x 300 or above 8000 x
+/// 8000, or a series whose columns differ in length.
 void render_charts(std::span<const ChartPanel> panels, int columns, const std::filesystem::path& png,
                    const PictureSize& size = {});
 
