@@ -20,6 +20,8 @@ constexpr int kMostIterations = 10;
 constexpr int kManyIterations = 5;
 /// Accuracy of the tangent; a compliance has its square.
 constexpr double kTangentAccuracy = 3e-4;
+/// The energy's rounding, with terms that nearly cancel, may be so many times that of its sum.
+constexpr double kRoundingPromise = 100.0;
 
 Eigen::Map<const Eigen::VectorXd> flat(const Eigen::Matrix3Xd& m) {
   return {m.data(), m.size()};
@@ -126,16 +128,20 @@ SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions&
     const double reach = std::sqrt(step.colwise().squaredNorm().maxCoeff());
     if (!std::isfinite(slope) || !std::isfinite(reach)) return ended(SolveStatus::kNotFinite);
 
-    // Armijo, no node moving too far: accept when the energy drops by its share, or when only rounding is left to argue
-    // about.
+    // Armijo, no node moving too far: accept when the energy drops by its share. Where all that the step promises is
+    // within the energy's rounding, the gradient, which is more exact, decides: it must shrink.
     double length = std::min(1.0, options.max_step_um / std::max(reach, 1e-12));
     const double rounding = 1e-13 * (std::abs(energy) + sum.force_scale_uN_per_um());
+    const bool promises_rounding = -slope < kRoundingPromise * rounding;
     bool accepted = false;
     for (int halving = 0; halving < (my.is_exact ? 30 : 2) && !accepted; ++halving) {
       my.candidate = x_um + length * step;
       my.candidate_gradient.setZero(3, x_um.cols());
       const double candidate_energy = sum.add(my.candidate, &my.candidate_gradient, nullptr);
-      if (std::isfinite(candidate_energy) && candidate_energy <= energy + 1e-4 * length * slope + rounding) {
+      const bool is_lower = candidate_energy <= energy + 1e-4 * length * slope + rounding;
+      const bool is_flatter = promises_rounding && candidate_energy <= energy + kRoundingPromise * rounding &&
+                              largest_column_norm(my.candidate_gradient) < report.residual_uN;
+      if (std::isfinite(candidate_energy) && (is_lower || is_flatter)) {
         accepted = true;
         energy = candidate_energy;
       } else {
