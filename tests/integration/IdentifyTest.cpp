@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string quoted(const fs::path& file) {
-  return "'" + file.string() + "'";
+  return std::string("'").append(file.string()).append("'");
 }
 
 TEST(Identify, WritesAProfileThatTheOtherCommandsTake) {

@@ -50,7 +50,9 @@ TEST(Relaxation, AFrameThatIsMissingChangesNothingOnAStraightWay) {
   some.start(0.0);
   for (int k = 1; k <= 30; ++k) {
     const double force = all.advance(k / 30.0, k * 0.1);
-    if (k % 7 == 0 || k == 30) EXPECT_NEAR(some.advance(k / 30.0, k * 0.1), force, 1e-12);
+    if (k % 7 == 0 || k == 30) {
+      EXPECT_NEAR(some.advance(k / 30.0, k * 0.1), force, 1e-12);
+    }
   }
 }
 
