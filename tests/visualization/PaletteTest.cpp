@@ -29,7 +29,7 @@ TEST(Palette, PillsCarryDarkWriting) {
 
 TEST(Palette, LinesReadOnTheirUnderlay) {
   for (const Color& line : {palette::kOuter, palette::kInner, palette::kOolemma, palette::kNeedle, palette::kHolder,
-                            palette::kModel, palette::kCurve}) {
+                            palette::kModel, palette::kPlan, palette::kCurve}) {
     EXPECT_GE(contrast_ratio(line, palette::kPanel), 3.0) << line.css();
   }
 }

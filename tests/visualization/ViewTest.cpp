@@ -81,6 +81,23 @@ TEST_F(Views, FeedShowsContoursToolsAndModelEachInItsColour) {
   window->Finalize();
 }
 
+TEST_F(Views, FeedShowsThePlanWhileThereIsOne) {
+  FeedView feed(source);
+  feed.add_to(window);
+  EXPECT_LT(count_near(shot(), palette::kPlan), 5);
+  PlanMarks plan;
+  plan.approach_um = {390.0, 200.0};
+  plan.entry_um = {348.0, 200.0};
+  plan.target_um = {300.0, 200.0};
+  plan.depth_stop_um = {306.0, 200.0};
+  plan.corridor_um = 3.0;
+  feed.set_plan(plan);
+  EXPECT_GT(count_near(shot(), palette::kPlan), 100);
+  feed.set_plan(std::nullopt);
+  EXPECT_LT(count_near(shot(), palette::kPlan), 5);
+  window->Finalize();
+}
+
 TEST_F(Views, FeedHasXToTheRightAndYDown) {
   FeedView feed(source);
   feed.show_contours(false);

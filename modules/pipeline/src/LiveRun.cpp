@@ -1,8 +1,11 @@
 #include "pellucida/pipeline/LiveRun.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
+#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -100,6 +103,7 @@ class LiveRun::Impl {
     index_offset_ = next_index_;
     time_offset_s_ = next_time_s_;
     first_due_s_.reset();
+    session_lag_s_ = kNoLag_s;
     ended_ = false;
   }
 
@@ -125,6 +129,7 @@ class LiveRun::Impl {
     next_index_ = frame.frame_index + 1;
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
     const Scene scene = scene_of(frame, clock_.now_s(), run_index_);
+    session_lag_s_ = std::min(session_lag_s_.load(), scene.arrival_s - frame.time_s);
     ++frame_count_;
     gap_count_ += static_cast<std::uint64_t>(frame.gap_count);
     with_recorder([&](Recorder& recorder) { recorder.announce(scene); });
@@ -326,6 +331,8 @@ class LiveRun::Impl {
   std::atomic<std::uint64_t> skipped_count_{0};
   std::atomic<std::uint64_t> gap_count_{0};
   std::atomic<double> newest_arrival_s_{0.0};
+  static constexpr double kNoLag_s = std::numeric_limits<double>::infinity();
+  std::atomic<double> session_lag_s_{kNoLag_s};  // the clock less the session's time; smallest seen
 
   mutable std::mutex recorder_mutex_;
   std::unique_ptr<Recorder> recorder_;
@@ -359,6 +366,11 @@ void LiveRun::set_contact_sink(std::function<void(const ContactModel&)> sink) {
 }
 const Clock& LiveRun::clock() const noexcept {
   return impl_->clock_;
+}
+
+double LiveRun::session_lag_s() const noexcept {
+  const double lag_s = impl_->session_lag_s_;
+  return std::isfinite(lag_s) ? lag_s : 0.0;
 }
 
 void LiveRun::start() {

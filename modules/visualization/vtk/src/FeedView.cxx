@@ -254,6 +254,7 @@ void FeedView::refresh_legend() {
     if (has_cell_value(scene.tools, array_name::kTool, 0)) legend_.push_back({"Needle", palette::kNeedle});
     if (has_cell_value(scene.tools, array_name::kTool, 1)) legend_.push_back({"Holding pipette", palette::kHolder});
   }
+  if (plan_) legend_.push_back({"Plan", palette::kPlan, true});
 }
 
 void FeedView::reset_camera() {
@@ -274,6 +275,11 @@ void FeedView::show_model_section(bool shown) {
 void FeedView::show_tools(bool shown) {
   tools_shown_ = shown;
   refresh();
+}
+
+void FeedView::set_plan(const std::optional<PlanMarks>& plan) {
+  plan_ = plan;
+  refresh_legend();
 }
 
 void FeedView::set_caption(std::string utf8) {
@@ -329,6 +335,7 @@ void FeedView::draw_hud(HudCanvas& hud, double width, double height) {
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }
+  if (plan_) draw_plan(hud);
   draw_tip(hud);
   draw_legend(hud, height);
   draw_scale_bar(hud, height);
@@ -369,6 +376,46 @@ void FeedView::draw_scale_bar(HudCanvas& hud, double height) const {
   hud.rectangle(24.0, 17.0, 1.5, 9.0, palette::kText);
   hud.rectangle(24.0 + length - 1.5, 17.0, 1.5, 9.0, palette::kText);
   hud.text(24.0 + 0.5 * length, 37.0, label, {.align = HudAlign::kCentre});
+}
+
+// The way dashed, its corridor as a faint band while the guide is on, a bar across it at entry and depth stop, a cross
+// at the target.
+void FeedView::draw_plan(HudCanvas& hud) const {
+  constexpr double kDash = 7.0, kGap = 5.0, kBar = 8.0, kCross = 6.0;
+  const auto place = [&](const Eigen::Vector2d& p_um) {
+    const double world_um[3] = {p_um.x(), p_um.y(), 0.0};
+    const auto [x, y] = to_hud(world_um);
+    return Eigen::Vector2d(x, y);
+  };
+  const Eigen::Vector2d start = place(plan_->approach_um);
+  const Eigen::Vector2d end = place(plan_->target_um);
+  const double length = (end - start).norm();
+  if (!(length > 1.0)) return;
+  const Eigen::Vector2d along = (end - start) / length;
+  const Eigen::Vector2d across(-along.y(), along.x());
+
+  if (plan_->guided && plan_->corridor_um > 0.0) {
+    const double um = (plan_->target_um - plan_->approach_um).norm();
+    const double width = 2.0 * plan_->corridor_um * length / um;
+    hud.line(start.x(), start.y(), end.x(), end.y(), width, palette::kPlan, 0.14);
+  }
+  for (double s = 0.0; s < length; s += kDash + kGap) {
+    const Eigen::Vector2d a = start + s * along;
+    const Eigen::Vector2d b = start + std::min(s + kDash, length) * along;
+    hud.line(a.x(), a.y(), b.x(), b.y(), 1.5, palette::kPlan, 0.9);
+  }
+  const auto bar = [&](const Eigen::Vector2d& p_um, double half, double width) {
+    const Eigen::Vector2d p = place(p_um);
+    const Eigen::Vector2d a = p - half * across;
+    const Eigen::Vector2d b = p + half * across;
+    hud.line(a.x(), a.y(), b.x(), b.y(), width + 2.0, palette::kWindow, 0.6);
+    hud.line(a.x(), a.y(), b.x(), b.y(), width, palette::kPlan);
+  };
+  bar(plan_->entry_um, kBar, 2.0);
+  bar(plan_->depth_stop_um, 1.5 * kBar, 3.5);
+  hud.disc(end.x(), end.y(), kCross + 2.0, palette::kWindow, 0.5);
+  hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, palette::kPlan);
+  hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, palette::kPlan);
 }
 
 // The needle's tip as a ring, and its axis ahead of the tip as a thin line.

@@ -51,6 +51,9 @@ class LiveRun {
   void set_contact_sink(std::function<void(const ContactModel&)> sink);
   /// The run's clock: arrival times and the age of a force are on it.
   const Clock& clock() const noexcept;
+  /// What to take from a moment of the run's clock to have the session's time (that of frames and rows): the shortest
+  /// delay a frame had since the source began; 0 before the first frame.
+  double session_lag_s() const noexcept;
 
   void start();
   void stop();

@@ -50,6 +50,7 @@ inline constexpr Color kInner = Color::from_hex(0xFFA94D);
 inline constexpr Color kOolemma = Color::from_hex(0xD59BFF);
 inline constexpr Color kNeedle = Color::from_hex(0xFF5F87);
 inline constexpr Color kHolder = Color::from_hex(0x86E57F);
+inline constexpr Color kPlan = Color::from_hex(0x8FA6FF);
 inline constexpr Color kModel = Color::from_hex(0xFFF27A);
 
 // Solids of the 3-D view.

@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pellucida/core_vtk/StageSource.h"
+#include "pellucida/visualization/PlanMarks.h"
 #include "pellucida/visualization_vtk/View.h"
 
 class vtkImageData;
@@ -36,6 +38,8 @@ class FeedView : public View {
   void show_contours(bool shown);
   void show_model_section(bool shown);
   void show_tools(bool shown);
+  /// The injection plan: the straight way with its corridor, entry, depth stop and target. Nothing: none is drawn.
+  void set_plan(const std::optional<PlanMarks>& plan);
 
   /// A line in the upper right corner, empty for none.
   void set_caption(std::string utf8);
@@ -58,11 +62,13 @@ class FeedView : public View {
   void draw_legend(HudCanvas& hud, double height) const;
   void draw_scale_bar(HudCanvas& hud, double height) const;
   void draw_tip(HudCanvas& hud) const;
+  void draw_plan(HudCanvas& hud) const;
 
   StageSource* source_;
   std::unique_ptr<Pipeline> pipeline_;
   std::vector<LegendRow> legend_;
   std::string caption_;
+  std::optional<PlanMarks> plan_;
   bool contours_shown_ = true;
   bool model_shown_ = true;
   bool tools_shown_ = true;

@@ -1,0 +1,16 @@
+#pragma once
+#include <Eigen/Core>
+
+namespace pellucida {
+
+/// An injection plan as a view draws it. Frame W, image plane, um.
+struct PlanMarks {
+  Eigen::Vector2d approach_um = Eigen::Vector2d::Zero();    ///< where the straight way begins
+  Eigen::Vector2d entry_um = Eigen::Vector2d::Zero();       ///< on the resting outer membrane
+  Eigen::Vector2d target_um = Eigen::Vector2d::Zero();      ///< where to deposit
+  Eigen::Vector2d depth_stop_um = Eigen::Vector2d::Zero();  ///< where the tip is stopped
+  double corridor_um = 0.0;                                 ///< half width of the guide about the way
+  bool guided = true;                                       ///< the guide is on
+};
+
+}  // namespace pellucida
