@@ -37,6 +37,10 @@ TEST_P(EveryReference, ForceIsTheCurveAtItsDepths) {
   for (Eigen::Index i = 0; i < depth.size(); ++i) {
     EXPECT_NEAR(reference_.force_uN(depth(i)), force(i), 1e-12);
     EXPECT_NEAR(reference_.pressure_Pa(depth(i)), 1e3 * pressure(i), 1e-9);
+    if (curve.has("lateral_force_uN"))
+      EXPECT_NEAR(reference_.lateral_force_uN(depth(i)), curve.column("lateral_force_uN")(i), 1e-12);
+    else
+      EXPECT_EQ(reference_.lateral_force_uN(depth(i)), 0.0);
   }
   EXPECT_EQ(reference_.force_uN(-5), 0.0);
 }
@@ -60,11 +64,12 @@ TEST_P(EveryReference, RestIsTwoCircles) {
 
 TEST_P(EveryReference, ApexFollowsTheDepth) {
   const Eigen::Index apex = reference_.angle_rad().size() / 2;
-  EXPECT_EQ(reference_.angle_rad()(apex), 0.0);
+  EXPECT_EQ(reference_.angle_rad()(apex), std::asin(reference_.offset_um() / reference_.outer_radius_um()));
   for (double depth = 0; depth <= reference_.max_indentation_um(); depth += 0.7) {
     const auto section = reference_.section(depth);
-    EXPECT_NEAR(section.outer_um(1, apex), reference_.outer_radius_um() - depth, 0.02) << depth;
-    EXPECT_NEAR(section.outer_um(0, apex), 0.0, 0.15) << depth;
+    EXPECT_NEAR(section.outer_um(1, apex), reference_.apex_z_um() - depth, reference_.offset_um() > 0 ? 0.1 : 0.02)
+        << depth;
+    EXPECT_NEAR(section.outer_um(0, apex), reference_.offset_um(), 0.15) << depth;
   }
 }
 
@@ -122,7 +127,8 @@ TEST_P(EveryReference, HolderAndCellDoNotOverlap) {
 
 INSTANTIATE_TEST_SUITE_P(Cells, EveryReference,
                          testing::Values(Which{"mouse-oocyte", 1}, Which{"mouse-oocyte", 2}, Which{"mouse-oocyte", 3},
-                                         Which{"mouse-embryo", 1}),
+                                         Which{"mouse-oocyte", 4}, Which{"mouse-embryo", 1}, Which{"mouse-embryo", 2},
+                                         Which{"mouse-embryo", 3}, Which{"mouse-embryo", 4}),
                          [](const auto& which) {
                            return std::string(which.param.cell).substr(6) + std::to_string(which.param.configuration);
                          });
@@ -149,7 +155,7 @@ TEST(CellReference, VolumeIsKeptWhereTheSectionIsASurfaceOfRevolution) {
 }
 
 TEST(CellReference, UnknownOnesAreRefused) {
-  EXPECT_THROW(CellReference::load("mouse-oocyte", 4), UsageError);
+  EXPECT_THROW(CellReference::load("mouse-oocyte", 5), UsageError);
   EXPECT_THROW(CellReference::load("frog", 1), UsageError);
 }
 

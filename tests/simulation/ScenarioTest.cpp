@@ -97,7 +97,7 @@ TEST(Scenario, DepthBeyondTheReferenceIsRefused) {
       VirtualMicroscope(parse_scenario(R"({"motion": {"indentation_um": 60}, "cell": {"size_scale": 1.5}})", "test")));
   EXPECT_THROW(VirtualMicroscope(parse_scenario(R"({"cell": {"reference": "frog"}})", "test")), UsageError);
   EXPECT_THROW(VirtualMicroscope(
-                   parse_scenario(R"({"cell": {"reference": "mouse-embryo"}, "tools": {"configuration": 2}})", "t")),
+                   parse_scenario(R"({"cell": {"reference": "mouse-embryo"}, "motion": {"indentation_um": 54}})", "t")),
                UsageError);
 }
 

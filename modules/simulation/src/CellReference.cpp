@@ -15,6 +15,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kMiddleRadius_um = 50.0;
 constexpr double kHalfThickness_um = 2.5;
 constexpr int kPointCount = 400;
+constexpr double kOffset_um = 10.0;  // of the needle in configuration 4
 
 // Rows of one depth step of a profile file.
 struct Step {
@@ -32,7 +33,7 @@ std::vector<Step> steps_of(const Eigen::VectorXd& depth_um) {
 }
 
 // Material angles of the contour points: even, but 3.5 times as dense under the tip, where the dimple is sharp.
-Eigen::VectorXd material_angles() {
+Eigen::VectorXd material_angles(double apex_rad) {
   constexpr int kFine = 20000;
   auto density = [](double angle) { return 1.0 + 2.5 * std::exp(-angle * angle / (2 * 0.3 * 0.3)); };
   Eigen::VectorXd cumulative(kFine + 1);
@@ -49,12 +50,12 @@ Eigen::VectorXd material_angles() {
   }
   // The apex itself is a material point.
   angles(kPointCount / 2) = 0.0;
-  return angles;
+  return angles.array() + apex_rad;
 }
 
 // A surface's displacement (2 x n) at the material angles, from scattered nodes on a sphere of radius `radius_um`.
 // The mesh's last corners under the tip are rounded off over about 1 um, so that the surfaces 2.5 um to both sides have
-// no folds; the apex keeps its depth.
+// no folds; the apex keeps its depth. The tip touches at the middle one of the angles.
 Contour_um smooth_surface(const Eigen::VectorXd& node_angle, const Eigen::VectorXd& node_x,
                           const Eigen::VectorXd& node_z, double radius_um, double apex_z_um,
                           const Eigen::VectorXd& angles) {
@@ -63,8 +64,9 @@ Contour_um smooth_surface(const Eigen::VectorXd& node_angle, const Eigen::Vector
   const PeriodicSpline across(node_angle, ux, 2 * kPi), along(node_angle, uz, 2 * kPi);
 
   // Local average of a spline with a Gaussian that fades with the distance from the apex.
-  auto average = [](const PeriodicSpline& spline, double angle) {
-    const double sigma = 0.030 * std::exp(-angle * angle / (2 * 0.16 * 0.16)) + 0.004;
+  const double apex = angles(angles.size() / 2);
+  auto average = [apex](const PeriodicSpline& spline, double angle) {
+    const double away = angle - apex, sigma = 0.030 * std::exp(-away * away / (2 * 0.16 * 0.16)) + 0.004;
     double sum = 0, weight_sum = 0;
     for (int j = -8; j <= 8; ++j) {
       const double t = j * 0.3, weight = std::exp(-t * t / 2);
@@ -73,12 +75,12 @@ Contour_um smooth_surface(const Eigen::VectorXd& node_angle, const Eigen::Vector
     }
     return sum / weight_sum;
   };
-  const double lift = apex_z_um - (radius_um + average(along, 0.0));
-  const double shift = -average(across, 0.0);
+  const double lift = apex_z_um - (radius_um * std::cos(apex) + average(along, apex));
+  const double shift = -average(across, apex);
 
   Contour_um surface(2, angles.size());
   for (Eigen::Index k = 0; k < angles.size(); ++k) {
-    const double a = angles(k), near_tip = std::exp(-a * a / (2 * 0.12 * 0.12));
+    const double a = angles(k), away = a - apex, near_tip = std::exp(-away * away / (2 * 0.12 * 0.12));
     surface(0, k) = radius_um * std::sin(a) + average(across, a) + shift * near_tip;
     surface(1, k) = radius_um * std::cos(a) + average(along, a) + lift * near_tip;
   }
@@ -129,8 +131,13 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   }
 
   CellReference reference;
-  reference.holder_angle_rad_ = (configuration - 1) * kPi / 4;
-  reference.angle_rad_ = material_angles();
+  reference.outer_radius_um_ = kMiddleRadius_um + kHalfThickness_um;
+  reference.inner_radius_um_ = kMiddleRadius_um - kHalfThickness_um;
+  // Configuration 4 is configuration 1 with the needle moved sideways.
+  reference.holder_angle_rad_ = configuration == 4 ? 0.0 : (configuration - 1) * kPi / 4;
+  reference.offset_um_ = configuration == 4 ? kOffset_um : 0.0;
+  const double apex_rad = std::asin(reference.offset_um_ / reference.outer_radius_um_);
+  reference.angle_rad_ = material_angles(apex_rad);
   const Eigen::Index n = reference.angle_rad_.size();
 
   // Force and pressure against depth.
@@ -140,12 +147,13 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   reference.pressure_Pa_ = 1e3 * force.column("pressure_kPa");
   reference.force_slope_ = monotone_slopes(reference.force_depth_um_, reference.force_uN_);
   reference.pressure_slope_ = monotone_slopes(reference.force_depth_um_, reference.pressure_Pa_);
+  const bool sideways = force.has("lateral_force_uN");
+  reference.lateral_uN_ = sideways ? force.column("lateral_force_uN") : Eigen::VectorXd::Zero(force.rows());
+  reference.lateral_slope_ = monotone_slopes(reference.force_depth_um_, reference.lateral_uN_);
 
   // Shapes: the shell gives the middle surface, the solid both faces as half-profiles.
   const Table profile = Table::read(folder / (stem + "-profile.csv"));
   const bool solid = profile.has("outer_r_um");
-  reference.outer_radius_um_ = kMiddleRadius_um + kHalfThickness_um;
-  reference.inner_radius_um_ = kMiddleRadius_um - kHalfThickness_um;
   const Eigen::VectorXd angle = profile.column("theta0_rad");
   const auto steps = steps_of(profile.column("indentation_um"));
   reference.depth_um_.resize(static_cast<Eigen::Index>(steps.size()));
@@ -165,8 +173,9 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
       mirror_half(step_angle, rows("inner_r_um"), rows("inner_z_um"), a, x, z);
       inner = smooth_surface(a, x, z, reference.inner_radius_um_, rows("inner_z_um")(0), reference.angle_rad_);
     } else {
-      const Contour_um middle = smooth_surface(step_angle, rows("x_mid_um"), rows("z_mid_um"), kMiddleRadius_um,
-                                               kMiddleRadius_um - step.depth_um, reference.angle_rad_);
+      const Contour_um middle =
+          smooth_surface(step_angle, rows("x_mid_um"), rows("z_mid_um"), kMiddleRadius_um,
+                         kMiddleRadius_um * std::cos(apex_rad) - step.depth_um, reference.angle_rad_);
       outer = offset_surface(middle, kHalfThickness_um);
       inner = offset_surface(middle, -kHalfThickness_um);
     }
@@ -203,16 +212,30 @@ CellReference::Section CellReference::section(double indentation_um) const {
   return section;
 }
 
+namespace {
+
+double cubic(const Eigen::VectorXd& depth_um, const Eigen::VectorXd& value, const Eigen::VectorXd& slope,
+             double indentation_um) {
+  const auto w = hermite_weights(depth_um, indentation_um);
+  return w.y0 * value(w.cell) + w.y1 * value(w.cell + 1) + w.m0 * slope(w.cell) + w.m1 * slope(w.cell + 1);
+}
+
+}  // namespace
+
 double CellReference::force_uN(double indentation_um) const {
-  const auto w = hermite_weights(force_depth_um_, indentation_um);
-  return w.y0 * force_uN_(w.cell) + w.y1 * force_uN_(w.cell + 1) + w.m0 * force_slope_(w.cell) +
-         w.m1 * force_slope_(w.cell + 1);
+  return cubic(force_depth_um_, force_uN_, force_slope_, indentation_um);
+}
+
+double CellReference::lateral_force_uN(double indentation_um) const {
+  return cubic(force_depth_um_, lateral_uN_, lateral_slope_, indentation_um);
 }
 
 double CellReference::pressure_Pa(double indentation_um) const {
-  const auto w = hermite_weights(force_depth_um_, indentation_um);
-  return w.y0 * pressure_Pa_(w.cell) + w.y1 * pressure_Pa_(w.cell + 1) + w.m0 * pressure_slope_(w.cell) +
-         w.m1 * pressure_slope_(w.cell + 1);
+  return cubic(force_depth_um_, pressure_Pa_, pressure_slope_, indentation_um);
+}
+
+double CellReference::apex_z_um() const noexcept {
+  return outer_radius_um_ * std::cos(angle_rad_(angle_rad_.size() / 2));
 }
 
 double CellReference::max_indentation_um() const noexcept {

@@ -78,6 +78,15 @@ EdgeProfile make_bubble_edge(const Scenario& s, double radius_um) {
           std::max(kBand_um, 7 * ring), ring, false};
 }
 
+EdgeProfile make_droplet_edge(const Scenario& s) {
+  const double c = s.optics.contrast, h = c * s.optics.halo, rim = line_sigma(s, 0.7);
+  return {[=](double d) {
+            return 1 - 0.35 * c * gaussian(d, rim) + 0.08 * h * gaussian(d - 2.0, 0.8) +
+                   0.30 * h * soft_step(-d - 1.5, 0.6);
+          },
+          kBand_um, rim, false};
+}
+
 EdgeProfile make_inside_weight() {
   return {[](double d) { return soft_step(-d - 1.8, 0.8); }, kBand_um, 1.0, false};
 }

@@ -19,6 +19,8 @@ EdgeProfile make_holder_edge(const Scenario& scenario);
 EdgeProfile make_needle_edge(const Scenario& scenario);
 /// An air bubble's rim: a broad dark ring inside it, bright within. `radius_um` its radius.
 EdgeProfile make_bubble_edge(const Scenario& scenario, double radius_um);
+/// A droplet in the ooplasm: a dark rim, bright within.
+EdgeProfile make_droplet_edge(const Scenario& scenario);
 /// Weight of the ooplasm's grain: 0 outside, 1 inside.
 EdgeProfile make_inside_weight();
 

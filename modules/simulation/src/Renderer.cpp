@@ -49,7 +49,9 @@ Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
       rim_(holder_rim(specimen)),
       rest_pose_(specimen.pose()),
       pose_(rest_pose_),
-      material_angle_rad_(specimen.reference().angle_rad()),
+      material_angle_rad_(specimen.reference().angle_rad().array() -
+                          specimen.reference().angle_rad()(specimen.reference().angle_rad().size() / 2)),
+      section_angle_rad_(specimen.reference().angle_rad()),
       inner_radius_um_(specimen.inner_radius_um()),
       outer_edge_(make_outer_edge(scenario)),
       inner_edge_(make_inner_edge(scenario)),
@@ -58,6 +60,7 @@ Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
       holder_edge_(make_holder_edge(scenario)),
       needle_edge_(make_needle_edge(scenario)),
       bubble_edge_(make_bubble_edge(scenario, scenario.bystander.bubble_radius_um)),
+      droplet_edge_(make_droplet_edge(scenario)),
       granules_(make_granules(specimen.inner_radius_um(), 0.6 * scenario.image.pixel_size_um, scenario.seed)),
       mottling_(1.05 * specimen.outer_radius_um(), scenario.seed),
       touching_angle_rad_(
@@ -69,12 +72,14 @@ Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
 
 const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state, const StagePose& stage) {
   pose_ = stage.place(rest_pose_);
+  section_angle_rad_ = material_angle_rad_.array() + state.apex_angle_rad;
   background_.copyTo(light_);
   draw_bystanders(stage);
   draw_cell(truth, state);
   draw_particles(state, truth.observation.time_s);
   draw_holder(*truth.observation.holder, truth.observation.center_um);
-  draw_needle(*truth.observation.needle);
+  draw_droplets(truth);
+  draw_needle(*truth.observation.needle, truth.tip_um.z);
   if (scenario_.optics.defocus_um > 0)
     cv::GaussianBlur(light_, light_, {}, scenario_.optics.defocus_um / scenario_.image.pixel_size_um, 0,
                      cv::BORDER_REPLICATE);
@@ -115,7 +120,7 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
   signed_distance(outer, pixel_um, window, kBand_um, outer_distance_um_);
   signed_distance(seen.inner->points_um, pixel_um, window, kBand_um, inner_distance_um_);
   if (seen.oolemma) signed_distance(seen.oolemma->points_um, pixel_um, window, kBand_um, ooplasm_distance_um_);
-  flow_.update(state.section.inner_um, material_angle_rad_);
+  flow_.update(state.section.inner_um, section_angle_rad_);
 
   // Pixel to section frame, relative to the map's centre.
   const Eigen::Vector2d across = pose_.across, axis = pose_.axis;
@@ -204,7 +209,7 @@ void Renderer::draw_particles(const SpecimenState& state, double time_s) {
   const Contour_um& outer = state.section.outer_um;
   const Eigen::Index n = outer.cols();
   for (const double angle : touching_angle_rad_) {
-    const auto* first = material_angle_rad_.data();
+    const auto* first = section_angle_rad_.data();
     const Eigen::Index k = std::min<Eigen::Index>(std::lower_bound(first, first + n, angle) - first, n - 1);
     // Outwards is left of the way round; the particle sinks in by a fifth of its radius.
     const Eigen::Vector2d tangent = (outer.col((k + 1) % n) - outer.col((k + n - 1) % n)).normalized();
@@ -248,7 +253,30 @@ void Renderer::draw_holder(const HolderPose& holder, const Eigen::Vector2d& cent
   }
 }
 
-void Renderer::draw_needle(const NeedlePose& needle) {
+// What the needle left in the cell: clear spheres that refract, a dark rim about a bright middle.
+void Renderer::draw_droplets(const Truth& truth) {
+  const double pixel_um = scenario_.image.pixel_size_um;
+  for (const Droplet& droplet : truth.droplets) {
+    const double radius_um = droplet.radius_um(), reach = (radius_um + kBand_um) / pixel_um;
+    const double at_x = droplet.center_um.x / pixel_um, at_y = droplet.center_um.y / pixel_um;
+    for (int y = std::max(0, static_cast<int>(at_y - reach));
+         y <= std::min(light_.rows - 1, static_cast<int>(at_y + reach)); ++y)
+      for (int x = std::max(0, static_cast<int>(at_x - reach));
+           x <= std::min(light_.cols - 1, static_cast<int>(at_x + reach)); ++x) {
+        const double distance_um = pixel_um * std::hypot(x - at_x, y - at_y) - radius_um;
+        light_(y, x) *= droplet_edge_(static_cast<float>(distance_um));
+      }
+  }
+}
+
+void Renderer::draw_needle(const NeedlePose& needle, double out_of_plane_um) {
+  // Out of the plane it blurs as the objective's aperture says, about a quarter of the way.
+  if (std::abs(out_of_plane_um - needle_edge_out_of_plane_um_) > 0.2) {
+    Scenario blurred = scenario_;
+    blurred.optics.needle_defocus_um = std::hypot(scenario_.optics.needle_defocus_um, 0.25 * out_of_plane_um);
+    needle_edge_ = make_needle_edge(blurred);
+    needle_edge_out_of_plane_um_ = out_of_plane_um;
+  }
   const double pixel_um = scenario_.image.pixel_size_um;
   const Eigen::Vector2d along = -needle.direction, across(-along.y(), along.x());
   const auto& tools = scenario_.tools;

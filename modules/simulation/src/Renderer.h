@@ -28,7 +28,8 @@ class Renderer {
   void draw_bystanders(const StagePose& stage);
   void draw_particles(const SpecimenState& state, double time_s);
   void draw_holder(const HolderPose& holder, const Eigen::Vector2d& center_um);
-  void draw_needle(const NeedlePose& needle);
+  void draw_droplets(const Truth& truth);
+  void draw_needle(const NeedlePose& needle, double out_of_plane_um);
   void draw_grain(const Eigen::Vector2d& map_center_um, const cv::Rect& window);
   template <class Pixel>
   void count_light(long frame_index, float lamp);
@@ -36,9 +37,12 @@ class Renderer {
   Scenario scenario_;
   HolderRim rim_;
   SpecimenPose rest_pose_, pose_;       // at rest, and in the frame being drawn
-  Eigen::VectorXd material_angle_rad_;  // of the section's points
+  Eigen::VectorXd material_angle_rad_;  // of the section's points, from that of the material under the needle
+  Eigen::VectorXd section_angle_rad_;   // the same in the frame being drawn, from the section's axis
   double inner_radius_um_;
-  EdgeProfile outer_edge_, inner_edge_, ooplasm_edge_, ooplasm_weight_, holder_edge_, needle_edge_, bubble_edge_;
+  double needle_edge_out_of_plane_um_ = 0.0;  // the needle's place that its edge is made for
+  EdgeProfile outer_edge_, inner_edge_, ooplasm_edge_, ooplasm_weight_, holder_edge_, needle_edge_, bubble_edge_,
+      droplet_edge_;
   OoplasmFlow flow_;
   std::vector<Granule> granules_;
   Mottling mottling_;

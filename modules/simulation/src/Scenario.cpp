@@ -144,6 +144,7 @@ Scenario parse_scenario(std::string_view json_text, std::string_view name) {
   puncture.take("indentation_um", scenario.puncture.indentation_um);
   puncture.take("residual_um", scenario.puncture.residual_um);
   puncture.take("relaxation_s", scenario.puncture.relaxation_s);
+  puncture.take("spread_ratio", scenario.puncture.spread_ratio);
   puncture.finish();
 
   Group optics(json, "optics", name);
@@ -237,7 +238,7 @@ void validate(const Scenario& s) {
   check("cell.size_scale", s.cell.size_scale, 0.3, 3);
   check("cell.perivitelline_gap_um", s.cell.perivitelline_gap_um, 0, 8);
 
-  check("tools.configuration", s.tools.configuration, 1, 3);
+  check("tools.configuration", s.tools.configuration, 1, 4);
   check("tools.holder_angle_deg", s.tools.holder_angle_deg, -360, 360);
   check("tools.needle_tip_radius_um", s.tools.needle_tip_radius_um, 0.5, 3);
   check("tools.needle_taper_deg", s.tools.needle_taper_deg, 0.5, 6);
@@ -258,6 +259,7 @@ void validate(const Scenario& s) {
   check("puncture.indentation_um", s.puncture.indentation_um, 0.5, 200);
   check("puncture.residual_um", s.puncture.residual_um, 0, 20);
   check("puncture.relaxation_s", s.puncture.relaxation_s, 0.001, 10);
+  check("puncture.spread_ratio", s.puncture.spread_ratio, 0, 0.5);
 
   check("optics.background_ratio", s.optics.background_ratio, 0.1, 0.9);
   check("optics.contrast", s.optics.contrast, 0.1, 2);

@@ -42,9 +42,10 @@ double degrees(const Eigen::Vector2d& direction) {
   return std::round(angle * 1e9) / 1e9 + 0.0;
 }
 
-NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, double tip_z_um, double length_um) {
+NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, double tip_x_um, double tip_z_um,
+                        double length_um) {
   NeedlePose needle;
-  needle.tip_um = pose.to_image({0, tip_z_um});
+  needle.tip_um = pose.to_image({tip_x_um, tip_z_um});
   needle.direction = -pose.axis;
   needle.tip_radius_um = tools.needle_tip_radius_um;
   needle.confidence = 1.0;
@@ -58,8 +59,8 @@ NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, 
   needle.outline_um.col(0) = needle.tip_um;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double back = back_um[static_cast<std::size_t>(i)], width = needle_half_width_um(tools, back);
-    needle.outline_um.col(1 + i) = pose.to_image({width, tip_z_um + back});
-    needle.outline_um.col(2 * count - i) = pose.to_image({-width, tip_z_um + back});
+    needle.outline_um.col(1 + i) = pose.to_image({tip_x_um + width, tip_z_um + back});
+    needle.outline_um.col(2 * count - i) = pose.to_image({tip_x_um - width, tip_z_um + back});
   }
   return needle;
 }
@@ -133,7 +134,9 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
   // The tip sits on the outer apex while the membrane is whole. Tools reach out of any picture.
   const double diagonal_um =
       scenario.image.pixel_size_um * std::hypot(scenario.image.width_px, scenario.image.height_px) + 100.0;
-  seen.needle = place_needle(scenario.tools, pose, specimen.outer_radius_um() - state.tip_depth_um, diagonal_um);
+  const double tip_z_um =
+      specimen.rest_z_um(std::hypot(state.tip_offset_um, state.tip_out_of_plane_um)) - state.tip_depth_um;
+  seen.needle = place_needle(scenario.tools, pose, state.tip_offset_um, tip_z_um, diagonal_um);
   seen.holder = place_holder(specimen, pose.center_um, stage.turn(specimen.holder_direction()), diagonal_um);
 
   seen.center_um = pose.center_um;
@@ -145,6 +148,17 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
   seen.dimple_radius_um = state.membrane_depth_um > 0 ? dimple_radius_um(state.section.outer_um) : 0.0;
 
   truth.contact_force_uN = state.contact_force_uN;
+  truth.lateral_force_uN = state.lateral_force_uN;
+  truth.tip_um = {seen.needle->tip_um.x(), seen.needle->tip_um.y(), state.tip_out_of_plane_um};
+  truth.tip_depth_um = state.tip_depth_um;
+  truth.in_range = state.in_range;
+  truth.deposited_pL = state.moment.deposited_pL;
+  for (int k = 0; k < state.moment.droplet_count; ++k) {
+    Droplet droplet = state.moment.droplets[static_cast<std::size_t>(k)];
+    const Eigen::Vector2d place = stage.place({droplet.center_um.x, droplet.center_um.y});
+    droplet.center_um = {place.x(), place.y(), droplet.center_um.z};
+    truth.droplets.push_back(droplet);
+  }
   truth.pressure_Pa = state.pressure_Pa;
   truth.volume_um3 = revolved_volume_um3(state.section.outer_um);
   return truth;
@@ -152,7 +166,7 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
 
 TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_(file), contours_(contour_file(file)) {
   rows_ << "frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,"
-           "contact_force_uN,pressure_Pa,volume_um3,rotation_deg\n";
+           "contact_force_uN,pressure_Pa,volume_um3,rotation_deg,lateral_force_uN,deposited_pL\n";
   contours_ << "frame,membrane,point,x_um,y_um\n";
   check(rows_, file_);
   check(contours_, contour_file(file_));
@@ -161,9 +175,10 @@ TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_
 void TruthWriter::write(const Truth& truth) {
   const Observation& seen = truth.observation;
   rows_ << seen.frame_index << ',' << csv_number(seen.time_s) << ',' << static_cast<int>(seen.state);
-  for (double value : {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(),
-                       seen.needle->tip_um.y(), seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN,
-                       truth.pressure_Pa, truth.volume_um3, seen.rotation_rad * 180 / kPi})
+  for (double value :
+       {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(), seen.needle->tip_um.y(),
+        seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3,
+        seen.rotation_rad * 180 / kPi, truth.lateral_force_uN, truth.deposited_pL})
     rows_ << ',' << csv_number(value);
   rows_ << '\n' << std::flush;
 

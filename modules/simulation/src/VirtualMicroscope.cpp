@@ -1,19 +1,24 @@
 #include "pellucida/simulation/VirtualMicroscope.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "Renderer.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/simulation/NeedleScript.h"
 
 namespace pellucida {
 
 class VirtualMicroscope::Impl {
  public:
-  explicit Impl(const Scenario& scenario)
-      : scenario_(scenario), specimen_(scenario), script_(scenario.motion), renderer_(scenario, specimen_) {
+  Impl(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace)
+      : scenario_(scenario),
+        specimen_(scenario),
+        needle_(needle ? std::move(needle) : std::make_shared<ScriptedNeedle>(scenario, specimen_)),
+        renderer_(scenario, specimen_) {
     const auto& image = scenario_.image;
-    const double duration_s = image.duration_s > 0 ? image.duration_s : script_.duration_s();
+    const std::optional<double> duration_s = image.duration_s > 0 ? image.duration_s : needle_->duration_s();
     info_.name = "virtual:" + scenario_.name;
     info_.width_px = image.width_px;
     info_.height_px = image.height_px;
@@ -22,25 +27,29 @@ class VirtualMicroscope::Impl {
     info_.pixel_size_origin = "scenario";
     info_.frame_rate_hz = image.frame_rate_hz;
     info_.frame_rate_origin = "scenario";
+    info_.live = pace == Pace::kWallClock;
     // At least one frame; the epsilon forgives a product such as 5.3 * 30 that falls short of a whole number.
-    info_.frame_count = std::max(1L, static_cast<long>(std::ceil(duration_s * image.frame_rate_hz - 1e-6)));
+    if (duration_s)
+      info_.frame_count = std::max(1L, static_cast<long>(std::ceil(*duration_s * image.frame_rate_hz - 1e-6)));
     restart();
   }
 
   void restart() {
     next_index_ = 0;
     specimen_.reset();
+    needle_->restart();
     move_to(0);
   }
 
   bool skip() {
-    if (next_index_ >= *info_.frame_count) return false;
+    if (ended()) return false;
     move_to(next_index_++);
     return true;
   }
 
   std::optional<Frame> next() {
-    if (next_index_ >= *info_.frame_count) return std::nullopt;
+    const long gap_count = info_.live && !ended() ? wait() : 0;
+    if (ended()) return std::nullopt;
     const long index = next_index_++;
     move_to(index);
     const cv::Mat& pixels = renderer_.render(truth_, state_, stage_);
@@ -55,6 +64,7 @@ class VirtualMicroscope::Impl {
     Frame frame;
     frame.time_s = truth_.observation.time_s;
     frame.frame_index = index;
+    frame.gap_count = gap_count;
     frame.image = Frozen<vtkImageData>(make_frame(view, frame.time_s, index));
     return frame;
   }
@@ -64,16 +74,41 @@ class VirtualMicroscope::Impl {
   Truth truth_;
 
  private:
-  // The script moves the needle, the specimen answers.
+  bool ended() const noexcept { return info_.frame_count && next_index_ >= *info_.frame_count; }
+
+  // Until the next frame is to be exposed; how many were missed, because nobody asked for them in time.
+  long wait() {
+    const double rate_hz = scenario_.image.frame_rate_hz;
+    const auto now = std::chrono::steady_clock::now();
+    if (!first_exposure_) first_exposure_ = now - seconds(static_cast<double>(next_index_) / rate_hz);
+    const double since_s = std::chrono::duration<double>(now - *first_exposure_).count();
+    const long due = static_cast<long>(std::floor(since_s * rate_hz)), missed = std::max(0L, due - next_index_);
+    next_index_ += missed;
+    std::this_thread::sleep_until(*first_exposure_ + seconds(static_cast<double>(next_index_) / rate_hz));
+    return missed;
+  }
+
+  static std::chrono::steady_clock::duration seconds(double time_s) {
+    return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(time_s));
+  }
+
+  // The drive moves the needle, the specimen answers.
   void move_to(long index) {
     const double time_s = static_cast<double>(index) / scenario_.image.frame_rate_hz;
-    state_ = specimen_.advance(script_.depth_um(time_s), time_s);
+    const NeedleCommand needle = needle_->at(time_s);
+    if (needle.moment)
+      state_ = specimen_.show(*needle.moment);
+    else if (needle.straight_depth_um)
+      state_ = specimen_.advance(*needle.straight_depth_um, time_s);
+    else
+      state_ = specimen_.advance(needle.tip_um, time_s, needle.expelled_pL);
     stage_ = stage_pose(scenario_, time_s);
     truth_ = make_truth(scenario_, specimen_, state_, stage_, time_s, index);
   }
 
   VirtualSpecimen specimen_;
-  NeedleScript script_;
+  std::shared_ptr<NeedleDrive> needle_;
+  std::optional<std::chrono::steady_clock::time_point> first_exposure_;
   Renderer renderer_;
   SpecimenState state_;
   StagePose stage_;
@@ -82,7 +117,11 @@ class VirtualMicroscope::Impl {
 
 VirtualMicroscope::VirtualMicroscope(const Scenario& scenario) {
   validate(scenario);
-  impl_ = std::make_unique<Impl>(scenario);
+  impl_ = std::make_unique<Impl>(scenario, nullptr, Pace::kAsFastAsPossible);
+}
+VirtualMicroscope::VirtualMicroscope(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace) {
+  validate(scenario);
+  impl_ = std::make_unique<Impl>(scenario, std::move(needle), pace);
 }
 VirtualMicroscope::~VirtualMicroscope() = default;
 
@@ -96,6 +135,7 @@ bool VirtualMicroscope::skip() {
   return impl_->skip();
 }
 bool VirtualMicroscope::restart() {
+  if (impl_->info_.live) return false;
   impl_->restart();
   return true;
 }

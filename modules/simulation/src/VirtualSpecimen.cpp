@@ -4,19 +4,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "SectionField.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
 
 namespace pellucida {
 
 VirtualSpecimen::VirtualSpecimen(const Scenario& scenario)
-    : reference_(CellReference::load(scenario.cell.reference, scenario.tools.configuration)),
-      puncture_(scenario.puncture),
+    : sections_(std::make_unique<SectionField>(scenario.cell.reference, scenario.tools.configuration)),
       scale_(scenario.cell.size_scale) {
   // The membrane must never be asked for more than was computed.
-  const double limit_um = scale_ * reference_.max_indentation_um();
-  const bool punctures = puncture_.enabled && puncture_.indentation_um <= scenario.motion.indentation_um;
-  const double deepest_um = punctures ? puncture_.indentation_um : scenario.motion.indentation_um;
+  const auto& puncture = scenario.puncture;
+  const double limit_um = scale_ * reference().max_indentation_um();
+  const bool punctures = puncture.enabled && puncture.indentation_um <= scenario.motion.indentation_um;
+  const double deepest_um = punctures ? puncture.indentation_um : scenario.motion.indentation_um;
   if (deepest_um > limit_um + 1e-9)
     throw UsageError("scenario '" + scenario.name + "': " + (punctures ? "puncture" : "motion") +
                      ".indentation_um is " + csv_number(deepest_um) + "; the reference of this cell ends at " +
@@ -28,45 +29,74 @@ VirtualSpecimen::VirtualSpecimen(const Scenario& scenario)
   holder_direction_ = {std::cos(holder_rad), std::sin(holder_rad)};
   // The section has the holder along (sin phi, -cos phi) of (across, axis): solve for both with a right angle between
   // them.
-  const double axis_rad = holder_rad + turn * (std::numbers::pi - reference_.holder_angle_rad());
+  const double axis_rad = holder_rad + turn * (std::numbers::pi - reference().holder_angle_rad());
   pose_.axis = {std::cos(axis_rad), std::sin(axis_rad)};
   pose_.across = turn * Eigen::Vector2d(pose_.axis.y(), -pose_.axis.x());
   pose_.center_um = {scenario.cell.center_x_um, scenario.cell.center_y_um};
+
+  const SpecimenForce::Frame frame{{pose_.center_um.x(), pose_.center_um.y(), 0.0},
+                                   {pose_.axis.x(), pose_.axis.y(), 0.0},
+                                   {pose_.across.x(), pose_.across.y(), 0.0},
+                                   scale_};
+  contact_ =
+      SpecimenContact(SpecimenForce::load(scenario.cell.reference, scenario.tools.configuration, frame), scenario);
 }
 
-SpecimenState VirtualSpecimen::advance(double tip_depth_um, double time_s) {
+VirtualSpecimen::~VirtualSpecimen() = default;
+VirtualSpecimen::VirtualSpecimen(VirtualSpecimen&&) noexcept = default;
+VirtualSpecimen& VirtualSpecimen::operator=(VirtualSpecimen&&) noexcept = default;
+
+const CellReference& VirtualSpecimen::reference() const noexcept {
+  return sections_->reference();
+}
+
+double VirtualSpecimen::rest_z_um(double offset_um) const noexcept {
+  // The configuration's own line meets it where the reference says, to the last digit.
+  if (std::abs(offset_um - this->offset_um()) < 1e-9) return scale_ * reference().apex_z_um();
+  const double radius_um = outer_radius_um();
+  return std::sqrt(std::max(0.0, radius_um * radius_um - offset_um * offset_um));
+}
+
+SpecimenState VirtualSpecimen::show(const SpecimenMoment& moment) const {
+  const SpecimenReply& reply = moment.reply;
   SpecimenState now;
-  now.tip_depth_um = tip_depth_um;
-
-  // Has the membrane given way, or the needle left it?
-  if (puncture_.enabled && puncture_time_s_ < 0 && tip_depth_um >= puncture_.indentation_um) {
-    // At the moment the depth passed, between the last call and this one.
-    const double way_um = tip_depth_um - last_depth_um_;
-    const double left_ratio = last_time_s_ && way_um > 0 ? (tip_depth_um - puncture_.indentation_um) / way_um : 0.0;
-    puncture_time_s_ = time_s - std::clamp(left_ratio, 0.0, 1.0) * (last_time_s_ ? time_s - *last_time_s_ : 0.0);
-  }
-  if (tip_depth_um <= 0) puncture_time_s_ = -1.0;
-  last_time_s_ = time_s;
-  last_depth_um_ = tip_depth_um;
-
-  double depth_um = std::max(tip_depth_um, 0.0);
-  if (puncture_time_s_ >= 0) {
-    const double decay = std::exp(-(time_s - puncture_time_s_) / puncture_.relaxation_s);
-    // The depth at the break is the scenario's.
-    const double relaxed = puncture_.residual_um + (puncture_.indentation_um - puncture_.residual_um) * decay;
-    depth_um = std::clamp(tip_depth_um, 0.0, relaxed);
-    now.state = CellState::kPunctured;
-  } else if (depth_um > 0) {
-    now.state = CellState::kContact;
-    // Lengths scale the shape, E stays: forces go with the square of the size.
-    now.contact_force_uN = scale_ * scale_ * reference_.force_uN(depth_um / scale_);
-    now.pressure_Pa = reference_.pressure_Pa(depth_um / scale_);
-  }
-  now.membrane_depth_um = depth_um;
-  now.section = reference_.section(depth_um / scale_);
+  now.moment = moment;
+  now.state = moment.state;
+  now.tip_depth_um = reply.depth_um;
+  now.tip_offset_um = reply.offset_um;
+  now.tip_out_of_plane_um = reply.out_of_plane_um;
+  now.membrane_depth_um = reply.indentation_um;
+  now.contact_force_uN = reply.axial_force_uN;
+  now.lateral_force_uN = reply.lateral_force_uN;
+  now.in_range = reply.in_range;
+  now.pressure_Pa = reference().pressure_Pa(moment.pressure_depth_um / scale_);
+  // Lengths scale the shape, E stays: forces go with the square of the size.
+  now.apex_angle_rad = sections_->apex_angle_rad(reply.offset_um / scale_);
+  now.section = sections_->at(reply.offset_um / scale_, reply.indentation_um / scale_);
   now.section.outer_um *= scale_;
   now.section.inner_um *= scale_;
   return now;
+}
+
+SpecimenState VirtualSpecimen::advance(const PlainVector3& tip_um, double time_s, double expelled_pL) {
+  return show(contact_.advance(tip_um, time_s, expelled_pL));
+}
+
+SpecimenState VirtualSpecimen::advance(double tip_depth_um, double time_s) {
+  // There and back through frame W costs a digit; the straight push needs it.
+  SpecimenMoment moment = contact_.advance(force().tip_at(offset_um(), tip_depth_um), time_s);
+  SpecimenReply& reply = moment.reply;
+  const bool follows = reply.indentation_um == std::clamp(reply.depth_um, 0.0, force().max_indentation_um());
+  reply.offset_um = offset_um();
+  reply.out_of_plane_um = 0.0;
+  reply.depth_um = tip_depth_um;
+  if (follows) reply.indentation_um = std::clamp(tip_depth_um, 0.0, force().max_indentation_um());
+  if (moment.state == CellState::kContact) {
+    reply.axial_force_uN = scale_ * scale_ * reference().force_uN(reply.indentation_um / scale_);
+    reply.lateral_force_uN = scale_ * scale_ * reference().lateral_force_uN(reply.indentation_um / scale_);
+    moment.pressure_depth_um = reply.indentation_um;
+  }
+  return show(moment);
 }
 
 double dimple_radius_um(const Contour_um& outer) {

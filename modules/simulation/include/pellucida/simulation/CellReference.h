@@ -12,12 +12,14 @@ namespace pellucida {
 /// indentation. Read from `resources/reference` (see the README there); never from the estimator's model.
 ///
 /// Frame of the section: origin at the rest centre; x across, z along the axis towards the needle. The needle pushes
-/// along -z. The holder lies in the direction (sin phi, -cos phi), phi = `holder_angle_rad`. Every contour has the same
-/// n material points, at the rest angles `angle_rad` (atan2(x, z) at rest), rising.
+/// along -z on the line x = `offset_um`. The holder lies in the direction (sin phi, -cos phi), phi =
+/// `holder_angle_rad`. Every contour has the same n material points, at the rest angles `angle_rad` (atan2(x, z) at
+/// rest), rising; the middle one, n / 2, is the outer apex, where the needle touches.
 class CellReference {
  public:
   /// `cell` "mouse-oocyte" or "mouse-embryo"; `configuration` 1 (holder opposite the needle), 2 (45 degrees off), 3
-  /// (90). Throws UsageError when there is no such reference, InputError when a file is broken.
+  /// (90), 4 (as 1, the needle 10 um beside the holder's axis and parallel to it). Throws UsageError when there is no
+  /// such reference, InputError when a file is broken.
   static CellReference load(std::string_view cell, int configuration);
 
   struct Section {
@@ -25,26 +27,30 @@ class CellReference {
     Contour_um inner_um;  ///< (2 x n)
   };
   /// Both membranes at a depth: a monotone cubic in depth for each material point. Below 0 the shape at rest; past the
-  /// last step the shape there. The outer apex (angle 0) lies at z = outer radius - depth.
+  /// last step the shape there. The outer apex lies at z = apex_z_um() - depth.
   Section section(double indentation_um) const;
-  /// Force of the needle on the cell, uN, and excess pressure, Pa; 0 at and below depth 0.
+  /// Force of the needle on the cell along its push, uN, and excess pressure, Pa; 0 at and below depth 0.
   double force_uN(double indentation_um) const;
+  /// The needle's force across its push, towards +x, of a tip that sticks to the membrane; 0 in configuration 1.
+  double lateral_force_uN(double indentation_um) const;
   double pressure_Pa(double indentation_um) const;
 
-  const Eigen::VectorXd& angle_rad() const noexcept { return angle_rad_; }  ///< (n) in [-pi, pi)
+  const Eigen::VectorXd& angle_rad() const noexcept { return angle_rad_; }  ///< (n) a turn about the apex's
   double outer_radius_um() const noexcept { return outer_radius_um_; }      ///< at rest
   double inner_radius_um() const noexcept { return inner_radius_um_; }      ///< at rest
   double max_indentation_um() const noexcept;                               ///< the last step
   double holder_angle_rad() const noexcept { return holder_angle_rad_; }
+  double offset_um() const noexcept { return offset_um_; }  ///< of the needle's line from the centre
+  double apex_z_um() const noexcept;                        ///< where that line meets the outer membrane at rest
   /// The holding ring's mean radius on the middle surface, um.
   static constexpr double kHolderRingRadius_um = 17.5;
 
  private:
   CellReference() = default;
 
-  double outer_radius_um_ = 0.0, inner_radius_um_ = 0.0, holder_angle_rad_ = 0.0;
+  double outer_radius_um_ = 0.0, inner_radius_um_ = 0.0, holder_angle_rad_ = 0.0, offset_um_ = 0.0;
   Eigen::VectorXd angle_rad_;
-  Eigen::VectorXd force_depth_um_, force_uN_, force_slope_, pressure_Pa_, pressure_slope_;
+  Eigen::VectorXd force_depth_um_, force_uN_, force_slope_, pressure_Pa_, pressure_slope_, lateral_uN_, lateral_slope_;
   Eigen::VectorXd depth_um_;                  // (s) steps of the profile
   std::vector<Eigen::VectorXd> shape_;        // (s) of (4 n): outer x, outer z, inner x, inner z
   std::vector<Eigen::VectorXd> shape_slope_;  // (s) derivatives by depth

@@ -32,9 +32,10 @@ struct Scenario {
   } cell;
 
   struct Tools {
-    int configuration = 1;              ///< 1: needle opposite the holder; 2: 45 degrees off; 3: 90 degrees off
+    int configuration = 1;              ///< 1: needle opposite the holder; 2: 45 degrees off; 3: 90 degrees off; 4: as
+                                        ///< 1, 10 um beside the holder's axis (times `cell.size_scale`)
     double holder_angle_deg = 180.0;    ///< from the cell's centre to the holder; turns the whole scene
-    bool mirrored = false;              ///< the needle on the other side of the holder's axis (configurations 2 and 3)
+    bool mirrored = false;              ///< the needle on the other side of the holder's axis (configurations 2 to 4)
     double needle_tip_radius_um = 1.5;  ///< 0.5..3
     double needle_taper_deg = 3.0;      ///< 0.5..6: half-angle of its cone at the tip
     double needle_shaft_radius_um = 6.0;  ///< 1..12: what the cone widens to
@@ -55,6 +56,7 @@ struct Scenario {
     double indentation_um = 44.0;  ///< > 0: depth at which the membrane gives way
     double residual_um = 2.0;      ///< 0..20: depth the membrane keeps about the needle
     double relaxation_s = 0.06;    ///< 0.001..10: time constant of its return
+    double spread_ratio = 0.0;     ///< 0..0.5: a cell bears this part less at most; the seed draws which
   } puncture;
 
   struct Optics {

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/simulation/Scenario.h"
@@ -19,9 +20,15 @@ namespace pellucida {
 /// likewise.
 struct Truth {
   Observation observation;
-  double contact_force_uN = 0.0;  ///< magnitude; 0 when free or punctured
+  double contact_force_uN = 0.0;  ///< of the needle on the cell, along its push; 0 when free or punctured
+  double lateral_force_uN = 0.0;  ///< across it, in the image plane, positive along the specimen's `across`
   double pressure_Pa = 0.0;       ///< excess pressure inside
   double volume_um3 = 0.0;        ///< inside the outer membrane's section, revolved (see revolved_volume_um3)
+  PlainVector3 tip_um;            ///< the needle's tip, frame W; z into the scene
+  double tip_depth_um = 0.0;      ///< its way past the resting membrane along the push; below 0 outside
+  bool in_range = true;           ///< the tip is where the finite elements' tables hold
+  std::vector<Droplet> droplets;  ///< what the needle left in the cell, places in frame W
+  double deposited_pL = 0.0;      ///< all of it
 };
 
 /// Puts a specimen's state and the tools into the image frame. `stage` moves all of it.
@@ -41,9 +48,9 @@ HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept;
 
 /// Writes truth as two CSV files, a frame at a time, flushed with each frame. `t.csv`:
 /// `frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,contact_force_uN,
-/// pressure_Pa,volume_um3,rotation_deg`, all numbers: state 0 no_cell, 1 free, 2 contact, 3 punctured, 4 lost; and
-/// beside it `t_contours.csv`: `frame,membrane,point,x_um,y_um` with membrane 0 outer, 1 inner, 2 oolemma (when the gap
-/// is seen), as `pellucida export` writes `contours.csv`.
+/// pressure_Pa,volume_um3,rotation_deg,lateral_force_uN,deposited_pL`, all numbers: state 0 no_cell, 1 free, 2 contact,
+/// 3 punctured, 4 lost; and beside it `t_contours.csv`: `frame,membrane,point,x_um,y_um` with membrane 0 outer, 1
+/// inner, 2 oolemma (when the gap is seen), as `pellucida export` writes `contours.csv`.
 class TruthWriter {
  public:
   /// Throws OutputError when one of the files can't be written, also later.

@@ -1,12 +1,15 @@
 #pragma once
 #include <Eigen/Core>
-#include <optional>
+#include <memory>
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/simulation/CellReference.h"
 #include "pellucida/simulation/Scenario.h"
+#include "pellucida/simulation/SpecimenContact.h"
 
 namespace pellucida {
+
+class SectionField;
 
 /// Where the cell lies in the image and how it is turned.
 struct SpecimenPose {
@@ -22,52 +25,65 @@ struct SpecimenPose {
 /// The specimen at one moment, in the frame of the section (CellReference).
 struct SpecimenState {
   CellState state = CellState::kFree;  ///< free, contact or punctured
-  double tip_depth_um = 0.0;           ///< of the needle, as given
+  double tip_depth_um = 0.0;           ///< of the needle past the resting membrane, as given
+  double tip_offset_um = 0.0;          ///< of the needle's line from the cell's centre, towards +x of the section
+  double tip_out_of_plane_um = 0.0;    ///< of the tip from the image plane, into the scene
   double membrane_depth_um = 0.0;      ///< of the outer membrane's contact point: the indentation
-  double contact_force_uN = 0.0;
+  double contact_force_uN = 0.0;       ///< of the needle on the cell, along its push
+  double lateral_force_uN = 0.0;       ///< across it, towards +x of the section
   double pressure_Pa = 0.0;
+  bool in_range = true;  ///< the tip is where the finite elements' tables hold
   CellReference::Section section;
+  double apex_angle_rad = 0.0;  ///< rest angle of the material under the needle: the section's point n / 2
+  SpecimenMoment moment;        ///< puncture and droplets
 };
 
-/// The cell under a needle: a function of the needle's depth and of what happened before (puncture). Knows nothing of
-/// who moves the needle. Its mechanics come from finite elements alone.
-///
-/// Free: the tip is outside the resting membrane. Contact: the membrane follows the tip. Punctured: from the moment the
-/// depth passes the scenario's puncture depth; the force is 0 at once and the membrane returns exponentially to the
-/// residual depth about the needle, or with the needle where that is less deep. Free again, and whole, once the tip has
-/// left.
+/// The cell under a needle: a function of where the needle is and of what happened before (puncture, SpecimenContact).
+/// Knows nothing of who moves the needle. Its mechanics come from finite elements alone.
 class VirtualSpecimen {
  public:
   /// Throws as CellReference::load; UsageError when the scenario's depth goes beyond the reference (which is the limit:
   /// the indentation when there is no puncture, the puncture's depth when there is).
   explicit VirtualSpecimen(const Scenario& scenario);
+  ~VirtualSpecimen();
+  VirtualSpecimen(VirtualSpecimen&&) noexcept;
+  VirtualSpecimen& operator=(VirtualSpecimen&&) noexcept;
 
-  /// The state at `time_s` with the tip `tip_depth_um` past the resting membrane. Times must not go back; see `reset`.
+  /// The straight push: the tip `tip_depth_um` past the resting membrane on the configuration's own line. Its lateral
+  /// force is that of the finite elements, whose tip sticks. Times must not go back; see `reset`.
   SpecimenState advance(double tip_depth_um, double time_s);
-  /// Forgets the puncture.
-  void reset() noexcept {
-    puncture_time_s_ = -1.0;
-    last_time_s_.reset();
-  }
+  /// A needle that goes where it likes, its direction kept: the tip at a place of frame W. `expelled_pL` is all that
+  /// it has expelled so far.
+  SpecimenState advance(const PlainVector3& tip_um, double time_s, double expelled_pL = 0.0);
+  /// The state of a contact that was advanced elsewhere, by a 1 kHz thread's own copy of `contact()`.
+  SpecimenState show(const SpecimenMoment& moment) const;
+  /// A new cell: forgets puncture and droplets.
+  void reset() noexcept { contact_.reset(); }
+
+  /// A copy of it, as it is, is what a 1 kHz thread takes.
+  const SpecimenContact& contact() const noexcept { return contact_; }
+  /// The force at any place, for a whole membrane.
+  const SpecimenForce& force() const noexcept { return contact_.force(); }
 
   /// The pose in the image without drift.
   SpecimenPose pose() const noexcept { return pose_; }
   /// Unit vector from the cell's centre to the holder, frame W.
   Eigen::Vector2d holder_direction() const noexcept { return holder_direction_; }
-  const CellReference& reference() const noexcept { return reference_; }
+  const CellReference& reference() const noexcept;
   double size_scale() const noexcept { return scale_; }
-  double outer_radius_um() const noexcept { return scale_ * reference_.outer_radius_um(); }
-  double inner_radius_um() const noexcept { return scale_ * reference_.inner_radius_um(); }
+  double outer_radius_um() const noexcept { return scale_ * reference().outer_radius_um(); }
+  double inner_radius_um() const noexcept { return scale_ * reference().inner_radius_um(); }
+  /// Of the configuration's own line from the centre, um.
+  double offset_um() const noexcept { return scale_ * reference().offset_um(); }
+  /// z of the resting membrane, in the section's frame, where a needle `offset_um` from the centre touches it.
+  double rest_z_um(double offset_um) const noexcept;
 
  private:
-  CellReference reference_;
-  Scenario::Puncture puncture_;
+  std::unique_ptr<const SectionField> sections_;
   double scale_ = 1.0;
   SpecimenPose pose_;
   Eigen::Vector2d holder_direction_ = Eigen::Vector2d::UnitX();
-  double puncture_time_s_ = -1.0;      // < 0: the membrane is whole
-  std::optional<double> last_time_s_;  // of the last call
-  double last_depth_um_ = 0.0;         // of the tip then
+  SpecimenContact contact_;
 };
 
 /// Radius of the dimple's mouth across the axis: half the distance between the crests on both sides of the apex; 0
