@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "pellucida/simulation/CommandedNeedle.h"
+#include "pellucida/simulation/SimulatedHand.h"
 #include "tracking/AllocationCounter.h"
 
 namespace pellucida {
@@ -20,6 +21,22 @@ TEST(SpecimenRealTime, MovingTheNeedleAllocatesNothing) {
   }
   EXPECT_EQ(counter.count(), 0u);
   EXPECT_GT(felt, 0);
+}
+
+TEST(SpecimenRealTime, TheHandAllocatesNothing) {
+  OperatorPlan plan;
+  plan.target_um = {-60, 0, 0};
+  SimulatedHand hand(OperatorOptions{}, plan, ArmOptions{}, 4);
+  HandSample sample;
+  hand.read(0, sample);
+  const test::AllocationCounter counter;
+  for (int k = 1; k <= 10000; ++k) {
+    if (k % 33 == 0) hand.see({1e-3 * k, {1e4 * sample.position_m.x, 0, 0}, true, k > 4000});
+    hand.write({0.1, 0, 0});
+    hand.read(1e-3 * k, sample);
+  }
+  EXPECT_EQ(counter.count(), 0u);
+  EXPECT_GT(hand.person().submovement_count(), 0);
 }
 
 }  // namespace
