@@ -1,0 +1,51 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sp_port;
+
+namespace pellucida {
+
+/// A serial port of this machine.
+struct SerialPortInfo {
+  std::string path;         ///< "/dev/ttyUSB0"
+  std::string description;  ///< as the system names it
+  std::string trouble;      ///< why it can't be used as things stand, and how to mend it; empty: it can be
+};
+
+/// The serial ports there are. Empty when there are none.
+std::vector<SerialPortInfo> serial_ports();
+
+/// An open serial port, 8 data bits, no parity, 1 stop bit, no flow control, ours alone. Every wait has a deadline. One
+/// thread at a time; never the 1 kHz thread.
+class SerialPort {
+ public:
+  /// Throws DeviceError: no such port, no permission (and which group has it), in use, not a serial port.
+  SerialPort(const std::string& path, int baud);
+
+  /// All of `bytes` within `timeout_s`. Throws DeviceError when the port is gone, or does not take them in time.
+  void write(std::string_view bytes, double timeout_s);
+
+  /// What has come, at least one byte, up to `capacity`; 0 when nothing came within `timeout_s`. Throws DeviceError
+  /// when the port is gone.
+  std::size_t read(char* into, std::size_t capacity, double timeout_s);
+
+  /// Forgets what has come and was not read.
+  void discard_input() noexcept;
+
+  const std::string& path() const noexcept { return path_; }
+
+ private:
+  struct Closer {
+    void operator()(sp_port* port) const noexcept;
+  };
+  [[noreturn]] void lost(const char* doing) const;
+
+  std::string path_;
+  std::unique_ptr<sp_port, Closer> port_;
+};
+
+}  // namespace pellucida

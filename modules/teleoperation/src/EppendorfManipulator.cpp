@@ -1,0 +1,223 @@
+#include "pellucida/teleoperation/EppendorfManipulator.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kBaud = 19200;
+// A motion and a question with their answers are some 80 characters of 10 bits: 42 ms of the line.
+constexpr double kRate_Hz = 20.0;
+constexpr double kWriteTimeout_s = 0.5;
+
+double steady_now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Noise as it can be shown on a terminal.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+EppendorfManipulator::EppendorfManipulator(const EppendorfOptions& options) : options_(options) {
+  for (const double value :
+       {options.max_speed_um_per_s, options.travel_um, options.answer_timeout_s, options.standstill_timeout_s}) {
+    if (value > 0.0 && std::isfinite(value)) continue;
+    throw UsageError("Eppendorf manipulator: speed, travel and times must be above 0, not " + std::to_string(value));
+  }
+  if (!(options.microsteps_per_um >= 0.0) || !std::isfinite(options.microsteps_per_um)) {
+    throw UsageError("Eppendorf manipulator: microsteps for a um must be 0 (use um) or above, not " +
+                     std::to_string(options.microsteps_per_um));
+  }
+  for (int column = 0; column < 3; ++column) world_from_device_.col(column) = options.axes[column].eigen();
+  if (!world_from_device_.allFinite() || !(std::abs(world_from_device_.determinant()) > 0.01)) {
+    throw UsageError("Eppendorf manipulator: the three axes must be unit vectors that span space");
+  }
+  if (options.microsteps_per_um > 0.0) units_per_um_ = options.microsteps_per_um;
+  specification_.name = "Eppendorf manipulator at " + options.port;
+  const Eigen::Vector3d reach_um = world_from_device_.cwiseAbs() * Eigen::Vector3d::Constant(options.travel_um);
+  specification_.lower_um = Eigen::Vector3d(-reach_um);
+  specification_.upper_um = reach_um;
+  specification_.max_speed_um_per_s = options.max_speed_um_per_s;
+  specification_.resolution_um = 1.0 / units_per_um_;
+  specification_.rate_Hz = kRate_Hz;
+  specification_.source = "PatchMan NP 2 operating manual, appendix PC interface; travel and speed: chosen";
+}
+
+EppendorfManipulator::~EppendorfManipulator() {
+  close();
+}
+
+void EppendorfManipulator::open() {
+  if (port_) return;
+  port_ = std::make_unique<SerialPort>(options_.port, kBaud);
+  port_->discard_input();
+  lines_.clear();
+  last_stray_.clear();
+  sent_ = stopped_ = polled_ = clamped_ = false;
+  version_ = ask(EppendorfCode::kVersion, eppendorf_command(EppendorfCode::kVersion), options_.answer_timeout_s).text;
+  ask(EppendorfCode::kRemoteControl, eppendorf_command(EppendorfCode::kRemoteControl), options_.standstill_timeout_s);
+  position_ = ask_position();
+}
+
+void EppendorfManipulator::close() noexcept {
+  if (!port_) return;
+  try {
+    // As the last thing: stand, and give joystick and keys back to the person. The answers matter to nobody.
+    port_->write(eppendorf_command(EppendorfCode::kStop), kWriteTimeout_s);
+    EppendorfAnswer answer;
+    await(EppendorfCode::kStop, options_.answer_timeout_s, answer);
+    port_->write(eppendorf_command(EppendorfCode::kManualControl), kWriteTimeout_s);
+    await(EppendorfCode::kManualControl, options_.answer_timeout_s, answer);
+  } catch (const DeviceError&) {
+    // It is gone: nothing is left to be told.
+  }
+  port_.reset();
+}
+
+void EppendorfManipulator::give_up(const std::string& what) {
+  port_.reset();
+  throw DeviceError("Eppendorf manipulator at " + options_.port + ": " + what);
+}
+
+bool EppendorfManipulator::await(EppendorfCode code, double timeout_s, EppendorfAnswer& answer) {
+  const double deadline_s = steady_now_s() + timeout_s;
+  while (true) {
+    while (const auto line = lines_.next()) {
+      if (const auto found = eppendorf_answer(*line); found && found->code == static_cast<int>(code)) {
+        answer = *found;
+        return true;
+      }
+      // Noise, the echo of our own command, or an answer that came too late for its question.
+      last_stray_ = printable(*line);
+      ++stray_line_count_;
+    }
+    const double left_s = deadline_s - steady_now_s();
+    if (left_s <= 0.0) return false;
+    char bytes[64];
+    lines_.push({bytes, port_->read(bytes, sizeof bytes, left_s)});
+  }
+}
+
+EppendorfAnswer EppendorfManipulator::ask(EppendorfCode code, const std::string& command, double timeout_s) {
+  const std::string name = command.substr(0, 4);
+  try {
+    // What is still on its way belongs to an earlier question.
+    port_->discard_input();
+    lines_.clear();
+    // Once more when no answer comes: a bit may have been lost on the line. All our commands may be given twice.
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      EppendorfAnswer answer;
+      port_->write(command, kWriteTimeout_s);
+      if (await(code, timeout_s, answer)) return answer;
+    }
+  } catch (const DeviceError& fault) {
+    give_up(fault.what());
+  }
+  give_up("no answer to " + name + " within " + std::to_string(timeout_s) + " s, asked twice" +
+          (last_stray_.empty() ? "" : "; the last line that came was \"" + last_stray_ + "\"") +
+          "; check that it is switched on and set to 19200 baud");
+}
+
+Eigen::Vector3d EppendorfManipulator::ask_position() {
+  const EppendorfCode code =
+      options_.microsteps_per_um > 0.0 ? EppendorfCode::kPositionMicrosteps : EppendorfCode::kPositionMicrometres;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const EppendorfAnswer answer = ask(code, eppendorf_command(code), options_.answer_timeout_s);
+    if (const auto position = eppendorf_position(answer)) {
+      at_switch_ = position->limit_switches != 0;
+      return {static_cast<double>(position->coordinates[0]), static_cast<double>(position->coordinates[1]),
+              static_cast<double>(position->coordinates[2])};
+    }
+    last_stray_ = printable(answer.text);
+    ++stray_line_count_;
+  }
+  give_up("its position came as \"" + last_stray_ + "\", not as three coordinates and the limit switches");
+}
+
+void EppendorfManipulator::register_tip(const PlainVector3& tip_um) {
+  if (!port_) throw DeviceError("Eppendorf manipulator at " + options_.port + ": not open");
+  position_ = ask_position();
+  origin_um_ = tip_um.eigen() - world_from_device_ * (position_ / units_per_um_);
+  const Eigen::Vector3d reach_um = world_from_device_.cwiseAbs() * Eigen::Vector3d::Constant(options_.travel_um);
+  specification_.lower_um = Eigen::Vector3d(origin_um_ - reach_um);
+  specification_.upper_um = Eigen::Vector3d(origin_um_ + reach_um);
+}
+
+void EppendorfManipulator::halt() {
+  ask(EppendorfCode::kStop, eppendorf_command(EppendorfCode::kStop), options_.standstill_timeout_s);
+  sent_ = false;
+}
+
+void EppendorfManipulator::command(const PipetteCommand& command, double) {
+  if (!port_) throw DeviceError("Eppendorf manipulator at " + options_.port + ": not open");
+  if (command.stop) {
+    if (!stopped_) halt();
+    stopped_ = true;
+    return;
+  }
+  stopped_ = false;
+  const double speed_um_per_s = std::min(command.max_speed_um_per_s, options_.max_speed_um_per_s);
+  if (!(speed_um_per_s > 0.0)) {
+    if (sent_) halt();
+    return;
+  }
+  // Frame W to the device's axes and units, within the travel.
+  const Eigen::Vector3d wished = world_from_device_.inverse() * (command.tip_um.eigen() - origin_um_) * units_per_um_;
+  const double travel = options_.travel_um * units_per_um_;
+  const Eigen::Vector3d target = wished.cwiseMax(-travel).cwiseMin(travel);
+  clamped_ = target != wished;
+  move(target, speed_um_per_s);
+}
+
+void EppendorfManipulator::move(const Eigen::Vector3d& target, double speed_um_per_s) {
+  const Eigen::Vector3d way = target.array().round().matrix() - position_;
+  const double length = way.norm();
+  if (length < 0.5 && !sent_) return;
+  std::array<long, 3> position{}, speed{};
+  for (int axis = 0; axis < 3; ++axis) {
+    position[axis] = std::lround(target[axis]);
+    // The speed shared so that the axes arrive together; an axis with nothing to do gets 0.
+    const double share = length > 0.0 ? std::abs(way[axis]) / length : 0.0;
+    speed[axis] = share > 0.0 ? std::max(1L, std::lround(share * speed_um_per_s * units_per_um_)) : 0;
+  }
+  if (sent_ && position == sent_position_ && speed_um_per_s == sent_speed_um_per_s_) return;
+  const EppendorfCode code =
+      options_.microsteps_per_um > 0.0 ? EppendorfCode::kGoToMicrosteps : EppendorfCode::kGoToMicrometres;
+  ask(code, eppendorf_go_to(code, position, speed), options_.answer_timeout_s);
+  sent_position_ = position;
+  sent_speed_um_per_s_ = speed_um_per_s;
+  sent_ = true;
+}
+
+PipetteState EppendorfManipulator::state(double now_s) {
+  if (!port_) throw DeviceError("Eppendorf manipulator at " + options_.port + ": not open");
+  const Eigen::Vector3d before = position_;
+  position_ = ask_position();
+  PipetteState state;
+  state.time_s = now_s;
+  state.known = true;
+  state.tip_um = Eigen::Vector3d(origin_um_ + world_from_device_ * (position_ / units_per_um_));
+  if (polled_ && now_s > polled_s_) {
+    state.velocity_um_per_s =
+        Eigen::Vector3d(world_from_device_ * (position_ - before) / units_per_um_ / (now_s - polled_s_));
+  }
+  state.moving = polled_ && position_ != before;
+  state.at_limit = at_switch_ || clamped_;
+  state.stopped = stopped_;
+  polled_ = true;
+  polled_s_ = now_s;
+  return state;
+}
+
+}  // namespace pellucida
