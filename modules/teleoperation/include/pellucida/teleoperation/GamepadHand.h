@@ -1,0 +1,57 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pellucida/teleoperation/PolledHand.h"
+
+struct _SDL_Joystick;
+struct _SDL_GameController;
+
+namespace pellucida {
+
+/// A gamepad or joystick this machine has.
+struct GamepadInfo {
+  int index = 0;  ///< as SDL counts them now
+  std::string name;
+  bool has_rumble = false;
+};
+
+/// The gamepads there are. Throws DeviceError when SDL can't look for them.
+std::vector<GamepadInfo> gamepads();
+
+struct GamepadOptions {
+  std::string name;            ///< part of its name; empty: the first one
+  double reach_m = 0.02;       ///< hand motion for a stick at its end
+  double rate_Hz = 250.0;      ///< readings a second
+  double full_rumble_N = 2.0;  ///< force that rumbles with all there is
+};
+
+/// A gamepad through SDL 2. Left stick: the image plane; right stick, up and down: along the depth (pulled is towards
+/// the person). It springs back: use rate control with `self_centring`. Buttons, in SDL's layout: A injects, B is the
+/// clutch, X retracts, Y or Back is the emergency stop. The contact is told by its rumble, where it has one.
+///
+/// Unplugged, it is lost; plugged in again (or another one that fits the name), it is back.
+class GamepadHand final : public PolledHand {
+ public:
+  /// Throws DeviceError: none there, or none of that name (and which there are); UsageError for a number not above 0.
+  explicit GamepadHand(const GamepadOptions& options = {});
+  ~GamepadHand() override;
+
+ private:
+  struct Sdl;
+  Reading poll(const TouchCue& cue, std::stop_token stop) override;
+  bool look_for_it();
+  void let_go();
+  void rumble(const TouchCue& cue);
+
+  GamepadOptions options_;
+  std::unique_ptr<Sdl> sdl_;  ///< before and after all that is SDL's
+  _SDL_Joystick* joystick_ = nullptr;
+  _SDL_GameController* controller_ = nullptr;
+  int last_rumble_ = 0;
+  int until_next_rumble_ = 0;  ///< polls
+  int until_next_look_ = 0;    ///< polls
+};
+
+}  // namespace pellucida

@@ -1,0 +1,37 @@
+#pragma once
+#include <string>
+
+#include "pellucida/teleoperation/PolledHand.h"
+
+namespace pellucida {
+
+struct SpaceMouseOptions {
+  double reach_m = 0.02;           ///< hand motion for the cap at its end
+  double full_deflection = 350.0;  ///< what the daemon reports there
+};
+
+/// A SpaceMouse through the daemon spacenavd (libspnav). Pushing the cap moves, turning it does not matter. It springs
+/// back: use rate control with `self_centring`. First button: clutch; second: inject; third: emergency stop.
+///
+/// When the daemon goes, the device is lost; when it returns, it's back. libspnav holds one connection for a program.
+class SpaceMouseHand final : public PolledHand {
+ public:
+  /// Throws DeviceError: no daemon (not installed, not running, no permission), or another one is in use.
+  explicit SpaceMouseHand(const SpaceMouseOptions& options = {});
+  ~SpaceMouseHand() override;
+
+ private:
+  Reading poll(const TouchCue& cue, std::stop_token stop) override;
+  void take_events();
+
+  SpaceMouseOptions options_;
+  Reading reading_;
+};
+
+/// Why no SpaceMouse can be reached, and how to mend it; empty when the daemon answers. Opens nothing.
+std::string space_mouse_trouble();
+
+/// The name of the device the daemon has, or empty. Connects for a moment.
+std::string space_mouse_name();
+
+}  // namespace pellucida
