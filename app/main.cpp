@@ -6,6 +6,7 @@
 #include "commands/BenchCommand.h"
 #include "commands/CheckCommand.h"
 #include "commands/CommandLine.h"
+#include "commands/DevicesCommand.h"
 #include "commands/ExportCommand.h"
 #include "commands/ForceCommand.h"
 #include "commands/IdentifyCommand.h"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   pellucida::add_check_command(app);
   pellucida::add_export_command(app);
   pellucida::add_bench_command(app);
+  pellucida::add_devices_command(app);
   pellucida::add_profiles_command(app);
   pellucida::keep_command_line(argc, argv);
   try {

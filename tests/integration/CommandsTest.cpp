@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 #include <sstream>
 
 #include "pellucida/core/Measurement.h"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
   for (const char* command :
-       {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench", "profiles"}) {
+       {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench", "devices", "profiles"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
@@ -33,6 +34,27 @@ TEST(Commands, ProfilesAreListed) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("mouse-oocyte"), std::string::npos);
   EXPECT_NE(outcome.out.find("mouse-embryo"), std::string::npos);
+}
+
+// Whatever this machine has: each kind is told of, what is always there is usable, and what is not says why.
+TEST(Commands, DevicesTellsOfEachKindAndWhyNot) {
+  const auto folder = test::fresh_folder("commands_devices", testing::TempDir());
+  const auto outcome = test::run_program("devices --json", folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::set<std::string> kinds, usable;
+  const auto report = nlohmann::json::parse(outcome.out);
+  for (const auto& device : report.at("devices")) {
+    kinds.insert(device.at("kind"));
+    EXPECT_FALSE(device.at("detail").get<std::string>().empty()) << device.dump();
+    if (device.at("usable").get<bool>()) usable.insert(device.at("name"));
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"camera", "hand", "manipulator", "serial port"}));
+  for (const char* name : {"mouse", "simulated", "virtual"}) EXPECT_TRUE(usable.count(name)) << name;
+
+  const auto listed = test::run_program("devices", folder);
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_NE(listed.out.find("OpenHaptics"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("SpaceMouse"), std::string::npos) << listed.out;
 }
 
 TEST(Commands, ForcePassesTheMeasuredPuncturePoint) {

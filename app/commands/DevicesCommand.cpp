@@ -1,0 +1,91 @@
+#include "commands/DevicesCommand.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pellucida/teleoperation/DeviceSearch.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Video4Linux's cameras, by the names a source takes, and the virtual microscope.
+std::vector<DeviceReport> search_cameras() {
+  std::vector<DeviceReport> reports;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/sys/class/video4linux", ignored)) {
+    const std::string node = entry.path().filename().string();
+    if (node.rfind("video", 0) != 0) continue;
+    std::string model;
+    std::getline(std::ifstream(entry.path() / "name"), model);
+    const bool allowed = access(("/dev/" + node).c_str(), R_OK | W_OK) == 0;
+    reports.push_back({"camera", "v4l2:" + node.substr(5), allowed,
+                       allowed
+                           ? model
+                           : "no permission to read and write /dev/" + node +
+                                 "; add yourself to the group video: sudo adduser \"$USER\" video, and log in again"});
+  }
+  std::sort(reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  if (reports.empty())
+    reports.push_back({"camera", "v4l2", false, "no Video4Linux camera is plugged in (no /dev/video*)"});
+  reports.push_back({"camera", "virtual", true, "the virtual microscope"});
+  return reports;
+}
+
+std::vector<DeviceReport> search_all() {
+  std::vector<DeviceReport> reports = search_cameras();
+  for (const auto& part : {search_hand_devices(), search_manipulators()}) {
+    reports.insert(reports.end(), part.begin(), part.end());
+  }
+  return reports;
+}
+
+void print(const std::vector<DeviceReport>& reports) {
+  std::size_t name_width = 0;
+  for (const auto& report : reports) name_width = std::max(name_width, report.name.size());
+  for (const auto& report : reports) {
+    std::cout << (report.usable ? "yes  " : "no   ") << std::left << std::setw(13) << report.kind
+              << std::setw(static_cast<int>(name_width) + 2) << report.name << report.detail << '\n';
+  }
+}
+
+void print_json(const std::vector<DeviceReport>& reports) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& report : reports) {
+    list.push_back(
+        {{"kind", report.kind}, {"name", report.name}, {"usable", report.usable}, {"detail", report.detail}});
+  }
+  // A device may name itself in bytes that are no text.
+  std::cout << nlohmann::json{{"devices", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& app) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand(
+      "devices",
+      "cameras, devices for the hand, serial ports, manipulators: what is there, what is not and exactly why");
+  command->add_flag("--json", *json, "the same as JSON: kind, name, usable, detail");
+  command->callback([json] {
+    const auto reports = search_all();
+    if (*json) {
+      print_json(reports);
+    } else {
+      print(reports);
+    }
+  });
+}
+
+}  // namespace pellucida

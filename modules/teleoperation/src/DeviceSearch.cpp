@@ -1,0 +1,97 @@
+#include "pellucida/teleoperation/DeviceSearch.h"
+
+#include <glob.h>
+#include <unistd.h>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/teleoperation/GamepadHand.h"
+#include "pellucida/teleoperation/MouseHand.h"
+#include "pellucida/teleoperation/OpenHapticsHand.h"
+#include "pellucida/teleoperation/SerialPort.h"
+#include "pellucida/teleoperation/SimulatedInjector.h"
+#include "pellucida/teleoperation/SpaceMouseHand.h"
+
+namespace pellucida {
+namespace {
+
+/// Input devices this user may not read: what would hide a gamepad that is plugged in.
+std::vector<std::string> forbidden_gamepads() {
+  std::vector<std::string> forbidden;
+  glob_t found{};
+  // Gamepads have both a joystick node and an event node; SDL reads the latter.
+  if (glob("/dev/input/by-*/*-event-joystick", 0, nullptr, &found) == 0) {
+    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
+      if (access(found.gl_pathv[i], R_OK) != 0) forbidden.push_back(found.gl_pathv[i]);
+    }
+  }
+  globfree(&found);
+  return forbidden;
+}
+
+void add_gamepads(std::vector<DeviceReport>& reports) {
+  try {
+    const auto found = gamepads();
+    for (const auto& pad : found) {
+      reports.push_back({"hand", "gamepad: " + pad.name, true, pad.has_rumble ? "with rumble" : "without rumble"});
+    }
+    const auto forbidden = forbidden_gamepads();
+    for (const auto& path : forbidden) {
+      reports.push_back({"hand", "gamepad", false,
+                         "no permission to read " + path +
+                             "; add yourself to the group input: sudo adduser \"$USER\" input, and log in again"});
+    }
+    if (found.empty() && forbidden.empty()) reports.push_back({"hand", "gamepad", false, "none is plugged in"});
+  } catch (const DeviceError& error) {
+    reports.push_back({"hand", "gamepad", false, error.what()});
+  }
+}
+
+void add_space_mouse(std::vector<DeviceReport>& reports) {
+  const std::string trouble = space_mouse_trouble();
+  if (!trouble.empty()) {
+    reports.push_back({"hand", "SpaceMouse", false, trouble});
+    return;
+  }
+  const std::string name = space_mouse_name();
+  reports.push_back(
+      {"hand", "SpaceMouse", true, name.empty() ? "the daemon answers; it does not say which device it has" : name});
+}
+
+void add_open_haptics(std::vector<DeviceReport>& reports) {
+  const std::string trouble = open_haptics_trouble();
+  reports.push_back(
+      {"hand", "OpenHaptics", trouble.empty(),
+       trouble.empty() ? "the driver's library is there; a device is opened when it is chosen" : trouble});
+}
+
+}  // namespace
+
+std::vector<DeviceReport> search_hand_devices() {
+  std::vector<DeviceReport> reports;
+  add_open_haptics(reports);
+  add_space_mouse(reports);
+  add_gamepads(reports);
+  reports.push_back({"hand", "mouse", true, "mouse and keyboard; no force, the resistance is seen"});
+  return reports;
+}
+
+std::vector<DeviceReport> search_manipulators() {
+  std::vector<DeviceReport> reports;
+  const auto ports = serial_ports();
+  bool usable_port = false;
+  for (const auto& port : ports) {
+    usable_port = usable_port || port.trouble.empty();
+    reports.push_back(
+        {"serial port", port.path, port.trouble.empty(), port.trouble.empty() ? port.description : port.trouble});
+  }
+  if (ports.empty()) {
+    reports.push_back({"serial port", "serial port", false, "this machine has none; plug in a USB serial adapter"});
+  }
+  reports.push_back({"manipulator", "Eppendorf", usable_port,
+                     usable_port ? "can be tried at the serial ports above; it is not asked unless it is chosen"
+                                 : "no serial port that can be used; see above"});
+  reports.push_back({"manipulator", "simulated", true, "the simulated injector"});
+  return reports;
+}
+
+}  // namespace pellucida
