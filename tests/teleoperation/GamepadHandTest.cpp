@@ -121,7 +121,7 @@ TEST_F(GamepadHandTest, ButtonsMeanWhatTheyShould) {
                                                     {SDL_CONTROLLER_BUTTON_BACK, kEmergency}};
   for (const auto& [button, meaning] : meanings) {
     pad.button(button, true);
-    eventually([&] { return read() && sample_.buttons == meaning; });
+    eventually([&, expected = meaning] { return read() && sample_.buttons == expected; });
     pad.button(button, false);
     eventually([&] { return read() && sample_.buttons == 0; });
   }
