@@ -12,6 +12,7 @@ struct PlainVector3 {
   PlainVector3(double x_value, double y_value, double z_value) noexcept : x(x_value), y(y_value), z(z_value) {}
   PlainVector3(const Eigen::Vector3d& v) noexcept : x(v.x()), y(v.y()), z(v.z()) {}  // NOLINT: meant to convert
   Eigen::Vector3d eigen() const noexcept { return {x, y, z}; }
+  bool operator==(const PlainVector3&) const = default;
 };
 
 }  // namespace pellucida

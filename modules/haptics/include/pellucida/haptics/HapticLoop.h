@@ -1,0 +1,64 @@
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <stop_token>
+#include <thread>
+
+#include "pellucida/core/Clock.h"
+#include "pellucida/haptics/HapticServo.h"
+#include "pellucida/haptics/LatencyHistogram.h"
+#include "pellucida/haptics/RealTime.h"
+
+namespace pellucida {
+
+struct HapticLoopOptions {
+  double period_s = 1e-3;
+  RealTimePolicy policy = RealTimePolicy::kIgnore;
+  int priority = 80;        ///< of SCHED_FIFO, 1..99; 0: don't ask for it
+  bool lock_memory = true;  ///< of the whole process
+};
+
+/// The 1 kHz thread: turns a `HapticServo` at absolute deadlines. A deadline that has passed by more than a period is
+/// skipped and counted, never made up for in a burst. Before it ends the force goes to zero within its release time.
+class HapticLoop {
+ public:
+  /// Servo and clock (the run's) must outlive the loop. Throws UsageError for a period or priority out of range.
+  HapticLoop(HapticServo& servo, const Clock& clock, const HapticLoopOptions& options = {});
+  ~HapticLoop();
+  HapticLoop(const HapticLoop&) = delete;
+  HapticLoop& operator=(const HapticLoop&) = delete;
+
+  /// Starts the thread. With `kEnforce`, throws DeviceError where priority or locked memory are refused. Not when
+  /// running.
+  void start();
+
+  /// Ends the thread: the force fades, zero is written. Nothing when it doesn't run.
+  void stop();
+
+  bool running() const noexcept { return thread_.joinable(); }
+
+  /// What the system granted at `start`. The starting thread only.
+  const RealTimeOutcome& real_time() const noexcept { return outcome_; }
+
+  /// Any thread. Lateness: from the deadline to the start of the turn. Compute: the turn itself, device included.
+  const LatencyHistogram& lateness() const noexcept { return lateness_; }
+  const LatencyHistogram& compute() const noexcept { return compute_; }
+  std::uint64_t missed_count() const noexcept { return missed_count_.load(std::memory_order_relaxed); }
+
+ private:
+  void run(std::stop_token stop);
+  void turn_at(std::int64_t deadline_ns, bool let_go) noexcept;
+  std::int64_t next_deadline_ns(std::int64_t deadline_ns) noexcept;
+
+  HapticServo& servo_;
+  const Clock& clock_;
+  HapticLoopOptions options_;
+  std::int64_t period_ns_;
+  RealTimeOutcome outcome_;
+  LatencyHistogram lateness_, compute_;
+  std::atomic<std::uint64_t> missed_count_{0};
+  std::atomic<bool> go_{false};  ///< the thread waits for its priority before its first turn
+  std::jthread thread_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+namespace pellucida {
+
+/// What acted between hand and pipette.
+enum class LimitKind : std::uint8_t {
+  kDepth,           ///< the tip would go deeper than allowed: slowed, held, taken back
+  kForce,           ///< the force on the cell came near its limit
+  kSpeed,           ///< the hand moves faster than the pipette may
+  kTravel,          ///< the edge of the box the tip may be in
+  kFollowing,       ///< the manipulator stays behind what it was told
+  kHandForce,       ///< the device's largest force
+  kHandStiffness,   ///< the contact would be stiffer at the hand than the device holds: the force is scaled down
+  kHandSlope,       ///< the force on the hand changed as fast as it may
+  kPassivity,       ///< energy came out of the device: damping was added
+  kPuncture,        ///< the membrane gave way: the hand's force is released
+  kContactStale,    ///< the newest frame is too old: the force is damped to zero
+  kContactInvalid,  ///< the newest frame gave no usable numbers: the force is damped to zero
+  kHandJump,        ///< a reading of the hand that no hand can do: the motion is tied anew
+  kHandInvalid,     ///< a reading of the hand that isn't finite
+  kHandLost,        ///< the device gives no readings: pipette held, force released
+  kPipetteJump,     ///< a report of the manipulator that no manipulator can do
+  kPipetteLost,     ///< the manipulator doesn't report: pipette held, force released
+  kLateTick,        ///< a tick came so late that the motion is tied anew
+  kForceNotFinite,  ///< the computed force wasn't finite: zero was written
+  kEmergencyStop,   ///< everything is stopped until released
+  kCount
+};
+
+/// "depth", "force", "speed", ...: the words of `events.csv`.
+std::string_view to_string(LimitKind kind) noexcept;
+
+/// A limit that began or ceased to act. Trivially copyable: it goes through `SpscRing`.
+struct LimitEvent {
+  double time_s = 0.0;  ///< on the run's clock
+  LimitKind kind = LimitKind::kDepth;
+  bool begun = false;  ///< false: it ceased to act
+  double value = 0.0;  ///< what was measured, in the unit of the limit (um, uN, N, um/s, s); 0 where there is none
+  double limit = 0.0;
+};
+static_assert(std::is_trivially_copyable_v<LimitEvent>);
+
+/// Bit of a kind in a mask of the limits that act now.
+constexpr std::uint32_t limit_bit(LimitKind kind) noexcept {
+  return std::uint32_t{1} << static_cast<unsigned>(kind);
+}
+
+}  // namespace pellucida

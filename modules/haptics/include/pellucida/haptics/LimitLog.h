@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "pellucida/haptics/LimitEvent.h"
+
+namespace pellucida {
+
+/// Turns "this limit acts in this tick" into events: one when it begins, one when it hasn't acted for 0.1 s, so that
+/// what flickers at 1 kHz is one event. Nothing allocates or throws.
+class LimitLog {
+ public:
+  static constexpr std::size_t kKindCount = static_cast<std::size_t>(LimitKind::kCount);
+
+  /// Events of one tick.
+  struct Changes {
+    std::array<LimitEvent, kKindCount> events{};
+    std::size_t count = 0;
+  };
+
+  /// What the limit compares, for its event.
+  void note(LimitKind kind, double value, double limit) noexcept;
+
+  /// The limits that act at `now_s`, as a mask; call once a tick.
+  Changes update(double now_s, std::uint32_t acting) noexcept;
+
+ private:
+  struct Kind {
+    bool begun = false;
+    double last_s = 0.0, value = 0.0, limit = 0.0;
+  };
+  std::array<Kind, kKindCount> kinds_{};
+};
+
+}  // namespace pellucida

@@ -1,0 +1,62 @@
+#include "pellucida/haptics/RealTime.h"
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+
+namespace pellucida {
+namespace {
+
+void add(std::string& text, const std::string& more) {
+  text += (text.empty() ? "" : "; ") + more;
+}
+
+}  // namespace
+
+std::string RealTimeOutcome::text() const {
+  std::string text = fifo ? "SCHED_FIFO " + std::to_string(fifo_priority) : "normal scheduling";
+  text += memory_locked ? ", memory locked" : ", memory not locked";
+  return refused.empty() ? text : text + " (" + refused + ")";
+}
+
+void raise_priority(pthread_t thread, int priority, RealTimeOutcome& outcome) {
+  sched_param parameters{};
+  parameters.sched_priority = priority;
+  const int error = pthread_setschedparam(thread, SCHED_FIFO, &parameters);
+  outcome.fifo = error == 0;
+  outcome.fifo_priority = outcome.fifo ? priority : 0;
+  if (error != 0) {
+    add(outcome.refused, std::string("SCHED_FIFO: ") + std::strerror(error) +
+                             "; allow it with the line \"@users - rtprio 95\" in /etc/security/limits.conf");
+  }
+}
+
+void lock_memory(RealTimeOutcome& outcome) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) {
+    add(outcome.refused, "memory: locked memory is limited to " + std::to_string(limit.rlim_cur / 1024) +
+                             " kB; allow it with the line \"@users - memlock unlimited\" in /etc/security/limits.conf");
+    return;
+  }
+  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
+    add(outcome.refused, std::string("memory: ") + std::strerror(errno));
+    return;
+  }
+  outcome.memory_locked = true;
+}
+
+void sharpen_timers() noexcept {
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+}
+
+void prefault_stack() noexcept {
+  constexpr std::size_t kStackBytes = 128 * 1024, kPage = 4096;
+  volatile char stack[kStackBytes];
+  for (std::size_t k = 0; k < kStackBytes; k += kPage) stack[k] = 0;
+}
+
+}  // namespace pellucida
