@@ -101,7 +101,9 @@ Eigen::Vector3d correction_um(const CellBody& body, const Eigen::Vector3d& tip_u
 
 Eigen::Vector3d correction_um(const HolderBody& holder, const Eigen::Vector3d& tip_um) noexcept {
   const BesideLine place = beside_line(tip_um, holder.mouth_um, holder.direction);
-  return out_of(place.along_um, -holder.direction.eigen(), holder.radius_um - place.radius_um, place.outward,
+  // On its axis there is no way sideways that is better than the others: it sets in with the distance from there.
+  const Eigen::Vector3d sideways = smooth_step(2.0 * place.radius_um / holder.radius_um) * place.outward;
+  return out_of(place.along_um, -holder.direction.eigen(), holder.radius_um - place.radius_um, sideways,
                 holder.feel.width_um);
 }
 
@@ -120,9 +122,10 @@ FixtureResult apply(const FixtureSet& set, const Eigen::Vector3d& wanted_um, con
     const Eigen::Vector3d along = correction / length_um;
     const double weight = smooth_step(length_um / fixture.feel.width_um);
     const double rate_um_per_s = velocity_um_per_s.dot(along);
-    result.force_N += (fixture.feel.stiffness_N_per_m * correction -
-                       fixture.feel.damping_N_s_per_m * weight * rate_um_per_s * along) /
-                      scale_um_per_m;
+    result.force_N += saturate((fixture.feel.stiffness_N_per_m * correction -
+                                fixture.feel.damping_N_s_per_m * weight * rate_um_per_s * along) /
+                                   scale_um_per_m,
+                               set.max_force_N);
   };
   take(set.guide, kGuideBit);
   take(set.cone, kConeBit);

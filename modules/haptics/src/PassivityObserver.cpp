@@ -30,12 +30,14 @@ void PassivityObserver::observe(const Eigen::Vector3d& hand_m, const Eigen::Vect
   margin_J_ = std::min(margin_J_, largest_margin_J_);
 }
 
-Eigen::Vector3d PassivityObserver::damping_force_N(const Eigen::Vector3d& velocity_m_per_s,
-                                                   double dt_s) const noexcept {
+Eigen::Vector3d PassivityObserver::damping_force_N(const Eigen::Vector3d& velocity_m_per_s, double dt_s) noexcept {
   const double speed_squared = velocity_m_per_s.squaredNorm();
-  if (margin_J_ >= 0.0 || dt_s <= 0.0 || speed_squared <= 0.0) return Eigen::Vector3d::Zero();
-  const double alpha = std::min(-margin_J_ / (dt_s * speed_squared), max_damping_);
-  return -alpha * velocity_m_per_s;
+  double wanted = 0.0;
+  if (margin_J_ < 0.0 && dt_s > 0.0 && speed_squared > 0.0) wanted = -margin_J_ / (dt_s * speed_squared);
+  const double goal = max_damping_ > 0.0 ? std::min(1.0, wanted / max_damping_) : 0.0;
+  // A damper that came at once would be a knock.
+  constexpr double kOnset_s = 0.01;
+  return -alpha_part_.step(goal, kOnset_s, dt_s) * max_damping_ * velocity_m_per_s;
 }
 
 }  // namespace pellucida

@@ -56,7 +56,11 @@ void sharpen_timers() noexcept {
 void prefault_stack() noexcept {
   constexpr std::size_t kStackBytes = 128 * 1024, kPage = 4096;
   volatile char stack[kStackBytes];
-  for (std::size_t k = 0; k < kStackBytes; k += kPage) stack[k] = 0;
+  char read = 0;
+  for (std::size_t k = 0; k < kStackBytes; k += kPage) {
+    stack[k] = read;
+    read = stack[k];
+  }
 }
 
 }  // namespace pellucida

@@ -25,7 +25,7 @@ struct RectilinearGuide {
   PlainVector3 entry_um;
   PlainVector3 axis{1.0, 0.0, 0.0};  ///< unit vector into the cell
   double radius_um = 1.0;            ///< free play, >= 0
-  double opening_um = 10.0;          ///< above 0: before the entry, at s um, the radius has grown by s^2 / (2 opening)
+  double opening_um = 30.0;          ///< above 0: before the entry, at s um, the radius has grown by s^2 / (2 opening)
   FixtureFeel feel;
   bool operator==(const RectilinearGuide&) const = default;
 };
@@ -39,7 +39,7 @@ struct ApproachCone {
   double radius_um = 1.0;
   double half_angle_rad = 0.3;  ///< 0 .. 1.4
   double length_um = 100.0;     ///< above 0
-  double opening_um = 10.0;     ///< above 0
+  double opening_um = 30.0;     ///< above 0
   FixtureFeel feel;
   bool operator==(const ApproachCone&) const = default;
 };

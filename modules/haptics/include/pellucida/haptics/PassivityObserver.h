@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "pellucida/haptics/ForceGuards.h"
 #include "pellucida/haptics/HapticDevice.h"
 
 namespace pellucida {
@@ -27,8 +28,9 @@ class PassivityObserver {
   /// The reading of this tick, with the force written after the last one. Frame H.
   void observe(const Eigen::Vector3d& hand_m, const Eigen::Vector3d& last_force_N, double dt_s) noexcept;
 
-  /// The damper's force for this tick, zero while the margin isn't negative. Frame H, N.
-  Eigen::Vector3d damping_force_N(const Eigen::Vector3d& velocity_m_per_s, double dt_s) const noexcept;
+  /// The damper's force for this tick: none while the margin isn't negative; it comes and goes within 10 ms. Once a tick.
+  /// Frame H, N.
+  Eigen::Vector3d damping_force_N(const Eigen::Vector3d& velocity_m_per_s, double dt_s) noexcept;
 
   /// E, J.
   double margin_J() const noexcept { return margin_J_; }
@@ -38,6 +40,7 @@ class PassivityObserver {
   double credited_damping_, max_damping_, largest_margin_J_;
   double margin_J_ = 0.0;
   Eigen::Vector3d hand_m_ = Eigen::Vector3d::Zero();
+  Ramp alpha_part_;
   bool started_ = false;
 };
 
