@@ -12,13 +12,13 @@
 namespace pellucida {
 namespace {
 
-TEST(Allocation, TheCounterCounts) {
+TEST(HapticAllocation, TheCounterCounts) {
   const test::AllocationCounter counter;
   const std::vector<double> some(100, 1.0);
   EXPECT_EQ(counter.count(), 1U) << some.front();
 }
 
-TEST(Allocation, TenThousandTicksAskForNoMemory) {
+TEST(HapticAllocation, TenThousandTicksAskForNoMemory) {
   const DeviceSpecification device = find_device("Touch");
   constexpr double kScale_um_per_m = 2000.0;
   HapticSettings settings = default_settings(device, kScale_um_per_m);
