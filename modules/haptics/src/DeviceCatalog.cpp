@@ -50,7 +50,8 @@ DeviceSpecification read_device(const Json& device, const std::string& where) {
   read.name = text_of(device, "name", where);
   const std::string named = where + " (" + read.name + ")";
   read.source = text_of(device, "source", named);
-  for (const auto& [key, value] : device.items()) {
+  for (const auto& item : device.items()) {
+    const std::string& key = item.key();
     const bool known =
         key == "name" || key == "source" ||
         std::any_of(std::begin(kFields), std::end(kFields), [&](const Field& f) { return key == f.key; });
