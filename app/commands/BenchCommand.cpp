@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "commands/HapticsBench.h"
 #include "commands/Progress.h"
 #include "commands/TrackingBench.h"
 #include "pellucida/core/Clock.h"
@@ -113,6 +114,48 @@ Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
           {"ns_per_spring_step", explicit_steps.ns_per_spring_step}};
 }
 
+Json to_json(const LatencySummary& us) {
+  return {{"p50", us.p50_us},       {"p99", us.p99_us}, {"p99_9", us.p99_9_us},
+          {"p99_99", us.p99_99_us}, {"max", us.max_us}, {"count", us.count}};
+}
+
+void print_row(const char* name, const LatencySummary& us) {
+  std::printf("%-28s %7.1f us median %7.1f us p99 %8.1f us p99.9 %8.1f us p99.99 %8.1f us max %8llu\n", name, us.p50_us,
+              us.p99_us, us.p99_9_us, us.p99_99_us, us.max_us, static_cast<unsigned long long>(us.count));
+}
+
+Json bench_haptics(const BenchArguments& arguments) {
+  const HapticsFigures figures = measure_haptics(arguments.seconds);
+  print_row("haptic tick, lateness", figures.lateness_us);
+  print_row("haptic tick, compute", figures.compute_us);
+  std::printf("%-28s %llu missed; %s\n", "", static_cast<unsigned long long>(figures.missed_count),
+              figures.policy.c_str());
+  std::printf("%-28s %9.1f frames/s measured, %.1f frames/s drawn\n", "beside it", figures.pipeline_frames_per_s,
+              figures.display_frames_per_s);
+  Json report{{"lateness_us", to_json(figures.lateness_us)},
+              {"compute_us", to_json(figures.compute_us)},
+              {"missed", figures.missed_count},
+              {"policy", figures.policy},
+              {"pipeline_frames_per_s", figures.pipeline_frames_per_s},
+              {"display_frames_per_s", figures.display_frames_per_s}};
+  if (!figures.cyclictest) {
+    std::printf("%-28s not installed (Debian's rt-tests): nothing to hold the lateness against\n", "cyclictest");
+    return report;
+  }
+  const LatencySummary& floor = figures.cyclictest->lateness_us;
+  print_row("cyclictest, lateness", floor);
+  const auto ratio = [](double ours, double theirs) { return theirs > 0.0 ? ours / theirs : 0.0; };
+  const double p50 = ratio(figures.lateness_us.p50_us, floor.p50_us);
+  const double p99 = ratio(figures.lateness_us.p99_us, floor.p99_us);
+  const double p99_9 = ratio(figures.lateness_us.p99_9_us, floor.p99_9_us);
+  std::printf("%-28s %7.2f x median %9.2f x p99 %9.2f x p99.9; cyclictest with %s\n", "ours over cyclictest's", p50,
+              p99, p99_9, figures.cyclictest->policy.c_str());
+  report["cyclictest"] = {{"lateness_us", to_json(floor)},
+                          {"policy", figures.cyclictest->policy},
+                          {"ratio", {{"p50", p50}, {"p99", p99}, {"p99_9", p99_9}}}};
+  return report;
+}
+
 Json bench_pipeline(const Rounds& rounds) {
   print_row("frame arrival to force", rounds.frame_to_force_us);
   print_row("  the first frame", rounds.first_frame_us);
@@ -159,12 +202,13 @@ Json bench_session(const Rounds& rounds, const SourceInfo& source) {
 
 void bench(const BenchArguments& arguments) {
   const auto wanted = [&](const char* part) { return arguments.part == "all" || arguments.part == part; };
-  if (!(wanted("tracking") || wanted("mechanics") || wanted("pipeline") || wanted("session"))) {
-    throw UsageError("bench " + arguments.part + ": give tracking, mechanics, pipeline, session or all");
+  if (!(wanted("tracking") || wanted("mechanics") || wanted("haptics") || wanted("pipeline") || wanted("session"))) {
+    throw UsageError("bench " + arguments.part + ": give tracking, mechanics, haptics, pipeline, session or all");
   }
   Json report;
   if (wanted("tracking")) report["tracking"] = bench_tracking(arguments);
-  if (arguments.part != "tracking") {
+  if (wanted("haptics")) report["haptics"] = bench_haptics(arguments);
+  if (arguments.part != "tracking" && arguments.part != "haptics") {
     const SourceInfo source = open_any_source(arguments.source, {})->info();
     const Rounds rounds = run_rounds(arguments);
     if (rounds.frame_count == 0) throw NothingMeasuredError(arguments.source + ": it has no frames");
@@ -184,7 +228,8 @@ void bench(const BenchArguments& arguments) {
 void add_bench_command(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command = app.add_subcommand("bench", "measure the program's own speed");
-  command->add_option("part", arguments->part, "tracking, mechanics, pipeline, session or all")->capture_default_str();
+  command->add_option("part", arguments->part, "tracking, mechanics, haptics, pipeline, session or all")
+      ->capture_default_str();
   command->add_option("--json", arguments->json, "also write the figures to this file (microseconds unless named)");
   command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")->capture_default_str();
   command->add_option("--source", arguments->source, "virtual[:SCENARIO] or a file")->capture_default_str();

@@ -63,6 +63,7 @@ void HapticLoop::start() {
     thread_.join();
     throw DeviceError("haptic loop: no real time on this machine: " + outcome_.refused);
   }
+  quick_wake_.emplace();
   go_.store(true, std::memory_order_release);
   go_.notify_all();
 }
@@ -72,6 +73,7 @@ void HapticLoop::stop() {
   thread_.request_stop();
   thread_.join();
   thread_ = std::jthread();
+  quick_wake_.reset();
 }
 
 void HapticLoop::turn_at(std::int64_t deadline_ns, bool let_go) noexcept {

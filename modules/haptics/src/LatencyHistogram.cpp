@@ -36,6 +36,12 @@ void LatencyHistogram::clear() noexcept {
   max_ns_.store(0, std::memory_order_relaxed);
 }
 
+void LatencyHistogram::add(const LatencyHistogram& other) noexcept {
+  for (std::size_t k = 0; k < kBinCount; ++k) bins_[k] += other.bins_[k].load(std::memory_order_relaxed);
+  count_ += other.count_.load(std::memory_order_relaxed);
+  max_ns_ = std::max(max_ns_.load(), other.max_ns_.load(std::memory_order_relaxed));
+}
+
 double LatencyHistogram::quantile_us(double ratio) const noexcept {
   std::uint64_t total = 0;
   for (const auto& bin : bins_) total += bin.load(std::memory_order_relaxed);

@@ -1,11 +1,14 @@
 #include "pellucida/haptics/RealTime.h"
 
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace pellucida {
@@ -36,6 +39,9 @@ void raise_priority(pthread_t thread, int priority, RealTimeOutcome& outcome) {
 }
 
 void lock_memory(RealTimeOutcome& outcome) {
+  // Who has the right to more, takes it.
+  const rlimit unlimited{RLIM_INFINITY, RLIM_INFINITY};
+  setrlimit(RLIMIT_MEMLOCK, &unlimited);
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) {
     add(outcome.refused, "memory: locked memory is limited to " + std::to_string(limit.rlim_cur / 1024) +
@@ -47,6 +53,19 @@ void lock_memory(RealTimeOutcome& outcome) {
     return;
   }
   outcome.memory_locked = true;
+}
+
+// The request counts as long as the file is open.
+QuickWakeRequest::QuickWakeRequest() noexcept : file_(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC)) {
+  constexpr std::int32_t kLongest_us = 0;
+  if (file_ >= 0 && write(file_, &kLongest_us, sizeof kLongest_us) != sizeof kLongest_us) {
+    close(file_);
+    file_ = -1;
+  }
+}
+
+QuickWakeRequest::~QuickWakeRequest() {
+  if (file_ >= 0) close(file_);
 }
 
 void sharpen_timers() noexcept {

@@ -13,8 +13,7 @@
 
 namespace pellucida {
 
-double measure_display_frames_per_s(std::span<const Scene> scenes) {
-  if (scenes.empty()) return 0.0;
+double draw_scenes(const std::function<std::optional<Scene>()>& next) {
   MessageLog::install();
   VirtualDisplay display;
   vtkNew<StageSource> source;
@@ -36,11 +35,22 @@ double measure_display_frames_per_s(std::span<const Scene> scenes) {
     membranes.refresh();
     window->Render();
   };
-  draw(scenes.front());  // shaders are compiled at the first drawing
+  const auto first = next();
+  if (!first) return 0.0;
+  draw(*first);  // shaders are compiled at the first drawing
   const SteadyClock clock;
-  for (const Scene& scene : scenes) draw(scene);
+  long count = 0;
+  for (auto scene = next(); scene; scene = next(), ++count) draw(*scene);
   window->Finalize();
-  return static_cast<double>(scenes.size()) / clock.now_s();
+  return count > 0 ? static_cast<double>(count) / clock.now_s() : 0.0;
+}
+
+double measure_display_frames_per_s(std::span<const Scene> scenes) {
+  std::size_t index = 0;
+  return draw_scenes([&]() -> std::optional<Scene> {
+    if (index >= scenes.size()) return std::nullopt;
+    return scenes[index++];
+  });
 }
 
 }  // namespace pellucida

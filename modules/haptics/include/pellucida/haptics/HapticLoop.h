@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <thread>
 
@@ -55,6 +56,7 @@ class HapticLoop {
   HapticLoopOptions options_;
   std::int64_t period_ns_;
   RealTimeOutcome outcome_;
+  std::optional<QuickWakeRequest> quick_wake_;  ///< while the thread runs
   LatencyHistogram lateness_, compute_;
   std::atomic<std::uint64_t> missed_count_{0};
   std::atomic<bool> go_{false};  ///< the thread waits for its priority before its first turn

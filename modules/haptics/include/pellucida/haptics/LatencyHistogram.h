@@ -16,6 +16,9 @@ class LatencyHistogram {
   /// The writer's thread only, or any while nobody writes.
   void clear() noexcept;
 
+  /// Takes another's durations in. While nobody writes to either.
+  void add(const LatencyHistogram& other) noexcept;
+
   std::uint64_t count() const noexcept { return count_.load(std::memory_order_relaxed); }
   double max_us() const noexcept { return 1e-3 * static_cast<double>(max_ns_.load(std::memory_order_relaxed)); }
 
