@@ -95,15 +95,16 @@ bool MouseHand::read(double now_s, HandSample& sample) noexcept {
     const Eigen::Vector3d along = force_N / size_N;
     moved_m -= (1.0 - ratio_) * along.dot(moved_m) * along;
   }
-  Eigen::Vector3d position_m = position_m_.eigen() + moved_m;
-  const double distance_m = position_m.norm();
-  if (distance_m > options_.workspace_radius_m) position_m *= options_.workspace_radius_m / distance_m;
-  position_m_ = position_m;
+  Eigen::Vector3d goal_m = goal_m_.eigen() + moved_m;
+  const double distance_m = goal_m.norm();
+  if (distance_m > options_.workspace_radius_m) goal_m *= options_.workspace_radius_m / distance_m;
+  goal_m_ = goal_m;
+  smoother_.update(goal_m, dt_s);
 
   sample.time_s = now_s;
-  sample.position_m = position_m_;
-  sample.velocity_m_per_s = {};
-  sample.velocity_known = false;
+  sample.position_m = smoother_.position_m();
+  sample.velocity_m_per_s = smoother_.velocity_m_per_s();
+  sample.velocity_known = true;
   sample.buttons = input.buttons;
   return input.connected;
 }

@@ -1,5 +1,6 @@
 #include "pellucida/teleoperation/PolledHand.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -8,6 +9,7 @@
 namespace pellucida {
 namespace {
 
+constexpr double kLongestGap_s = 0.1;      // of the 1 kHz thread: the hand does not leap after one
 constexpr double kLongestSilence_s = 0.5;  // a polling thread that gives no reading for this long is stuck
 
 }  // namespace
@@ -43,15 +45,19 @@ void PolledHand::stop() {
 }
 
 bool PolledHand::read(double now_s, HandSample& sample) noexcept {
-  if (readings_.refresh() || !read_once_) heard_s_ = now_s;
+  const bool fresh = readings_.refresh();
+  if (fresh || !read_once_) heard_s_ = now_s;
+  const double dt_s = read_once_ ? std::min(now_s - last_read_s_, kLongestGap_s) : 0.0;
+  last_read_s_ = now_s;
   read_once_ = true;
   const Reading& reading = readings_.value();
   // Before the first reading the device, which was opened, rests.
   connected_ = (reading.connected || reading.number == 0) && now_s - heard_s_ <= kLongestSilence_s;
+  smoother_.update(reading.position_m.eigen(), dt_s);
   sample.time_s = now_s;
-  sample.position_m = reading.position_m;
-  sample.velocity_m_per_s = {};
-  sample.velocity_known = false;
+  sample.position_m = smoother_.position_m();
+  sample.velocity_m_per_s = smoother_.velocity_m_per_s();
+  sample.velocity_known = true;
   sample.buttons = connected_ ? reading.buttons : 0;
   return connected_;
 }

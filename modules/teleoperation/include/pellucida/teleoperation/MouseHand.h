@@ -3,6 +3,7 @@
 
 #include "pellucida/core/LatestValue.h"
 #include "pellucida/haptics/HapticDevice.h"
+#include "pellucida/teleoperation/HandSmoother.h"
 #include "pellucida/teleoperation/TouchCue.h"
 
 namespace pellucida {
@@ -19,7 +20,8 @@ struct MouseHandOptions {
 
 /// Mouse and keyboard as a device for the hand. The window's thread feeds it, wait-free; the 1 kHz thread reads. The
 /// pointer moves the hand in the image plane, the wheel along the depth, keys in any direction. It gives no force:
-/// in contact the hand moves less along the force the stiffer the cell is, so the resistance is seen.
+/// in contact the hand moves less along the force the stiffer the cell is, so the resistance is seen. The steps of its
+/// events are smoothed (HandSmoother), which costs 10 ms.
 class MouseHand final : public HapticDevice, public TouchCueDevice {
  public:
   /// Throws UsageError for a number not above 0.
@@ -75,7 +77,8 @@ class MouseHand final : public HapticDevice, public TouchCueDevice {
 
   // The 1 kHz thread.
   Input seen_;
-  PlainVector3 position_m_;
+  PlainVector3 goal_m_;  ///< where the events add up to
+  HandSmoother smoother_;
   double last_read_s_ = -1.0;
   double ratio_ = 1.0;
 };

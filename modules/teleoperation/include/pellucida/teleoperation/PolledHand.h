@@ -5,12 +5,14 @@
 
 #include "pellucida/core/LatestValue.h"
 #include "pellucida/haptics/HapticDevice.h"
+#include "pellucida/teleoperation/HandSmoother.h"
 #include "pellucida/teleoperation/TouchCue.h"
 
 namespace pellucida {
 
 /// A device whose library may wait or allocate, so that a thread of its own reads it (a few hundred times a second) and
-/// the 1 kHz thread takes the newest reading, wait-free. A thread that falls silent counts as a lost device.
+/// the 1 kHz thread takes the newest reading, wait-free, its steps smoothed (HandSmoother). A thread that falls silent
+/// counts as a lost device.
 ///
 /// Who derives overrides `poll`, calls `start` at the end of its constructor and `stop` in its destructor.
 class PolledHand : public HapticDevice, public TouchCueDevice {
@@ -53,7 +55,8 @@ class PolledHand : public HapticDevice, public TouchCueDevice {
   std::jthread thread_;
 
   // The 1 kHz thread.
-  double heard_s_ = 0.0;
+  HandSmoother smoother_;
+  double heard_s_ = 0.0, last_read_s_ = 0.0;
   bool read_once_ = false;
   bool connected_ = false;
 };
