@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "pellucida/core/PlainVector.h"
+#include "pellucida/haptics/HapticRecord.h"
 
 namespace pellucida {
 
@@ -13,6 +14,14 @@ struct TouchCue {
   double stiffness_N_per_m = 0.0;  ///< of the contact as the hand would feel it, along the force
 };
 static_assert(std::is_trivially_copyable_v<TouchCue>);
+
+/// Hand force for a force at the cell that a cue is told with: the puncture of a mouse oocyte, 7.5 uN, is 1.5 N.
+inline constexpr double kCueScale_N_per_uN = 0.2;
+
+/// The cue of a tick: the contact's force at `force_scale_N_per_uN` (a device without force works with a scale of 0, so
+/// it is given here), its stiffness the force over the depth. No contact unless the hand leads the pipette. For whoever
+/// reads the loop's newest record.
+TouchCue touch_cue(const HapticRecord& record, double force_scale_N_per_uN = kCueScale_N_per_uN) noexcept;
 
 /// A device that can tell a `TouchCue`.
 class TouchCueDevice {
