@@ -33,10 +33,14 @@ double CubicCell::stiffness_at(double depth) const {
 
 HandRun::HandRun(const DeviceSpecification& device, const HapticSettings& settings, double scale_um_per_m,
                  const ArmOptions& arm_options, const CameraOptions& camera)
+    : HandRun(device, settings, std::make_unique<DirectMap>(scale_um_per_m), arm_options, camera) {}
+
+HandRun::HandRun(const DeviceSpecification& device, const HapticSettings& settings, std::unique_ptr<MotionMap> map,
+                 const ArmOptions& arm_options, const CameraOptions& camera)
     : arm(device, arm_options),
       camera_(camera),
-      map_(scale_um_per_m),
-      servo_(arm, map_, HapticPorts{contact_, pipette_, command_}, settings) {}
+      map_(std::move(map)),
+      servo_(arm, *map_, HapticPorts{contact_, pipette_, command_}, settings) {}
 
 ContactModel HandRun::look() const {
   ContactModel model;

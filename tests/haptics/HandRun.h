@@ -1,6 +1,7 @@
 #pragma once
 #include <deque>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "haptics/SimulatedArm.h"
@@ -48,6 +49,8 @@ class HandRun {
  public:
   HandRun(const DeviceSpecification& device, const HapticSettings& settings, double scale_um_per_m,
           const ArmOptions& arm = {}, const CameraOptions& camera = {});
+  HandRun(const DeviceSpecification& device, const HapticSettings& settings, std::unique_ptr<MotionMap> map,
+          const ArmOptions& arm = {}, const CameraOptions& camera = {});
 
   /// One tick after `dt_s`; the record of it.
   HapticRecord tick(double dt_s = 1e-3);
@@ -76,7 +79,7 @@ class HandRun {
   ContactModel look() const;
 
   CameraOptions camera_;
-  DirectMap map_;
+  std::unique_ptr<MotionMap> map_;
   LatestValue<ContactModel> contact_;
   LatestValue<PipetteState> pipette_;
   LatestValue<PipetteCommand> command_;

@@ -20,6 +20,7 @@ HapticStep::HapticStep(const DeviceSpecification& device, MotionMap& map, const 
       fixtures_(settings.fixtures),
       hand_velocity_(device.resolution_m),
       guards_(settings.limits),
+      felt_(settings.limits),
       predictor_(settings.predictor),
       coupling_(settings.coupling, device),
       passivity_(device, settings.period_s) {}
@@ -27,6 +28,7 @@ HapticStep::HapticStep(const DeviceSpecification& device, MotionMap& map, const 
 void HapticStep::set(const HapticSettings& settings) noexcept {
   settings_ = settings;
   guards_.set(settings.limits);
+  felt_.set(settings.limits);
   predictor_.set(settings.predictor);
   coupling_.set(settings.coupling);
 }
@@ -122,15 +124,21 @@ void HapticStep::tie(const HapticInput& input) noexcept {
     history_.clear();
     history_.add(input.now_s, guards_.tip_um());
   }
-  map_.engage(input.hand, guards_.tip_um());
-  leading_force_N_.setZero();
+  take_over(input.hand);
   tied_ = placed_ = worked_ = true;
   was_clutched_ = false;
 }
 
+void HapticStep::take_over(const HandSample& hand) noexcept {
+  map_.engage(hand, guards_.tip_um());
+  felt_.place(guards_.tip_um());
+  leading_force_N_.setZero();
+}
+
 void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) noexcept {
-  tick.wanted_um = guards_.tip_um();
+  tick.wanted_um = felt_.tip_um();
   tick.guard = guards_.hold();
+  tick.felt = felt_.hold();
   // What the link and the fixtures gave last fades out with the rest when the hand no longer leads.
   tick.force_W_N = leading_force_N_;
   if (state != HandState::kWorking) return;
@@ -143,8 +151,8 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
   }
   if (was_clutched_) {
     // The target may have been ahead of the held proxy: the hand takes it where it is.
-    map_.engage(input.hand, guards_.tip_um());
-    leading_force_N_.setZero();
+    take_over(input.hand);
+    tick.felt = felt_.hold();
     tick.force_W_N.setZero();
     was_clutched_ = false;
     return;
@@ -158,25 +166,45 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
   guard.dt_s = std::clamp(input.dt_s, 0.0, settings_.limits.late_tick_s);
   if ((input.hand.buttons & kRetract) != 0) {
     if (push_.squaredNorm() > 0.0) tick.guard = guards_.retract(guard);
-    map_.engage(input.hand, guards_.tip_um());
-    leading_force_N_.setZero();
+    take_over(input.hand);
+    tick.felt = tick.guard;
     tick.force_W_N.setZero();
     tick.wanted_um = guards_.tip_um();
     tick.acting |= tick.guard.limits;
     return;
   }
-  tick.wanted_um = is_finite(target.tip_um.eigen()) ? target.tip_um.eigen() : guards_.tip_um();
-  tick.fixtures = apply(fixtures_, tick.wanted_um, target.velocity_um_per_s.eigen(), tick.scale_um_per_m,
-                        smooth_step(fixture_part_.value()));
-  guard.wanted_um = tick.fixtures.allowed_um;
-  tick.guard = guards_.follow(guard);
-  tick.acting |= tick.guard.limits;
-  // While nothing holds the proxy its velocity is the hand's own estimate, which is smoother than the differences.
-  if (tick.guard.mode == GuardMode::kFollow) tick.guard.velocity_um_per_s = target.velocity_um_per_s.eigen();
+  if (is_finite(target.tip_um.eigen()) && is_finite(target.ahead_um.eigen())) lead(target, tick, guard);
+}
 
-  const Eigen::Vector3d relative_um_per_s = tick.guard.velocity_um_per_s - target.velocity_um_per_s.eigen();
-  leading_force_N_ = tick.fixtures.force_N +
-                     coupling_.force_N(tick.guard.tip_um, guard.wanted_um, relative_um_per_s, tick.scale_um_per_m);
+void HapticStep::lead(const TipTarget& target, Tick& tick, GuardInput& guard) noexcept {
+  const double fixture_part = smooth_step(fixture_part_.value());
+  const Eigen::Vector3d target_um = target.tip_um.eigen(), ahead_um = target.ahead_um.eigen();
+  const bool filtered = ahead_um.squaredNorm() > 0.0;
+  // The hand's own speed where the map smooths it; else the map's estimate, which may not be the hand's at all.
+  const Eigen::Vector3d hand_um_per_s = tick.scale_um_per_m * world_from_hand(tick.hand_velocity_m_per_s).eigen();
+  const Eigen::Vector3d wanted_um_per_s = filtered ? hand_um_per_s : target.velocity_um_per_s.eigen();
+
+  tick.wanted_um = target_um + ahead_um;
+  tick.fixtures = apply(fixtures_, tick.wanted_um, wanted_um_per_s, tick.scale_um_per_m, fixture_part);
+  // The manipulator's lag counts for both, measured on the proxy it was told.
+  const Eigen::Vector3d apart_um = felt_.tip_um() - guards_.tip_um();
+  GuardInput felt = guard;
+  felt.wanted_um = tick.fixtures.allowed_um;
+  felt.pipette.tip_um = Eigen::Vector3d(guard.pipette.tip_um.eigen() + apart_um);
+  guard.wanted_um =
+      filtered
+          ? apply(fixtures_, target_um, target.velocity_um_per_s.eigen(), tick.scale_um_per_m, fixture_part).allowed_um
+          : tick.fixtures.allowed_um;
+  tick.guard = guards_.follow(guard);
+  tick.felt = felt_.follow(felt);
+  tick.acting |= tick.guard.limits | tick.felt.limits;
+  // While nothing holds a proxy its velocity is the estimate, which is smoother than the differences.
+  if (tick.guard.mode == GuardMode::kFollow) tick.guard.velocity_um_per_s = target.velocity_um_per_s.eigen();
+  if (tick.felt.mode == GuardMode::kFollow) tick.felt.velocity_um_per_s = wanted_um_per_s;
+
+  leading_force_N_ =
+      tick.fixtures.force_N + coupling_.force_N(tick.felt.tip_um, felt.wanted_um,
+                                                tick.felt.velocity_um_per_s - wanted_um_per_s, tick.scale_um_per_m);
   tick.force_W_N = leading_force_N_;
 }
 
@@ -184,7 +212,7 @@ void HapticStep::feel(const HapticInput& input, Tick& tick, HandState state) noe
   history_.add(input.now_s, tick.guard.tip_um);
   const double per_scale = settings_.force_scale_N_per_uN * tick.scale_um_per_m;
   if (per_scale > 0.0) predictor_.limit_stiffness(device_.max_stiffness_N_per_m / per_scale);
-  contact_ = predictor_.update(input.now_s, input.dt_s, tick.guard.tip_um, tick.guard.velocity_um_per_s);
+  contact_ = predictor_.update(input.now_s, input.dt_s, tick.felt.tip_um, tick.felt.velocity_um_per_s);
   switch (contact_.state) {
     case ContactState::kStale:
       act(tick, LimitKind::kContactStale, contact_.age_s, settings_.predictor.age_limit_s);
@@ -206,6 +234,7 @@ void HapticStep::feel(const HapticInput& input, Tick& tick, HandState state) noe
     }
   }
   tick.force_W_N += force_scale_N_per_uN_ * contact_.force_uN;
+  if (state == HandState::kWorking) tick.force_W_N += world_from_hand(map_.hand_force_N(input.hand)).eigen();
 
   const bool works = state == HandState::kWorking;
   const double time_s = works                           ? settings_.fade_in_time_s

@@ -112,6 +112,11 @@ TipTarget TeleoperationMap::update(const HandSample& hand, double dt_s) noexcept
   }
   target.tip_um = tip_um_;
   target.velocity_um_per_s = velocity_um_per_s;
+  if (settings_.control == Control::kPosition) {
+    // Where the tip would be without the tremor filter.
+    const Eigen::Vector3d unfiltered_um = anchor_um_ + settings_.scale_um_per_m * world(hand_m - centre_m_.eigen());
+    target.ahead_um = Eigen::Vector3d(clamped(unfiltered_um) - tip_um_);
+  }
   return target;
 }
 

@@ -77,8 +77,8 @@ class ContactPredictor {
   /// A newer frame; `history` holds the tip as commanded. Used from the next `update` on.
   void see(const ContactModel& model, const TipHistory& history) noexcept;
 
-  /// The force now, with the tip at `tip_um` (as commanded), moving with `velocity_um_per_s`; `dt_s` since the last
-  /// call.
+  /// The force now, with the tip at `tip_um` (where the hand has it, which may be ahead of what was commanded), moving
+  /// with `velocity_um_per_s`; `dt_s` since the last call.
   ContactForce update(double now_s, double dt_s, const Eigen::Vector3d& tip_um,
                       const Eigen::Vector3d& velocity_um_per_s) noexcept;
 

@@ -31,7 +31,7 @@ struct HapticRecord {
   double time_s = 0.0;  ///< on the run's clock
   PlainVector3 hand_m;
   PlainVector3 hand_velocity_m_per_s;
-  PlainVector3 wanted_um;         ///< where the hand wants the tip
+  PlainVector3 wanted_um;         ///< where the hand wants the tip, without smoothing
   PlainVector3 tip_um;            ///< where the tip was told to be
   PlainVector3 pipette_um;        ///< where the manipulator says it is
   PlainVector3 hand_force_N;      ///< written to the device

@@ -64,7 +64,8 @@ class HapticStep {
     double scale_um_per_m = 1.0;
     Eigen::Vector3d wanted_um = Eigen::Vector3d::Zero();
     FixtureResult fixtures;
-    GuardOutput guard;
+    GuardOutput guard;  ///< the pipette's proxy
+    GuardOutput felt;   ///< the hand's
     Eigen::Vector3d force_W_N = Eigen::Vector3d::Zero();
     std::uint32_t acting = 0;  ///< mask of limits
   };
@@ -75,6 +76,8 @@ class HapticStep {
   HandState decide(const HapticInput& input, Tick& tick) noexcept;
   void tie(const HapticInput& input) noexcept;
   void move(const HapticInput& input, Tick& tick, HandState& state) noexcept;
+  void lead(const TipTarget& target, Tick& tick, GuardInput& guard) noexcept;
+  void take_over(const HandSample& hand) noexcept;
   void feel(const HapticInput& input, Tick& tick, HandState state) noexcept;
   void fade_fixtures(double dt_s) noexcept;
   Eigen::Vector3d guarded_force_N(const HapticInput& input, Tick& tick) noexcept;
@@ -89,7 +92,8 @@ class HapticStep {
   HandGuard hand_guard_;
   HandVelocity hand_velocity_;
   PipetteGuard pipette_guard_;
-  CellGuards guards_;
+  CellGuards guards_;  ///< of the pipette's proxy
+  CellGuards felt_;    ///< of the hand's
   ContactPredictor predictor_;
   VirtualCoupling coupling_;
   PassivityObserver passivity_;

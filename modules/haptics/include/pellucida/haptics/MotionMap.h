@@ -9,6 +9,10 @@ struct TipTarget {
   PlainVector3 tip_um;
   PlainVector3 velocity_um_per_s;
   bool clutched = false;  ///< the hand is off: the target stands still, and no force shall be felt
+
+  /// How far the target would be ahead without the map's smoothing filters, um; zero for a map without. The pipette
+  /// gets the smooth motion, but the hand must feel where it is itself: a force that lags makes any contact swing.
+  PlainVector3 ahead_um;
 };
 
 /// How hand motion becomes tip motion (position or rate control, scale, clutch, filters). Called by the 1 kHz thread:
@@ -25,6 +29,9 @@ class MotionMap {
 
   /// Tip motion for a hand motion, um/m (above 0): what turns uN/um at the cell into N/m at the hand.
   virtual double scale_um_per_m() const noexcept = 0;
+
+  /// A force of the map's own on the hand, frame H, N: the return to the centre of a rate control.
+  virtual PlainVector3 hand_force_N(const HandSample&) const noexcept { return {}; }
 };
 
 }  // namespace pellucida

@@ -28,8 +28,8 @@ class PassivityObserver {
   /// The reading of this tick, with the force written after the last one. Frame H.
   void observe(const Eigen::Vector3d& hand_m, const Eigen::Vector3d& last_force_N, double dt_s) noexcept;
 
-  /// The damper's force for this tick: none while the margin isn't negative; it comes and goes within 10 ms. Once a tick.
-  /// Frame H, N.
+  /// The damper's force for this tick: none while the margin isn't negative; it comes and goes within 10 ms. Once a
+  /// tick. Frame H, N.
   Eigen::Vector3d damping_force_N(const Eigen::Vector3d& velocity_m_per_s, double dt_s) noexcept;
 
   /// E, J.

@@ -69,6 +69,8 @@ class TeleoperationMap final : public MotionMap {
   /// in the dead zone and for devices that spring back by themselves. For the loop to add.
   PlainVector3 centring_force_N(const HandSample& hand) const noexcept;
 
+  PlainVector3 hand_force_N(const HandSample& hand) const noexcept override { return centring_force_N(hand); }
+
   /// Where the hand's motion counts from, frame H, m: the middle of the workspace after an engage there; every clutch
   /// moves it.
   const PlainVector3& centre_m() const noexcept { return centre_m_; }
