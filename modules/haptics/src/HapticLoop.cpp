@@ -53,9 +53,9 @@ void HapticLoop::start() {
   compute_.clear();
   missed_count_.store(0, std::memory_order_relaxed);
   go_.store(false, std::memory_order_release);
-  if (options_.lock_memory) lock_memory(outcome_);
   thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
   if (options_.priority > 0) raise_priority(thread_.native_handle(), options_.priority, outcome_);
+  if (options_.lock_memory) lock_memory(outcome_);
   if (options_.policy == RealTimePolicy::kEnforce && !outcome_.refused.empty()) {
     thread_.request_stop();
     go_.store(true, std::memory_order_release);

@@ -39,33 +39,17 @@ void raise_priority(pthread_t thread, int priority, RealTimeOutcome& outcome) {
 }
 
 void lock_memory(RealTimeOutcome& outcome) {
-  // Who has the right to more, takes it.
-  const rlimit unlimited{RLIM_INFINITY, RLIM_INFINITY};
-  setrlimit(RLIMIT_MEMLOCK, &unlimited);
   rlimit limit{};
-  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) {
-    add(outcome.refused, "memory: locked memory is limited to " + std::to_string(limit.rlim_cur / 1024) +
-                             " kB; allow it with the line \"@users - memlock unlimited\" in /etc/security/limits.conf");
+  const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+  // Locking what is still to come, under a limit, would let every later allocation of the process fail at that limit.
+  const int future = unlimited ? MCL_FUTURE : 0;
+  if (mlockall(MCL_CURRENT | MCL_ONFAULT | future) == 0) {
+    outcome.memory_locked = true;
     return;
   }
-  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0) {
-    add(outcome.refused, std::string("memory: ") + std::strerror(errno));
-    return;
-  }
-  outcome.memory_locked = true;
-}
-
-// The request counts as long as the file is open.
-QuickWakeRequest::QuickWakeRequest() noexcept : file_(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC)) {
-  constexpr std::int32_t kLongest_us = 0;
-  if (file_ >= 0 && write(file_, &kLongest_us, sizeof kLongest_us) != sizeof kLongest_us) {
-    close(file_);
-    file_ = -1;
-  }
-}
-
-QuickWakeRequest::~QuickWakeRequest() {
-  if (file_ >= 0) close(file_);
+  add(outcome.refused, std::string("memory: ") + std::strerror(errno) + ", limited to " +
+                           std::to_string(limit.rlim_cur / 1024) +
+                           " kB; allow it with the line \"@users - memlock unlimited\" in /etc/security/limits.conf");
 }
 
 void sharpen_timers() noexcept {
