@@ -39,6 +39,9 @@ void raise_priority(pthread_t thread, int priority, RealTimeOutcome& outcome) {
 }
 
 void lock_memory(RealTimeOutcome& outcome) {
+  // Who has the right to more, takes it.
+  const rlimit wished{RLIM_INFINITY, RLIM_INFINITY};
+  setrlimit(RLIMIT_MEMLOCK, &wished);
   rlimit limit{};
   const bool unlimited = getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
   // Locking what is still to come, under a limit, would let every later allocation of the process fail at that limit.
@@ -50,6 +53,19 @@ void lock_memory(RealTimeOutcome& outcome) {
   add(outcome.refused, std::string("memory: ") + std::strerror(errno) + ", limited to " +
                            std::to_string(limit.rlim_cur / 1024) +
                            " kB; allow it with the line \"@users - memlock unlimited\" in /etc/security/limits.conf");
+}
+
+// The request counts as long as the file is open.
+QuickWakeRequest::QuickWakeRequest() noexcept : file_(open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC)) {
+  constexpr std::int32_t kLongest_us = 0;
+  if (file_ >= 0 && write(file_, &kLongest_us, sizeof kLongest_us) != sizeof kLongest_us) {
+    close(file_);
+    file_ = -1;
+  }
+}
+
+QuickWakeRequest::~QuickWakeRequest() {
+  if (file_ >= 0) close(file_);
 }
 
 void sharpen_timers() noexcept {
