@@ -49,6 +49,13 @@ TEST(ContactLogic, MembraneLeavingTheTipIsAPunctureUntilTheTipIsOut) {
   EXPECT_EQ(logic.update({-1.0, 0.0, true}), CellState::kFree);
 }
 
+TEST(ContactLogic, ATipThatIsNotKnownTellsNoPuncture) {
+  ContactLogic logic = fresh();
+  for (double depth = 0.0; depth < 10.0; depth += 0.5) logic.update({depth, depth, true});
+  EXPECT_EQ(logic.update({18.0, 10.0, true, 0.25, 3.0}), CellState::kContact);
+  EXPECT_EQ(logic.update({18.0, 10.0, true, 0.25, 0.3}), CellState::kPunctured);
+}
+
 TEST(ContactLogic, ASlowApproachIsNoticedWithinTwoPixels) {
   // 12 um/s at 30 frames a second and 0.825 um a pixel: half a pixel a frame.
   std::mt19937 random(2);

@@ -27,8 +27,8 @@ struct Exception {
   Limits limits;
 };
 constexpr std::array kExceptions{
-    Exception{"pixel 1.5 um", {.coverage_high = 0.92}}, Exception{"diameter 64 px", {.coverage_low = 0.3}},
-    Exception{"needle defocus 3 um", {.tip_median_px = 4.0}},  // lost and found again: chance tells how well
+    Exception{"pixel 1.5 um", {.coverage_high = 0.92}},
+    Exception{"diameter 64 px", {.coverage_low = 0.3}},
 };
 
 Limits limits_of(std::string_view condition) {

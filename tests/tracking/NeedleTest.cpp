@@ -212,6 +212,33 @@ TEST(NeedleTracker, TheDimpleIsWeighedByItsSigmaAndRefusedWhenFarOff) {
   EXPECT_TRUE(needle.estimate().evidence & kDimple);
 }
 
+TEST(NeedleTracker, WhatItBeginsToPushTellsWhereItEnds) {
+  NeedleTracker needle;
+  ASSERT_FALSE(push({}, 1.0, 6, 0, needle).empty());
+  const NeedleEstimate before = needle.estimate();
+  // However far off: only the place along the needle is taken.
+  needle.rest_on(
+      before.tip + 9.0 * before.direction + 2.0 * Eigen::Vector2d(-before.direction.y(), before.direction.x()), 0.2);
+  EXPECT_NEAR((needle.estimate().tip - before.tip - 9.0 * before.direction).norm(), 0.0, 1e-6);
+  EXPECT_DOUBLE_EQ(needle.estimate().tip_sigma, 0.2);
+  EXPECT_TRUE(needle.estimate().evidence & kDimple);
+}
+
+TEST(NeedleTracker, ABodyRightAheadOfABlurredTipSilencesTheEnd) {
+  NeedleTracker needle;
+  const Drawing d = with(0.4, 3.0, false, 0.01);
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  ASSERT_TRUE(needle.start(image, tool_of(d), 0.01));
+  NeedleCue cue{.in_the_clear = true};
+  ASSERT_TRUE(needle.track(image, noise_level(image), cue));
+  EXPECT_TRUE(needle.estimate().evidence & kTipEnd);
+  cue.body = contour::Circle{d.tip + 44.0 * d.direction(), 40.0, 1.0, 0.0};
+  ASSERT_TRUE(needle.track(image, noise_level(image), cue));
+  EXPECT_FALSE(needle.estimate().evidence & kTipEnd);
+  EXPECT_TRUE(needle.estimate().evidence & kKnownCone);
+}
+
 TEST(NeedleTracker, AnEmptyPictureIsNoNeedle) {
   Picture picture;
   std::mt19937 random(5);

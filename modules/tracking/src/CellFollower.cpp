@@ -8,6 +8,10 @@ namespace pellucida {
 namespace {
 
 constexpr double kCircleTolerance_px = 3.0;
+// Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
+constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15;
+// Of the radius, beyond the centre: a needle is not taken up with its tip further through the cell.
+constexpr double kThrough_ratio = 0.9;
 // A tip that far outside the resting outline touches nothing.
 constexpr double kAway_px = 2.0;
 // How far the holder may move between two frames, the search for it included.
@@ -19,6 +23,14 @@ constexpr int kAstrayFrames = 3;
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift told by the far side of the cell alone.
 constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
+// An edge that many times as blurred as the membrane's line is wide can't be taken for one.
+constexpr double kShade_ratio = 2.0;
+// Standard deviation of the way from the membrane's apex, seen through a blurred needle, to the tip, px.
+constexpr double kApexSigma_px = 0.15;
+// How far a membrane's halo reaches, in widths of its line.
+constexpr double kHaloLines = 4.0;
+// The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
+constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
@@ -51,7 +63,10 @@ NeedleZone CellFollower::zone() const {
   const NeedleEstimate& n = needle_.estimate();
   // A blurred tip's front is the less sharp.
   const double tip_sigma = std::hypot(0.4, 0.5 * n.edge_blur);
-  return {n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_, tip_sigma};
+  NeedleZone zone{n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_, tip_sigma};
+  const double line = snakes_.line_width_px();
+  zone.is_shade = line > 0.0 && n.edge_blur > kShade_ratio * line;
+  return zone;
 }
 
 void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
@@ -64,9 +79,12 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
 void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
                                const std::vector<FoundTool>& tools) {
   for (const FoundTool& tool : tools) {
-    if (tool.half_width() >= 0.2 * circle.radius) continue;
+    if (tool.half_width() >= kBroadTool_ratio * circle.radius) continue;
     if (holder_ && tool.direction.dot(holder_direction()) > 0.8) continue;
-    if (needle_.start(frame.image, tool, frame.noise)) return;
+    if (!needle_.start(frame.image, tool, frame.noise)) continue;
+    const NeedleEstimate& n = needle_.estimate();
+    const double beyond = (n.tip - circle.center).dot(n.direction);
+    if (n.tip_half_width < kBroadTip_ratio * circle.radius && beyond < kThrough_ratio * circle.radius) return;
   }
   needle_.reset();
 }
@@ -195,7 +213,9 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   far_side_ = circle.center;
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
-  const bool entered = needle_.valid() && tip_depth() > kEntered_px;
+  // Where a mere shade ends is not known well enough to say that it has entered an untouched outline.
+  const bool told = !zone().is_shade || membrane_depth_ > 0.5 * kEntered_px;
+  const bool entered = needle_.valid() && tip_depth() > kEntered_px && told;
   const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
@@ -204,11 +224,20 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   return true;
 }
 
+// What of the picture the cell's membrane and its halo take.
+contour::Circle CellFollower::reach_of_cell() const {
+  const double radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
+  return {center_now(), radius + kHaloLines * snakes_.line_width_px(), 1.0, 0.0};
+}
+
 void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
   const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
-    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -6.0;
-    const bool seen = needle_.track(frame.image, frame.noise, {34.0, clear, frame.needle_motion_px, jump});
+    const double clear_px = kClear_px + kClearBlurs * std::max(0.0, needle_.estimate().edge_blur - kSharp_px);
+    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
+    NeedleCue cue{34.0, clear, frame.needle_motion_px, jump, std::nullopt};
+    if (zone().is_shade) cue.body = reach_of_cell();
+    const bool seen = needle_.track(frame.image, frame.noise, cue);
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
   } else if (frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
@@ -324,10 +353,29 @@ bool CellFollower::follow(const FrameInput& frame) {
 
   check_rigid_motion(frame, center_before);
   membrane_depth_ = measure_membrane_depth();
-  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma()});
+  take_dimple();
+  const bool was_free = contact_.state() == CellState::kFree;
+  contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
+                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0});
+  if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
   const bool away = !needle_.valid() || tip_depth() < -kAway_px;
   if (contact_.state() == CellState::kFree && away) learn_rest();
   return true;
+}
+
+// Through a needle that is a mere shade the membrane is seen, and its apex rests on the tip.
+void CellFollower::take_dimple() {
+  if (contact_.state() != CellState::kContact || !needle_.valid() || !zone().is_shade) return;
+  needle_.take_dimple(apex(), apex_sigma());
+}
+
+Eigen::Vector2d CellFollower::apex() const {
+  const NeedleEstimate& n = needle_.estimate();
+  return rest_.entry_point(center_now(), n.tip, n.direction) + membrane_depth_ * n.direction;
+}
+
+double CellFollower::apex_sigma() const {
+  return std::hypot(membrane_sigma(), kApexSigma_px);
 }
 
 double CellFollower::confidence() const {

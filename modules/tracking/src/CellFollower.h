@@ -68,6 +68,7 @@ class CellFollower {
 
  private:
   NeedleZone zone() const;
+  contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
@@ -75,6 +76,9 @@ class CellFollower {
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
+  void take_dimple();
+  Eigen::Vector2d apex() const;
+  double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest();
   double measure_membrane_depth() const;

@@ -16,7 +16,8 @@ class ContactLogic {
     double tip_px = 0.0;  ///< negative while the needle is away
     double membrane_px = 0.0;
     bool needle_seen = false;
-    double sigma_px = 0.25;  ///< standard deviation of either
+    double sigma_px = 0.25;     ///< standard deviation of the membrane's
+    double tip_sigma_px = 0.0;  ///< of the tip's
   };
 
   /// The state after this frame.
@@ -44,7 +45,8 @@ class ContactLogic {
     }
     if (!now.needle_seen) return state_;
     deepest_px_ = std::max(now.membrane_px, 0.9 * deepest_px_);
-    const bool left_behind = now.tip_px - now.membrane_px > options_.puncture_drop_ratio * deepest_px_;
+    const double apart_px = std::max(options_.puncture_drop_ratio * deepest_px_, kSure * now.tip_sigma_px);
+    const bool left_behind = now.tip_px - now.membrane_px > apart_px;
     if (deepest_px_ > floor_px && left_behind && now.tip_px > floor_px) {
       state_ = CellState::kPunctured;
       return state_;
@@ -66,8 +68,9 @@ class ContactLogic {
   CellState state() const noexcept { return state_; }
 
  private:
-  // In standard deviations: what a frame must exceed to count, what decides, and the most that one frame may add.
-  static constexpr double kAllowance = 1.5, kDecision = 4.0, kMostOfOneFrame = 3.2;
+  // In standard deviations: what a frame must exceed to count, what decides, the most that one frame may add; by how
+  // much a tip must have passed the membrane.
+  static constexpr double kAllowance = 1.5, kDecision = 4.0, kMostOfOneFrame = 3.2, kSure = 3.0;
   static constexpr int kReleaseFrames = 2;
 
   TrackerOptions options_;

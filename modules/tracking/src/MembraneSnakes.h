@@ -20,9 +20,11 @@ struct NeedleZone {
   double widening = 0.0;                                 ///< half width gained per px behind the tip
   bool touching = false;                                 ///< the membrane is known to wrap the tip
   double tip_sigma = 0.5;                                ///< px
+  bool is_shade = false;  ///< so far out of focus that membranes show through it and its edges are like none of theirs
 
-  /// Whether `p` lies on the shaft or within `margin` px of its edges.
+  /// Whether `p` lies on the shaft or within `margin` px of its edges; nothing does while it is a mere shade.
   bool covers(const Eigen::Vector2d& p, double margin) const noexcept {
+    if (is_shade) return false;
     const Eigen::Vector2d d = p - tip;
     const double behind = -d.dot(direction);
     if (behind < -margin) return false;
@@ -66,6 +68,10 @@ class MembraneSnakes {
   /// 0..1: how sure it was at the start that this is a cell.
   double sureness() const noexcept { return sureness_; }
   double thickness_px() const noexcept { return thickness_; }
+  /// Half width of the outer membrane's line as learnt; 0 before.
+  double line_width_px() const noexcept {
+    return outer_look_.edge.valid() ? outer_look_.edge.width() * outer_look_.step_px : 0.0;
+  }
 
   /// Puts back contours kept from before (after a try that failed).
   void restore(const SnakeContour& outer, const SnakeContour& inner) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pellucida {
@@ -13,6 +14,17 @@ constexpr int kLearnFrames = 40;
 // Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.6, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
+
+// So many blurs ahead of the tip must be free of other bodies for a blurred end to be told.
+constexpr double kEndBlurs = 2.5;
+
+// How far ahead of the tip the axis enters a circle; without end when it passes beside it.
+double way_to(const contour::Circle& body, const NeedleAxis& axis) {
+  const Eigen::Vector2d from = axis.tip - body.center;
+  const double along = from.dot(axis.direction), across = from.dot(axis.across());
+  const double inside = body.radius * body.radius - across * across;
+  return inside > 0.0 ? -along - std::sqrt(inside) : std::numeric_limits<double>::infinity();
+}
 
 // A shaft that is far out of focus where it comes in may be in focus near its tip: looks at it anew from further in.
 NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise) {
@@ -26,6 +38,8 @@ NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise
     tool.offset_from = -tool.offset_to;
     std::optional<NeedleGuess> nearer = guess_needle(image, tool, noise, part * guess.length_px);
     if (!nearer || nearer->model.look.blur() > 0.85 * blur) continue;
+    // Two lines that merge towards the tip are no sharper needle.
+    if (guess.model.look.is_line() && !nearer->model.look.is_line()) continue;
     // It must not end earlier than it did.
     if ((nearer->axis.tip - guess.axis.tip).dot(guess.axis.direction) < -2.0 * blur) continue;
     nearer->length_px += part * guess.length_px;
@@ -62,12 +76,13 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
   model_ = std::move(guess.model);
   prepare();
   // Fit, look for the end, learn; each round knows better what it looks for.
+  const NeedleCue clear{.in_the_clear = true};
   ShaftResult shaft;
   Along end;
   for (int round = 0; round < 4; ++round) {
     shaft = align(image, noise, 3);
     if (!shaft.found || shaft.support < 0.4) return false;
-    end = find_end(image, noise, shaft, (round == 0 ? 10.0 : 6.0) * model_.unit_px, true);
+    end = find_end(image, noise, shaft, round == 0 ? 10.0 * model_.unit_px : again_px(), clear);
     const double ahead = end.valid ? end.ahead : 0.0;
     model_.frames = 0;
     learn(ahead);
@@ -76,8 +91,12 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
   }
   shaft = align(image, noise, 2);
   if (!shaft.found) return false;
-  end = find_end(image, noise, shaft, 6.0 * model_.unit_px, true);
-  if (end.valid) axis_.tip += end.ahead * axis_.direction;
+  end = find_end(image, noise, shaft, again_px(), clear);
+  if (end.valid) {
+    axis_.tip += end.ahead * axis_.direction;
+    model_.cone.move(end.ahead, 0.0);
+    prepare();
+  }
   // Whether a membrane is at the tip isn't known yet; an end not seen clearly is known to a block of the first search.
   anchor_sigma_ = (end.valid ? kFirstAnchor : kBlurredEnd) * model_.unit_px;
   covariance_ << anchor_sigma_ * anchor_sigma_, 0.0, 0.0, 4.0;
@@ -130,17 +149,17 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   }
   Along end, cone;
   if (shaft.found && shaft.support > 0.25) {
-    end = find_end(image, noise, shaft, 4.0 * unit, cue.in_the_clear);
+    end = find_end(image, noise, shaft, 4.0 * unit, cue);
     const bool far_by_cone = model_.frames > 0 && std::abs(shaft.ahead) > 3.0 * unit + 3.0 * shaft.ahead_sigma;
     if (!end.valid || far_by_cone) {
       // A jump along the axis: look far, then fit again from there.
-      end = find_end(image, noise, shaft, cue.reach_px, cue.in_the_clear);
+      end = find_end(image, noise, shaft, cue.reach_px, cue);
       if (end.valid && std::abs(end.ahead) > 2.0 * unit) {
         const double jump = end.ahead;
         axis_.tip += jump * axis_.direction;
         covariance_(0, 0) += jump * jump;
         shaft = align(image, noise, 2);
-        end = find_end(image, noise, shaft, 4.0 * unit, cue.in_the_clear);
+        end = find_end(image, noise, shaft, 4.0 * unit, cue);
       }
     }
     if (shaft.found && shaft.ahead_sigma < 100.0) {
@@ -188,6 +207,21 @@ void NeedleTracker::take_dimple(const Eigen::Vector2d& apex, double sigma_px) {
   now_.evidence = now_.evidence | kDimple;
 }
 
+void NeedleTracker::rest_on(const Eigen::Vector2d& apex, double sigma_px) {
+  if (!valid_ || !(sigma_px > 0.0)) return;
+  const double ahead = (apex - axis_.tip).dot(axis_.direction);
+  axis_.tip += ahead * axis_.direction;
+  model_.cone.move(ahead, 0.0);
+  prepare();
+  anchor_sigma_ = std::hypot(sigma_px, kClearAnchor * model_.unit_px);
+  covariance_(0, 0) = sigma_px * sigma_px;
+  covariance_(0, 1) = covariance_(1, 0) = 0.0;
+  now_.tip = axis_.tip;
+  now_.tip_half_width = model_.cone.tip_radius();
+  now_.tip_sigma = sigma_px;
+  now_.evidence = now_.evidence | kDimple;
+}
+
 void NeedleTracker::prepare() {
   shaft_.prepare(model_, std::min(kBehind * model_.unit_px, kMostBehind));
   tip_.prepare(model_);
@@ -200,6 +234,11 @@ void NeedleTracker::set_zero() {
   model_.look.shift(1, right);
   model_.cone.move(wider, wider);
   axis_.tip += wider * axis_.direction + 0.5 * (right - left) * axis_.across();
+}
+
+// How far the end may be from where it was found before: no further than to another body beside it.
+double NeedleTracker::again_px() const {
+  return std::min(6.0 * model_.unit_px, std::max(6.0, 3.0 * model_.unit_px));
 }
 
 // Brings the axis onto the shaft.
@@ -218,10 +257,12 @@ ShaftResult NeedleTracker::align(const FrameSampler& image, double noise, int ro
 }
 
 NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double noise, const ShaftResult& shaft,
-                                             double reach_px, bool clear) {
-  const TipResult tip = tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px);
+                                             double reach_px, const NeedleCue& cue) {
+  const double clear_px = cue.body ? way_to(*cue.body, axis_) : std::numeric_limits<double>::infinity();
+  if (clear_px < kEndBlurs * shaft_.blur_px()) return {};
+  const TipResult tip = tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, clear_px);
   if (!tip.found) return {};
-  const double floor = (clear ? kEndFloor : kEndHidden) * model_.unit_px;
+  const double floor = (cue.in_the_clear ? kEndFloor : kEndHidden) * model_.unit_px;
   const double noisy = tip.ahead_sigma * std::max(1.0, tip.disagreement);
   return {true, tip.ahead, noisy * noisy + floor * floor};
 }
@@ -284,6 +325,8 @@ void NeedleTracker::fill(double noise, const ShaftResult& shaft) {
   now_.widening = std::max(0.0, (model_.cone.half_width(far) - now_.tip_half_width) / far);
   now_.edge_blur = shaft_.blur_px();
   now_.tip_sigma = std::sqrt(covariance_(0, 0));
+  // The cone alone: its own place on the needle may be wrong by the same in every frame.
+  if (!(now_.evidence & kTipEnd)) now_.tip_sigma = std::max(now_.tip_sigma, anchor_sigma_);
   const double contrast = shaft.gain * shaft.medium * std::abs(model_.look.depth());
   const double clear = std::clamp(contrast / (5.0 * std::max(noise, 1e-6)), 0.0, 1.0);
   const double sure = 1.0 / (1.0 + std::pow(now_.tip_sigma / (3.0 * model_.unit_px), 2));

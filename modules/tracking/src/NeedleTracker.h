@@ -10,6 +10,7 @@
 #include "TipFinder.h"
 #include "ToolFinder.h"
 #include "pellucida/core/Observation.h"
+#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida {
 
@@ -31,6 +32,9 @@ struct NeedleCue {
   bool in_the_clear = false;                    ///< nothing touches or covers the tip, so its cone may be learnt
   std::optional<Eigen::Vector2d> commanded_px;  ///< the motion commanded since the last frame
   Eigen::Vector2d scene_jump_px = Eigen::Vector2d::Zero();  ///< the whole picture jumped by about this
+  /// A body ahead that must not be confused with a needle far out of focus: where that ends is looked for in front of
+  /// the body, and not at all where little room is left.
+  std::optional<contour::Circle> body;
 };
 
 /// Follows the injection needle. Across, by the learnt look of the shaft (ShaftFit). Along, by a Kalman filter of place
@@ -53,6 +57,10 @@ class NeedleTracker {
   /// `sigma_px` along the needle): one more piece of evidence for the tip. For frames in contact only.
   void take_dimple(const Eigen::Vector2d& apex, double sigma_px);
 
+  /// The tip rests on the membrane's apex at `apex` (px, standard deviation `sigma_px`), wherever it was taken to be: a
+  /// needle far out of focus is known no better than by what it begins to push.
+  void rest_on(const Eigen::Vector2d& apex, double sigma_px);
+
   const NeedleEstimate& estimate() const noexcept { return now_; }
   bool valid() const noexcept { return valid_; }
   void reset() noexcept { *this = NeedleTracker(); }
@@ -68,8 +76,10 @@ class NeedleTracker {
   bool start(const FrameSampler& image, NeedleGuess guess, double noise);
   void prepare();
   void set_zero();
+  double again_px() const;
   ShaftResult align(const FrameSampler& image, double noise, int rounds);
-  Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px, bool clear);
+  Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px,
+                 const NeedleCue& cue);
   bool fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence);
   void update(double ahead, double variance);
   void learn(double end_ahead);

@@ -68,12 +68,14 @@ void TipFinder::sample_rows(const FrameSampler& image, const Eigen::Vector2d& fr
 }
 
 TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                          double reach_px) {
+                          double reach_px, double clear_px) {
   TipResult result;
   const int reach = std::max(2, static_cast<int>(std::ceil(reach_px / unit_)));
   first_ = -reach - static_cast<int>(kAheadUnits);
-  const int last = std::min(reach, static_cast<int>(kBehindUnits)) + static_cast<int>(kAheadUnits);
+  const int most = std::min(reach, static_cast<int>(kBehindUnits)) + static_cast<int>(kAheadUnits);
+  const int last = clear_px < most * unit_ ? static_cast<int>(std::floor(clear_px / unit_)) : most;
   rows_ = last - first_ + 1;
+  if (rows_ < 8) return result;
   if (values_.rows() != columns_ || values_.cols() < rows_) values_.resize(columns_, rows_);
   const Eigen::Vector2d step = step_ * axis.across();
   const float scale = static_cast<float>(1.0 / std::max(medium * gain, 1e-6));

@@ -24,9 +24,10 @@ class TipFinder {
  public:
   void prepare(const NeedleModel& model);
 
-  /// `gain` and `medium`: of this frame, from the shaft; `reach_px`: how far ahead and back the tip may be.
+  /// `gain` and `medium`: of this frame, from the shaft; `reach_px`: how far ahead and back the tip may be;
+  /// `clear_px`: what lies further ahead of the axis's tip is not looked at.
   TipResult find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                 double reach_px);
+                 double reach_px, double clear_px);
 
  private:
   double cost(double ahead) const;
