@@ -10,6 +10,7 @@
 #include "commands/ExportCommand.h"
 #include "commands/ForceCommand.h"
 #include "commands/IdentifyCommand.h"
+#include "commands/InjectCommand.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/SimulateCommand.h"
 #include "commands/WorkstationCommand.h"
@@ -33,6 +34,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   pellucida::add_workstation_command(app);
   pellucida::add_simulate_command(app);
+  pellucida::add_inject_command(app);
   pellucida::add_analyze_command(app);
   pellucida::add_identify_command(app);
   pellucida::add_force_command(app);

@@ -85,7 +85,8 @@ std::string cell_line(const BatchResult& result) {
 
 BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline, int job_count,
                             const std::filesystem::path& folder, const SessionOptions& session_options,
-                            const std::string& command_line) {
+                            const std::string& command_line,
+                            const std::function<void(SessionWriter&, const Scene&)>& beside) {
   // The profile first: a wrong name must not leave an empty session behind.
   const CellProfile profile = load_profile(pipeline.profile);
   SessionInfo info;
@@ -100,7 +101,10 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
   const BatchOptions options{.pipeline = pipeline,
                              .job_count = job_count,
                              .progress = [&](long done, std::optional<long> all) { progress.update(done, all); }};
-  BatchResult result = run_batch(source, options, [&](const Scene& scene) { writer.write(scene); });
+  BatchResult result = run_batch(source, options, [&](const Scene& scene) {
+    writer.write(scene);
+    if (beside) beside(writer, scene);
+  });
   if (pipeline.palpation) writer.set_palpation(palpation_json(*pipeline.palpation, result));
   writer.close();
   return result;

@@ -1,20 +1,24 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "pellucida/acquisition/FrameSource.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionInfo.h"
+#include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {
 
 /// Measures every frame of `source` into a session folder, with progress on a terminal, and closes the session whatever
 /// happens. Throws OutputError or UsageError about the folder, UsageError or InputError about the profile.
-/// An input that broke on the way is in the result; the session holds what came before.
+/// An input that broke on the way is in the result; the session holds what came before. `beside` (may be empty) is
+/// called after each frame was written, to add what goes beside it.
 BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline, int job_count,
                             const std::filesystem::path& folder, const SessionOptions& session_options,
-                            const std::string& command_line);
+                            const std::string& command_line,
+                            const std::function<void(SessionWriter&, const Scene&)>& beside = {});
 
 /// Five lines that say what was found: frames by state, peak force with its interval, cell, speed, session.
 std::string summary(const BatchResult& result, const std::filesystem::path& folder);

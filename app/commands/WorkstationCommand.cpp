@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "commands/CommandLine.h"
+#include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/pipeline/AnySource.h"
@@ -28,10 +29,30 @@ struct WorkstationArguments {
   int height_px = 900;
 };
 
+void leave_picture(const WorkstationArguments& arguments, const std::string& session, const BatchResult& result) {
+  const std::filesystem::path picture = arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png"
+                                                                     : std::filesystem::path(arguments.screenshot);
+  render_picture(*result.peak, result.rows, picture);
+  std::cout << "picture  " << picture.string() << '\n';
+}
+
+// No display and nothing named: a guided injection by the simulated operator on the virtual microscope.
+void run_headless_injection(const WorkstationArguments& arguments, const std::string& session) {
+  const OperatedOptions operated;
+  const GuidedResult result = measure_guided_session(operated, arguments.pipeline, session, {}, command_line());
+  std::cout << summary(result.measured, session) << summary(result.injection);
+  require_measured(result.measured, "virtual:" + operated.scenario);
+  leave_picture(arguments, session, result.measured);
+}
+
 // No display: the same run, every frame measured, a session and a picture left behind.
 void run_headless(const WorkstationArguments& arguments) {
   const std::string session = arguments.session.empty() ? default_session_folder() : arguments.session;
   std::cerr << "pellucida: no display (DISPLAY is not set): running headless\n";
+  if (arguments.source == "virtual") {
+    run_headless_injection(arguments, session);
+    return;
+  }
   const auto source = open_any_source(arguments.source, arguments.source_options);
   if (source->info().live) {
     throw UsageError(arguments.source +
@@ -41,11 +62,7 @@ void run_headless(const WorkstationArguments& arguments) {
   const BatchResult result = measure_session(*source, arguments.pipeline, 2, session, {}, command_line());
   std::cout << summary(result, session);
   require_measured(result, arguments.source);
-
-  const std::filesystem::path picture = arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png"
-                                                                     : std::filesystem::path(arguments.screenshot);
-  render_picture(*result.peak, result.rows, picture);
-  std::cout << "picture  " << picture.string() << '\n';
+  leave_picture(arguments, session, result);
 }
 
 void run_workstation_command(const WorkstationArguments& arguments) {

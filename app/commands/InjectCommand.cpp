@@ -1,0 +1,60 @@
+#include "commands/InjectCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+
+#include "commands/CommandLine.h"
+#include "commands/GuidedSession.h"
+#include "commands/MeasureSession.h"
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+struct InjectArguments {
+  OperatedOptions operated;
+  PipelineOptions pipeline;
+  std::string output;
+  bool no_frames = false;
+};
+
+void inject(const InjectArguments& arguments) {
+  const GuidedResult result = measure_guided_session(arguments.operated, arguments.pipeline, arguments.output,
+                                                     {.frames = !arguments.no_frames}, command_line());
+  std::cout << summary(result.measured, arguments.output) << summary(result.injection);
+  require_measured(result.measured, "virtual:" + arguments.operated.scenario);
+}
+
+}  // namespace
+
+void add_inject_command(CLI::App& app) {
+  auto arguments = std::make_shared<InjectArguments>();
+  CLI::App* command = app.add_subcommand(
+      "inject", "a guided injection by a simulated operator on the virtual microscope, recorded as a session");
+  command->add_option("--output", arguments->output, "folder of the new session")->required();
+  command->add_option("--scenario", arguments->operated.scenario, "of the virtual microscope, by name or JSON file")
+      ->capture_default_str();
+  const std::map<std::string, Modality> modalities{{"image", Modality::kFlatImage},
+                                                   {"3d", Modality::kSpace},
+                                                   {"3d+haptics", Modality::kSpaceAndHaptics},
+                                                   {"3d+haptics+guide", Modality::kSpaceAndFixture}};
+  command
+      ->add_option("--modality", arguments->operated.person.modality,
+                   "what the operator sees and feels: image, 3d, 3d+haptics, 3d+haptics+guide (default)")
+      ->transform(CLI::CheckedTransformer(modalities).description(""));
+  command->add_option("--seed", arguments->operated.seed, "of the operator")->capture_default_str();
+  command
+      ->add_option("--vision-delay-s", arguments->operated.vision_delay_s,
+                   "from a frame's exposure to its force at the hand, s")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--max-duration-s", arguments->operated.max_duration_s, "the operator gives up then, s")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
+  command->add_flag("--no-frames", arguments->no_frames, "keep no images in the session");
+  command->callback([arguments] { inject(*arguments); });
+}
+
+}  // namespace pellucida
