@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
-  for (const char* command :
-       {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench", "devices", "profiles"}) {
+  for (const char* command : {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench",
+                              "devices", "profiles", "inject"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
@@ -146,14 +146,21 @@ TEST(Commands, ForceTakesAnyAngleOffsetAndTip) {
   }
 }
 
-// With no display the main job runs headless: a session that checks out, and a picture that shows something.
+// With no display the main job runs headless, a guided injection from end to end: a session that checks out, the hand
+// in it, and a picture that shows something.
 TEST(Commands, WorkstationWithoutADisplayLeavesASessionAndAPicture) {
   const auto folder = test::fresh_folder("commands_headless", testing::TempDir());
   const auto session = folder / "session";
   const auto outcome = test::run_program("workstation --session '" + session.string() + "'", folder);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 6) << outcome.out;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 9) << outcome.out;
+  for (const char* said : {"simulated operator", "membrane gave way", "left in the cell; needle taken out"}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
+  }
   EXPECT_EQ(test::run_program("check '" + session.string() + "'", folder).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(session / "haptics" / "haptics_00000005.vtp"));
+  const auto head = nlohmann::json::parse(test::text_of(session / "session.json"));
+  EXPECT_EQ(head["plan"]["schema"], "pellucida-injection-plan");
 
   const cv::Mat picture = cv::imread((session / "picture.png").string());
   ASSERT_GE(picture.cols, 1200);
