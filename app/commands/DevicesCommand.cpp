@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pellucida/teleoperation/DeviceSearch.h"
+#include "pellucida/teleoperation/EppendorfLine.h"
 
 namespace pellucida {
 namespace {
@@ -70,20 +71,41 @@ void print_json(const std::vector<DeviceReport>& reports) {
   std::cout << nlohmann::json{{"devices", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
+void print_position(const char* unit, const EppendorfPosition& position) {
+  std::cout << "position";
+  for (const long coordinate : position.coordinates) std::cout << ' ' << coordinate;
+  std::cout << ' ' << unit << (position.limit_switches != 0 ? ", at a limit switch" : "") << '\n';
+}
+
+void print_identity(const EppendorfIdentity& identity) {
+  std::cout << "version " << identity.version << '\n';
+  print_position("um", identity.micrometres);
+  print_position("microsteps", identity.microsteps);
+  if (identity.microsteps_per_um > 0.0) {
+    std::cout << identity.microsteps_per_um << " microsteps for a um\n";
+  } else {
+    std::cout << "microsteps for a um: drive it 100 um or more away from zero, and ask again\n";
+  }
+}
+
 }  // namespace
 
 void add_devices_command(CLI::App& app) {
   auto json = std::make_shared<bool>(false);
+  auto port = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "devices",
       "cameras, devices for the hand, serial ports, manipulators: what is there, what is not and exactly why");
   command->add_flag("--json", *json, "the same as JSON: kind, name, usable, detail");
-  command->callback([json] {
-    const auto reports = search_all();
-    if (*json) {
-      print_json(reports);
+  command->add_option("--ask", *port,
+                      "ask the Eppendorf manipulator at this serial port for version and position; moves nothing");
+  command->callback([json, port] {
+    if (!port->empty()) {
+      print_identity(ask_identity(*port));
+    } else if (*json) {
+      print_json(search_all());
     } else {
-      print(reports);
+      print(search_all());
     }
   });
 }

@@ -53,8 +53,12 @@ TEST(Commands, DevicesTellsOfEachKindAndWhyNot) {
 
   const auto listed = test::run_program("devices", folder);
   EXPECT_EQ(listed.exit_code, 0);
-  EXPECT_NE(listed.out.find("OpenHaptics"), std::string::npos) << listed.out;
-  EXPECT_NE(listed.out.find("SpaceMouse"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("openhaptics"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("spacemouse"), std::string::npos) << listed.out;
+
+  const auto asked = test::run_program("devices --ask /dev/ttyPELLUCIDA", folder);
+  EXPECT_EQ(asked.exit_code, 6);
+  EXPECT_NE(asked.err.find("there is no /dev/ttyPELLUCIDA"), std::string::npos) << asked.err;
 }
 
 TEST(Commands, ForcePassesTheMeasuredPuncturePoint) {

@@ -54,6 +54,10 @@ class Emulator {
     std::lock_guard lock(mutex_);
     switches_ = switches;
   }
+  void set_microsteps(long per_um) {
+    std::lock_guard lock(mutex_);
+    microsteps_per_um_ = per_um;
+  }
   void place(const std::array<long, 3>& position) {
     std::lock_guard lock(mutex_);
     position_ = position;
@@ -69,9 +73,10 @@ class Emulator {
     long p[3], v[3];
     if (code == "C001") return "A001 5181 V1.04\r";
     if (code == "C010" || code == "C009") {
-      char text[80];
-      std::snprintf(text, sizeof text, "A%s %ld%+ld%+ld %ld\r", code.c_str() + 1, position_[0], position_[1],
-                    position_[2], switches_);
+      char text[120];
+      const long unit = code == "C009" ? microsteps_per_um_ : 1;
+      std::snprintf(text, sizeof text, "A%s %ld%+ld%+ld %ld\r", code.c_str() + 1, unit * position_[0],
+                    unit * position_[1], unit * position_[2], switches_);
       return text;
     }
     if (code == "C012" || code == "C011") {
@@ -87,6 +92,7 @@ class Emulator {
   Mood mood_ = Mood::kWell;
   std::array<long, 3> position_{};
   long switches_ = 0;
+  long microsteps_per_um_ = 1;
   std::vector<std::string> heard_;
 };
 
@@ -138,6 +144,18 @@ TEST_F(EppendorfManipulatorTest, OpensAsksTheVersionAndTakesRemoteControl) {
   EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C001", "C004", "C010"}));
   manipulator.close();
   EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C008", "C005"}));
+}
+
+TEST_F(EppendorfManipulatorTest, TellsOfItselfWithoutBeingMoved) {
+  emulator_.place({1000, -2500, 30});
+  emulator_.set_microsteps(25);
+  EppendorfIdentity identity = ask_identity(options_.port, 10.0);
+  EXPECT_EQ(identity.version, "5181 V1.04");
+  EXPECT_EQ(identity.micrometres.coordinates[1], -2500);
+  EXPECT_NEAR(identity.microsteps_per_um, 25.0, 1e-12);
+  EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C001", "C009", "C010"}));
+  emulator_.place({99, 0, 0});
+  EXPECT_EQ(ask_identity(options_.port, 10.0).microsteps_per_um, 0.0);
 }
 
 TEST_F(EppendorfManipulatorTest, GoesStraightInTheFrameOfTheImage) {

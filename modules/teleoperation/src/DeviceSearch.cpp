@@ -32,7 +32,7 @@ void add_gamepads(std::vector<DeviceReport>& reports) {
   try {
     const auto found = gamepads();
     for (const auto& pad : found) {
-      reports.push_back({"hand", "gamepad: " + pad.name, true, pad.has_rumble ? "with rumble" : "without rumble"});
+      reports.push_back({"hand", "gamepad:" + pad.name, true, pad.has_rumble ? "with rumble" : "without rumble"});
     }
     const auto forbidden = forbidden_gamepads();
     for (const auto& path : forbidden) {
@@ -49,18 +49,18 @@ void add_gamepads(std::vector<DeviceReport>& reports) {
 void add_space_mouse(std::vector<DeviceReport>& reports) {
   const std::string trouble = space_mouse_trouble();
   if (!trouble.empty()) {
-    reports.push_back({"hand", "SpaceMouse", false, trouble});
+    reports.push_back({"hand", "spacemouse", false, trouble});
     return;
   }
   const std::string name = space_mouse_name();
   reports.push_back(
-      {"hand", "SpaceMouse", true, name.empty() ? "the daemon answers; it does not say which device it has" : name});
+      {"hand", "spacemouse", true, name.empty() ? "the daemon answers; it does not say which device it has" : name});
 }
 
 void add_open_haptics(std::vector<DeviceReport>& reports) {
   const std::string trouble = open_haptics_trouble();
   reports.push_back(
-      {"hand", "OpenHaptics", trouble.empty(),
+      {"hand", "openhaptics", trouble.empty(),
        trouble.empty() ? "the driver's library is there; a device is opened when it is chosen" : trouble});
 }
 
@@ -78,18 +78,20 @@ std::vector<DeviceReport> search_hand_devices() {
 std::vector<DeviceReport> search_manipulators() {
   std::vector<DeviceReport> reports;
   const auto ports = serial_ports();
-  bool usable_port = false;
   for (const auto& port : ports) {
-    usable_port = usable_port || port.trouble.empty();
-    reports.push_back(
-        {"serial port", port.path, port.trouble.empty(), port.trouble.empty() ? port.description : port.trouble});
+    const bool usable = port.trouble.empty();
+    reports.push_back({"serial port", port.path, usable, usable ? port.description : port.trouble});
   }
   if (ports.empty()) {
     reports.push_back({"serial port", "serial port", false, "this machine has none; plug in a USB serial adapter"});
+    reports.push_back({"manipulator", "eppendorf", false, "no serial port; see above"});
   }
-  reports.push_back({"manipulator", "Eppendorf", usable_port,
-                     usable_port ? "can be tried at the serial ports above; it is not asked unless it is chosen"
-                                 : "no serial port that can be used; see above"});
+  for (const auto& port : ports) {
+    const bool usable = port.trouble.empty();
+    reports.push_back({"manipulator", "eppendorf:" + port.path, usable,
+                       usable ? "can be tried; ask whether one is there: pellucida devices --ask " + port.path
+                              : "the port can't be used; see above"});
+  }
   reports.push_back({"manipulator", "simulated", true, "the simulated injector"});
   return reports;
 }

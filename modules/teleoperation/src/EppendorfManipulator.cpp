@@ -2,30 +2,16 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <exception>
 
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
 namespace {
 
-constexpr int kBaud = 19200;
-// A motion and a question with their answers are some 80 characters of 10 bits: 42 ms of the line.
+// A motion and a question with their answers are some 80 characters of 10 bits: 42 ms of the line at 19200 baud.
 constexpr double kRate_Hz = 20.0;
-constexpr double kWriteTimeout_s = 0.5;
-
-double steady_now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Noise as it can be shown on a terminal.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -45,9 +31,7 @@ EppendorfManipulator::EppendorfManipulator(const EppendorfOptions& options) : op
   }
   if (options.microsteps_per_um > 0.0) units_per_um_ = options.microsteps_per_um;
   specification_.name = "Eppendorf manipulator at " + options.port;
-  const Eigen::Vector3d reach_um = world_from_device_.cwiseAbs() * Eigen::Vector3d::Constant(options.travel_um);
-  specification_.lower_um = Eigen::Vector3d(-reach_um);
-  specification_.upper_um = reach_um;
+  place_travel();
   specification_.max_speed_um_per_s = options.max_speed_um_per_s;
   specification_.resolution_um = 1.0 / units_per_um_;
   specification_.rate_Hz = kRate_Hz;
@@ -59,99 +43,69 @@ EppendorfManipulator::~EppendorfManipulator() {
 }
 
 void EppendorfManipulator::open() {
-  if (port_) return;
-  port_ = std::make_unique<SerialPort>(options_.port, kBaud);
-  port_->discard_input();
-  lines_.clear();
-  last_stray_.clear();
+  if (line_) return;
+  line_ = std::make_unique<EppendorfLine>(options_.port);
   sent_ = stopped_ = polled_ = clamped_ = false;
-  version_ = ask(EppendorfCode::kVersion, eppendorf_command(EppendorfCode::kVersion), options_.answer_timeout_s).text;
+  try {
+    version_ = line_->ask(EppendorfCode::kVersion, options_.answer_timeout_s).text;
+  } catch (...) {
+    line_.reset();
+    throw;
+  }
   ask(EppendorfCode::kRemoteControl, eppendorf_command(EppendorfCode::kRemoteControl), options_.standstill_timeout_s);
   position_ = ask_position();
 }
 
 void EppendorfManipulator::close() noexcept {
-  if (!port_) return;
+  if (!line_) return;
   try {
-    // As the last thing: stand, and give joystick and keys back to the person. The answers matter to nobody.
-    port_->write(eppendorf_command(EppendorfCode::kStop), kWriteTimeout_s);
-    EppendorfAnswer answer;
-    await(EppendorfCode::kStop, options_.answer_timeout_s, answer);
-    port_->write(eppendorf_command(EppendorfCode::kManualControl), kWriteTimeout_s);
-    await(EppendorfCode::kManualControl, options_.answer_timeout_s, answer);
-  } catch (const DeviceError&) {
+    // As the last thing: stand, and give joystick and keys back to the person.
+    line_->ask(EppendorfCode::kStop, options_.answer_timeout_s);
+    line_->ask(EppendorfCode::kManualControl, options_.answer_timeout_s);
+  } catch (const std::exception&) {
     // It is gone: nothing is left to be told.
   }
-  port_.reset();
+  line_.reset();
 }
 
-void EppendorfManipulator::give_up(const std::string& what) {
-  port_.reset();
-  throw DeviceError("Eppendorf manipulator at " + options_.port + ": " + what);
-}
-
-bool EppendorfManipulator::await(EppendorfCode code, double timeout_s, EppendorfAnswer& answer) {
-  const double deadline_s = steady_now_s() + timeout_s;
-  while (true) {
-    while (const auto line = lines_.next()) {
-      if (const auto found = eppendorf_answer(*line); found && found->code == static_cast<int>(code)) {
-        answer = *found;
-        return true;
-      }
-      // Noise, the echo of our own command, or an answer that came too late for its question.
-      last_stray_ = printable(*line);
-      ++stray_line_count_;
-    }
-    const double left_s = deadline_s - steady_now_s();
-    if (left_s <= 0.0) return false;
-    char bytes[64];
-    lines_.push({bytes, port_->read(bytes, sizeof bytes, left_s)});
-  }
-}
-
-EppendorfAnswer EppendorfManipulator::ask(EppendorfCode code, const std::string& command, double timeout_s) {
-  const std::string name = command.substr(0, 4);
+void EppendorfManipulator::ask(EppendorfCode code, const std::string& command, double timeout_s) {
   try {
-    // What is still on its way belongs to an earlier question.
-    port_->discard_input();
-    lines_.clear();
-    // Once more when no answer comes: a bit may have been lost on the line. All our commands may be given twice.
-    for (int attempt = 0; attempt < 2; ++attempt) {
-      EppendorfAnswer answer;
-      port_->write(command, kWriteTimeout_s);
-      if (await(code, timeout_s, answer)) return answer;
-    }
-  } catch (const DeviceError& fault) {
-    give_up(fault.what());
+    line_->ask(code, command, timeout_s);
+  } catch (...) {
+    line_.reset();
+    throw;
   }
-  give_up("no answer to " + name + " within " + std::to_string(timeout_s) + " s, asked twice" +
-          (last_stray_.empty() ? "" : "; the last line that came was \"" + last_stray_ + "\"") +
-          "; check that it is switched on and set to 19200 baud");
 }
 
 Eigen::Vector3d EppendorfManipulator::ask_position() {
   const EppendorfCode code =
       options_.microsteps_per_um > 0.0 ? EppendorfCode::kPositionMicrosteps : EppendorfCode::kPositionMicrometres;
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    const EppendorfAnswer answer = ask(code, eppendorf_command(code), options_.answer_timeout_s);
-    if (const auto position = eppendorf_position(answer)) {
-      at_switch_ = position->limit_switches != 0;
-      return {static_cast<double>(position->coordinates[0]), static_cast<double>(position->coordinates[1]),
-              static_cast<double>(position->coordinates[2])};
-    }
-    last_stray_ = printable(answer.text);
-    ++stray_line_count_;
+  try {
+    const EppendorfPosition position = line_->ask_position(code, options_.answer_timeout_s);
+    at_switch_ = position.limit_switches != 0;
+    return {static_cast<double>(position.coordinates[0]), static_cast<double>(position.coordinates[1]),
+            static_cast<double>(position.coordinates[2])};
+  } catch (...) {
+    line_.reset();
+    throw;
   }
-  give_up("its position came as \"" + last_stray_ + "\", not as three coordinates and the limit switches");
 }
 
-void EppendorfManipulator::register_tip(const PlainVector3& tip_um) {
-  if (!port_) throw DeviceError("Eppendorf manipulator at " + options_.port + ": not open");
-  position_ = ask_position();
-  origin_um_ = tip_um.eigen() - world_from_device_ * (position_ / units_per_um_);
+void EppendorfManipulator::demand_open() const {
+  if (!line_) throw DeviceError(specification_.name + ": not open; open it first");
+}
+
+void EppendorfManipulator::place_travel() {
   const Eigen::Vector3d reach_um = world_from_device_.cwiseAbs() * Eigen::Vector3d::Constant(options_.travel_um);
   specification_.lower_um = Eigen::Vector3d(origin_um_ - reach_um);
   specification_.upper_um = Eigen::Vector3d(origin_um_ + reach_um);
+}
+
+void EppendorfManipulator::register_tip(const PlainVector3& tip_um) {
+  demand_open();
+  position_ = ask_position();
+  origin_um_ = tip_um.eigen() - world_from_device_ * (position_ / units_per_um_);
+  place_travel();
 }
 
 void EppendorfManipulator::halt() {
@@ -160,7 +114,7 @@ void EppendorfManipulator::halt() {
 }
 
 void EppendorfManipulator::command(const PipetteCommand& command, double) {
-  if (!port_) throw DeviceError("Eppendorf manipulator at " + options_.port + ": not open");
+  demand_open();
   if (command.stop) {
     if (!stopped_) halt();
     stopped_ = true;
@@ -201,7 +155,7 @@ void EppendorfManipulator::move(const Eigen::Vector3d& target, double speed_um_p
 }
 
 PipetteState EppendorfManipulator::state(double now_s) {
-  if (!port_) throw DeviceError("Eppendorf manipulator at " + options_.port + ": not open");
+  demand_open();
   const Eigen::Vector3d before = position_;
   position_ = ask_position();
   PipetteState state;

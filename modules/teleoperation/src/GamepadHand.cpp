@@ -85,7 +85,10 @@ std::vector<GamepadInfo> gamepads() {
   return found;
 }
 
-struct GamepadHand::Sdl : SdlInUse {};
+struct GamepadHand::Sdl : SdlInUse {
+  SDL_Joystick* joystick = nullptr;
+  SDL_GameController* controller = nullptr;
+};
 
 GamepadHand::GamepadHand(const GamepadOptions& options)
     : PolledHand(specification_for(options)), options_(options), sdl_(std::make_unique<Sdl>()) {
@@ -107,18 +110,18 @@ GamepadHand::~GamepadHand() {
 }
 
 void GamepadHand::let_go() {
-  if (controller_) SDL_GameControllerClose(controller_);
-  if (joystick_) SDL_JoystickClose(joystick_);
-  controller_ = nullptr;
-  joystick_ = nullptr;
+  if (sdl_->controller) SDL_GameControllerClose(sdl_->controller);
+  if (sdl_->joystick) SDL_JoystickClose(sdl_->joystick);
+  sdl_->controller = nullptr;
+  sdl_->joystick = nullptr;
 }
 
 bool GamepadHand::look_for_it() {
   for (int index = 0; index < SDL_NumJoysticks(); ++index) {
     if (std::string(name_of(index)).find(options_.name) == std::string::npos) continue;
-    joystick_ = SDL_JoystickOpen(index);
-    if (!joystick_) continue;
-    if (SDL_IsGameController(index)) controller_ = SDL_GameControllerOpen(index);
+    sdl_->joystick = SDL_JoystickOpen(index);
+    if (!sdl_->joystick) continue;
+    if (SDL_IsGameController(index)) sdl_->controller = SDL_GameControllerOpen(index);
     last_rumble_ = until_next_rumble_ = 0;
     return true;
   }
@@ -128,17 +131,17 @@ bool GamepadHand::look_for_it() {
 PolledHand::Reading GamepadHand::poll(const TouchCue& cue, std::stop_token stop) {
   wait_for(stop, 1.0 / options_.rate_Hz);
   SDL_JoystickUpdate();
-  if (joystick_ && !SDL_JoystickGetAttached(joystick_)) {
+  if (sdl_->joystick && !SDL_JoystickGetAttached(sdl_->joystick)) {
     let_go();
     until_next_look_ = 0;
   }
-  if (!joystick_) {
+  if (!sdl_->joystick) {
     if (until_next_look_-- > 0 || !look_for_it()) {
       if (until_next_look_ < 0) until_next_look_ = static_cast<int>(kLookAgain_s * options_.rate_Hz);
       return {};
     }
   }
-  const Pad pad(joystick_);
+  const Pad pad(sdl_->joystick);
   Reading reading;
   reading.connected = true;
   // SDL counts down and towards the person as above 0.
@@ -161,7 +164,7 @@ void GamepadHand::rumble(const TouchCue& cue) {
   until_next_rumble_ = std::max(1, static_cast<int>(kRumbleRenewed_s * options_.rate_Hz));
   last_rumble_ = strength;
   // A pad without rumble says so each time; that is no fault.
-  SDL_JoystickRumble(joystick_, static_cast<Uint16>(strength), static_cast<Uint16>(strength), kRumbleLasts_ms);
+  SDL_JoystickRumble(sdl_->joystick, static_cast<Uint16>(strength), static_cast<Uint16>(strength), kRumbleLasts_ms);
 }
 
 }  // namespace pellucida

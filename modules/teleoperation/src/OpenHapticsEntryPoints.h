@@ -10,7 +10,7 @@ struct ErrorInfo {
   unsigned int device;
 };
 
-// Names of the driver's numbers, as its programmer's guide lists them.
+// The driver's constants, as public programs that call it give them (docs/devices.md).
 inline constexpr unsigned int kSuccess = 0x0000;
 inline constexpr unsigned int kInvalidHandle = 0xffffffffu;
 inline constexpr unsigned int kCallbackDone = 0;

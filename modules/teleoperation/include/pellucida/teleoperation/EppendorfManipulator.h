@@ -4,9 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "pellucida/teleoperation/EppendorfProtocol.h"
+#include "pellucida/teleoperation/EppendorfLine.h"
 #include "pellucida/teleoperation/Manipulator.h"
-#include "pellucida/teleoperation/SerialPort.h"
 
 namespace pellucida {
 
@@ -30,8 +29,7 @@ struct EppendorfOptions {
 /// Eppendorf PatchMan NP 2 and what speaks like it, over a serial port. It does not inject.
 ///
 /// A motion goes out as soon as target or speed change, its speeds shared among the axes so that the tip goes straight.
-/// An answer that is late, garbled or of another command is passed over until the deadline; a question is asked twice
-/// before the device counts as lost.
+/// A device that does not answer (EppendorfLine) is closed.
 class EppendorfManipulator final : public Manipulator {
  public:
   /// Throws UsageError for numbers out of range and for axes that do not span space.
@@ -40,7 +38,7 @@ class EppendorfManipulator final : public Manipulator {
 
   void open() override;
   void close() noexcept override;
-  bool is_open() const noexcept override { return port_ != nullptr; }
+  bool is_open() const noexcept override { return line_ != nullptr; }
   const ManipulatorSpecification& specification() const noexcept override { return specification_; }
   void command(const PipetteCommand& command, double now_s) override;
   PipetteState state(double now_s) override;
@@ -51,16 +49,16 @@ class EppendorfManipulator final : public Manipulator {
   /// "5181 V1.04", after `open`.
   const std::string& version() const noexcept { return version_; }
 
-  /// Lines that came and were no answer awaited: noise, echo, late answers.
-  std::uint64_t stray_line_count() const noexcept { return stray_line_count_; }
+  /// Lines that came and were no answer awaited, since `open`.
+  std::uint64_t stray_line_count() const noexcept { return line_ ? line_->stray_line_count() : 0; }
 
  private:
-  EppendorfAnswer ask(EppendorfCode code, const std::string& command, double timeout_s);
-  bool await(EppendorfCode code, double timeout_s, EppendorfAnswer& answer);
+  void ask(EppendorfCode code, const std::string& command, double timeout_s);
   Eigen::Vector3d ask_position();
   void halt();
   void move(const Eigen::Vector3d& target, double speed_um_per_s);
-  [[noreturn]] void give_up(const std::string& what);
+  void demand_open() const;
+  void place_travel();
 
   EppendorfOptions options_;
   ManipulatorSpecification specification_;
@@ -68,11 +66,8 @@ class EppendorfManipulator final : public Manipulator {
   Eigen::Vector3d origin_um_ = Eigen::Vector3d::Zero();  ///< of the device, in frame W
   double units_per_um_ = 1.0;
 
-  std::unique_ptr<SerialPort> port_;
-  LineSplitter lines_;
+  std::unique_ptr<EppendorfLine> line_;
   std::string version_;
-  std::string last_stray_;
-  std::uint64_t stray_line_count_ = 0;
 
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();  ///< the device's own units
   std::array<long, 3> sent_position_{};

@@ -5,9 +5,6 @@
 
 #include "pellucida/teleoperation/PolledHand.h"
 
-struct _SDL_Joystick;
-struct _SDL_GameController;
-
 namespace pellucida {
 
 /// A gamepad or joystick this machine has.
@@ -46,9 +43,7 @@ class GamepadHand final : public PolledHand {
   void rumble(const TouchCue& cue);
 
   GamepadOptions options_;
-  std::unique_ptr<Sdl> sdl_;  ///< before and after all that is SDL's
-  _SDL_Joystick* joystick_ = nullptr;
-  _SDL_GameController* controller_ = nullptr;
+  std::unique_ptr<Sdl> sdl_;  ///< all that is SDL's
   int last_rumble_ = 0;
   int until_next_rumble_ = 0;  ///< polls
   int until_next_look_ = 0;    ///< polls

@@ -41,6 +41,13 @@ struct TeleoperationSettings {
   TargetBox box;
 };
 
+/// The same settings at another scale: position and rate control alike, whose rate is twice the scale each second.
+inline TeleoperationSettings at_scale(TeleoperationSettings settings, double scale_um_per_m) noexcept {
+  settings.scale_um_per_m = scale_um_per_m;
+  settings.rate_um_per_s_per_m = 2.0 * scale_um_per_m;
+  return settings;
+}
+
 /// Hand motion to tip motion: position or rate control, clutch, scales, tremor low-pass, all three axes at once.
 ///
 /// Position control: tip = anchor + scale * (hand - hand's anchor), both in frame W. Clutch, engage and a change of
