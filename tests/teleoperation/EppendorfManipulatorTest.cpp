@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -231,6 +232,10 @@ TEST_F(EppendorfManipulatorTest, StandsStillForSpeedZeroAndKeepsToItsTravel) {
   EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C008"}));
   manipulator.command(go_to(10.0, 0.0, 0.0), 0.3);
   EXPECT_FALSE(manipulator.state(0.4).at_limit);
+  // A place that is no number is no place to go: it stands.
+  emulator_.heard();
+  manipulator.command(go_to(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 0.4);
+  EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C008"}));
   emulator_.set_switches(2);
   EXPECT_TRUE(manipulator.state(0.5).at_limit);
 }

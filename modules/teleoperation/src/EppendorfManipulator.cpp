@@ -122,7 +122,7 @@ void EppendorfManipulator::command(const PipetteCommand& command, double) {
   }
   stopped_ = false;
   const double speed_um_per_s = std::min(command.max_speed_um_per_s, options_.max_speed_um_per_s);
-  if (!(speed_um_per_s > 0.0)) {
+  if (!(speed_um_per_s > 0.0) || !command.tip_um.eigen().allFinite()) {
     if (sent_) halt();
     return;
   }
