@@ -105,6 +105,27 @@ TEST(TeleoperationMap, ChangesScaleWithoutAJumpEvenInMotion) {
   EXPECT_GT(after.tip_um.x, before.tip_um.x);
 }
 
+TEST(TeleoperationMap, SwitchesTheTremorFilterWithoutAJumpEvenInMotion) {
+  TeleoperationMap map;
+  map.engage(hand_at(0.0), {0.0, 0.0, 0.0});
+  int i = 0;
+  for (const bool enabled : {false, true, false}) {
+    TipTarget before;
+    for (int k = 0; k < 500; ++k) before = map.update(hand_at(2e-5 * i++), kTick_s);
+    TremorOptions tremor;
+    tremor.enabled = enabled;
+    map.request({}, tremor);
+    const TipTarget after = map.update(hand_at(2e-5 * i++), kTick_s);
+    EXPECT_EQ(map.lag_s() > 0.0, enabled);
+    // No more than two ticks' motion: 20 mm/s of the hand are 0.04 um a tick.
+    EXPECT_LT(distance_um(after.tip_um, before.tip_um), 0.08);
+  }
+  // The next request without a filter named keeps the last.
+  map.request({});
+  map.update(hand_at(2e-5 * i), kTick_s);
+  EXPECT_EQ(map.lag_s(), 0.0);
+}
+
 TEST(TeleoperationMap, ChangesControlWithoutAJump) {
   TeleoperationMap map({}, no_filter());
   map.engage(hand_at(0.0), {5.0, 5.0, 5.0});

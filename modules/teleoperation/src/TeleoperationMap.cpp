@@ -16,6 +16,14 @@ void demand_positive(double value, const char* what) {
   throw UsageError(std::string("teleoperation: ") + what + " must be above 0, not " + std::to_string(value));
 }
 
+void check_tremor(const TremorOptions& tremor) {
+  demand_positive(tremor.rest_cutoff_Hz, "the tremor filter's cut-off in Hz");
+  demand_positive(tremor.max_cutoff_Hz, "the tremor filter's highest cut-off in Hz");
+  if (!(tremor.cutoff_rise_Hz_s_per_m >= 0.0)) {
+    throw UsageError("teleoperation: the rise of the tremor filter's cut-off must be 0 or above");
+  }
+}
+
 Eigen::Vector3d world(const Eigen::Vector3d& hand) noexcept {
   return world_from_hand(hand).eigen();
 }
@@ -37,15 +45,20 @@ void TeleoperationMap::check(const TeleoperationSettings& s) {
 }
 
 TeleoperationMap::TeleoperationMap(const TeleoperationSettings& settings, const TremorOptions& tremor)
-    : settings_(settings), filter_(tremor) {
+    : settings_(settings), asked_tremor_(tremor), filter_(tremor) {
   check(settings);
-  demand_positive(tremor.rest_cutoff_Hz, "the tremor filter's cut-off in Hz");
-  demand_positive(tremor.max_cutoff_Hz, "the tremor filter's highest cut-off in Hz");
+  check_tremor(tremor);
 }
 
 void TeleoperationMap::request(const TeleoperationSettings& settings) {
+  request(settings, asked_tremor_);
+}
+
+void TeleoperationMap::request(const TeleoperationSettings& settings, const TremorOptions& tremor) {
   check(settings);
-  requested_.publish(settings);
+  check_tremor(tremor);
+  asked_tremor_ = tremor;
+  requested_.publish({settings, tremor});
 }
 
 void TeleoperationMap::engage(const HandSample& hand, const PlainVector3& tip_um) noexcept {
@@ -68,12 +81,19 @@ void TeleoperationMap::anchor(const Eigen::Vector3d& hand_m) noexcept {
   seen_rest_ = !own_centre;
 }
 
-void TeleoperationMap::apply(const TeleoperationSettings& settings, const HandSample& hand) noexcept {
-  const bool other_control = settings.control != settings_.control || settings.self_centring != settings_.self_centring;
-  settings_ = settings;
+void TeleoperationMap::apply(const Request& request, const HandSample& hand) noexcept {
+  const TeleoperationSettings& asked = request.settings;
+  const bool other_control = asked.control != settings_.control || asked.self_centring != settings_.self_centring;
+  const bool other_filter = request.tremor.enabled != filter_.options().enabled;
+  settings_ = asked;
+  filter_.set_options(request.tremor);
   if (other_control) {
     anchor(hand.position_m.eigen());
-  } else if (settings_.control == Control::kPosition) {
+    return;
+  }
+  // A low-pass that comes or goes starts from where the hand is.
+  if (other_filter) filter_.reset(hand.position_m.eigen());
+  if (settings_.control == Control::kPosition) {
     // From where the filter is, not the hand: what it still lags is not lost.
     anchor_um_ = tip_um_;
     centre_m_ = filter_.position_m();

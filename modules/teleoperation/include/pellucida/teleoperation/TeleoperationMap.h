@@ -65,6 +65,9 @@ class TeleoperationMap final : public MotionMap {
   /// New settings from the window's thread, in force from the next update, without a jump. Throws as `check`.
   void request(const TeleoperationSettings& settings);
 
+  /// The same with another tremor low-pass. Throws UsageError for a cut-off out of range too.
+  void request(const TeleoperationSettings& settings, const TremorOptions& tremor);
+
   void engage(const HandSample& hand, const PlainVector3& tip_um) noexcept override;
   TipTarget update(const HandSample& hand, double dt_s) noexcept override;
 
@@ -86,13 +89,18 @@ class TeleoperationMap final : public MotionMap {
   double lag_s() const noexcept { return filter_.lag_s(); }
 
  private:
-  void apply(const TeleoperationSettings& settings, const HandSample& hand) noexcept;
+  struct Request {
+    TeleoperationSettings settings;
+    TremorOptions tremor;
+  };
+  void apply(const Request& request, const HandSample& hand) noexcept;
   void anchor(const Eigen::Vector3d& hand_m) noexcept;
   Eigen::Vector3d clamped(const Eigen::Vector3d& tip_um) const noexcept;
   Eigen::Vector3d shaped_deflection_m(const Eigen::Vector3d& hand_m) const noexcept;
 
   TeleoperationSettings settings_;
-  LatestValue<TeleoperationSettings> requested_;
+  TremorOptions asked_tremor_;  ///< the requesting thread's
+  LatestValue<Request> requested_;
   TremorFilter filter_;
   Eigen::Vector3d anchor_um_ = Eigen::Vector3d::Zero();  ///< tip that belongs to the hand at `centre_m_`
   Eigen::Vector3d tip_um_ = Eigen::Vector3d::Zero();

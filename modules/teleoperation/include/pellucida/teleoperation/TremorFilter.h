@@ -35,6 +35,7 @@ class TremorFilter {
   /// What the filter costs at this moment: how far slow motion lags, sqrt(2) / (2 pi cut-off). 0 when off.
   double lag_s() const noexcept;
 
+  const TremorOptions& options() const noexcept { return options_; }
   void set_options(const TremorOptions& options) noexcept { options_ = options; }
 
  private:
