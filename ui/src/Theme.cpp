@@ -17,7 +17,7 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #handBar { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
@@ -27,6 +27,8 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
 #readoutNote { color: @dim; font-size: 12px; }
 #statePill { border-radius: 15px; padding: 0px 18px; font-size: 15px; font-weight: 700; color: @window; }
+#handBar { border-top: 1px solid @border; }
+#handPill { border-radius: 11px; font-size: 12px; font-weight: 700; color: @window; }
 QToolButton, QPushButton { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 4px 10px; font-size: 12px; }
 QToolButton:hover, QPushButton:hover { border-color: @accent; }
 QToolButton:pressed, QPushButton:pressed { background: @border; }
@@ -36,6 +38,15 @@ QToolButton[flat="true"] { background: transparent; border-color: transparent; c
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
 QPushButton#record:checked { background: @record; border-color: @record; color: @window; font-weight: 700; }
+QPushButton#guide:checked { border-color: @plan; color: @plan; font-weight: 600; }
+QPushButton#emergencyStop { background: @record; border-color: @record; color: @window; font-weight: 800; font-size: 13px; }
+QPushButton#emergencyStop:hover { border-color: @text; }
+QComboBox, QDoubleSpinBox { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; }
+QComboBox:hover, QDoubleSpinBox:hover, QComboBox:focus, QDoubleSpinBox:focus { border-color: @accent; }
+QComboBox:disabled, QDoubleSpinBox:disabled { color: @border; }
+QComboBox QAbstractItemView { background: @raised; border: 1px solid @border; selection-background-color: @border; }
+QProgressBar { background: @border; border: none; border-radius: 4px; }
+QProgressBar::chunk { background: @accent; border-radius: 4px; }
 QToolButton::menu-indicator { image: none; }
 QPushButton { padding: 0px 12px; }
 QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
@@ -72,10 +83,10 @@ void apply_theme(QApplication& app) {
   app.setPalette(colors);
 
   QString sheet = QString::fromUtf8(kSheet);
-  const std::pair<const char*, Color> names[] = {{"@window", palette::kWindow}, {"@panel", palette::kPanel},
-                                                 {"@raised", palette::kRaised}, {"@border", palette::kBorder},
-                                                 {"@text", palette::kText},     {"@dim", palette::kTextDim},
-                                                 {"@accent", palette::kAccent}, {"@record", palette::kRecord}};
+  const std::pair<const char*, Color> names[] = {
+      {"@window", palette::kWindow}, {"@panel", palette::kPanel},   {"@raised", palette::kRaised},
+      {"@border", palette::kBorder}, {"@text", palette::kText},     {"@dim", palette::kTextDim},
+      {"@accent", palette::kAccent}, {"@record", palette::kRecord}, {"@plan", palette::kPlan}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
   app.setStyleSheet(sheet);
 }
