@@ -10,7 +10,9 @@
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/pipeline/AnySource.h"
+#include "pellucida/pipeline/HandDesk.h"
 #include "pellucida/pipeline/LiveRun.h"
+#include "pellucida/pipeline/VirtualWorkplace.h"
 #include "pellucida/ui/Workstation.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
@@ -22,6 +24,7 @@ struct WorkstationArguments {
   PipelineOptions pipeline;
   SourceOptions source_options;
   std::string mode = "guide";
+  std::string hand;
   std::string session;
   std::string screenshot;
   double after_s = 8.0;
@@ -65,6 +68,39 @@ void run_headless(const WorkstationArguments& arguments) {
   leave_picture(arguments, session, result);
 }
 
+// The name that the hand's desk has for a name on the command line; nothing for no hand.
+std::optional<std::string_view> hand_name(const WorkstationArguments& arguments) {
+  const std::string& hand = arguments.hand;
+  if (hand.empty()) return is_virtual_source(arguments.source) ? std::optional("Demonstration") : std::nullopt;
+  if (hand == "demonstration") return "Demonstration";
+  if (hand == "mouse") return "Mouse";
+  return std::nullopt;
+}
+
+// With a hand: a virtual cell whose needle it moves. Without: any source.
+int run_window(const WorkstationArguments& arguments, WindowOptions options) {
+  const auto hand = hand_name(arguments);
+  if (!hand) {
+    return run_workstation(
+        std::make_unique<LiveRun>(open_any_source(arguments.source, arguments.source_options), arguments.pipeline),
+        options);
+  }
+  if (!is_virtual_source(arguments.source)) {
+    throw UsageError("--hand " + arguments.hand + ": " + arguments.source +
+                     " has no pipette that a hand could move; use --source virtual, or --hand none");
+  }
+  if (arguments.source_options.pixel_size_um || arguments.source_options.frame_rate_hz) {
+    throw UsageError(arguments.source +
+                     ": the scenario fixes pixel size and frame rate; leave out --pixel-size-um and --fps");
+  }
+  const auto colon = arguments.source.find(':');
+  VirtualWorkplace workplace(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
+  auto run = std::make_unique<LiveRun>(workplace.make_microscope(Pace::kWallClock), arguments.pipeline);
+  auto desk = std::make_unique<HandDesk>(*run, workplace.injector(), &workplace.needle());
+  options.hand = desk->find_hand(*hand).value_or(-1);
+  return run_workstation(std::move(run), std::move(desk), options);
+}
+
 void run_workstation_command(const WorkstationArguments& arguments) {
   if (arguments.mode != "guide") {
     throw UsageError("--mode " + arguments.mode + ": this version has the mode guide only");
@@ -73,7 +109,6 @@ void run_workstation_command(const WorkstationArguments& arguments) {
     run_headless(arguments);
     return;
   }
-  auto run = std::make_unique<LiveRun>(open_any_source(arguments.source, arguments.source_options), arguments.pipeline);
   WindowOptions options;
   options.session_folder = arguments.session;
   options.screenshot = arguments.screenshot;
@@ -82,7 +117,7 @@ void run_workstation_command(const WorkstationArguments& arguments) {
   options.repeat = is_virtual_source(arguments.source);
   options.width_px = arguments.width_px;
   options.height_px = arguments.height_px;
-  if (run_workstation(std::move(run), options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+  if (run_window(arguments, options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
 }
 
 }  // namespace
@@ -98,6 +133,11 @@ void add_workstation_command(CLI::App& app) {
                       "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");
   command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
+  command
+      ->add_option("--hand", arguments->hand,
+                   "who holds the needle of a virtual source: demonstration (its default), mouse, or none (the "
+                   "scenario's own motion)")
+      ->check(CLI::IsMember({"demonstration", "mouse", "none"}));
   command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");
   command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then leave");
   command->add_option("--after", arguments->after_s, "seconds before the screenshot")->capture_default_str();

@@ -20,10 +20,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "HandControl.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/visualization_vtk/PanZoomStyle.h"
 #include "presenters/SourcePresenter.h"
 #include "widgets/ArrowMenu.h"
+#include "widgets/HandBar.h"
 #include "widgets/Icons.h"
 #include "widgets/Panel.h"
 #include "widgets/ReadoutBar.h"
@@ -58,8 +60,9 @@ void show_phrase(QLabel* label, const Phrase& phrase) {
 
 }  // namespace
 
-MainWindow::MainWindow(std::unique_ptr<LiveRun> run, WindowOptions options)
+MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, WindowOptions options)
     : run_(std::move(run)),
+      desk_(std::move(desk)),
       options_(std::move(options)),
       recordings_(options_.session_folder, QDir::homePath().toStdString()) {
   source_->SetExchange(run_->scenes());
@@ -73,6 +76,7 @@ MainWindow::MainWindow(std::unique_ptr<LiveRun> run, WindowOptions options)
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   timer_.start(0);
   run_->start();
+  if (desk_ && options_.hand >= 0) desk_->choose(options_.hand);
   if (!options_.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(1000.0 * options_.screenshot_after_s), this,
                        [this] { finish_with_screenshot(); });
@@ -81,6 +85,8 @@ MainWindow::MainWindow(std::unique_ptr<LiveRun> run, WindowOptions options)
 
 MainWindow::~MainWindow() {
   timer_.stop();
+  hand_.reset();
+  desk_.reset();
   run_->stop();
   // The widgets show the views: they go first.
   delete takeCentralWidget();
@@ -99,11 +105,17 @@ void MainWindow::build() {
   column->addWidget(build_top_bar());
   readouts_ = new ReadoutBar(page);
   column->addWidget(readouts_);
+  QWidget* feed_panel = build_feed_panel();
+  if (desk_) {
+    hand_ = std::make_unique<HandControl>(*desk_, feed_, *feed_widget_, *this,
+                                          [this](const QString& text, bool problem) { notify(text, problem); });
+    column->addWidget(hand_->bar());
+  }
 
   // Views above, charts below; every border can be dragged.
   auto* views = new QSplitter(Qt::Horizontal);
   views->setHandleWidth(4);
-  views->addWidget(build_feed_panel());
+  views->addWidget(feed_panel);
   views->addWidget(build_membrane_panel());
   auto* all = new QSplitter(Qt::Vertical);
   all->setHandleWidth(4);
@@ -309,11 +321,14 @@ void MainWindow::tick() {
   QElapsedTimer spent;
   spent.start();
   const double now_s = 1e-3 * static_cast<double>(clock_.elapsed());
+  const bool plan_changed = hand_ && hand_->tick();
   if (poll_scene()) {
     feed_.refresh();
     membranes_.refresh();
     feed_widget_->render();
     membrane_widget_->render();
+  } else if (plan_changed) {
+    feed_widget_->render();
   }
   poll_rows();
   if (rows_new_ && now_s - charts_shown_s_ >= kChartPeriod_s) {
@@ -365,6 +380,7 @@ void MainWindow::show_status() {
   show_phrase(frame_rate_, texts.frame_rate);
   show_phrase(lost_, texts.lost);
   show_phrase(recording_, texts.recording);
+  if (hand_) hand_->show_status();
   if (now_s >= notice_until_s_ || status.fault) show_phrase(notice_, texts.notice);
 
   record_->setChecked(status.recording);

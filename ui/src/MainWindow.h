@@ -23,6 +23,7 @@ class QSplitter;
 
 namespace pellucida {
 
+class HandControl;
 class Panel;
 class ReadoutBar;
 class ViewWidget;
@@ -31,7 +32,8 @@ class ViewWidget;
 /// One timer polls the run; views are rendered only when there is something new.
 class MainWindow : public QMainWindow {
  public:
-  MainWindow(std::unique_ptr<LiveRun> run, WindowOptions options);
+  /// `desk`: the hand on that run; nullptr: none.
+  MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, WindowOptions options);
   ~MainWindow() override;
 
   /// What went wrong with the screenshot that was asked for, if it did.
@@ -63,6 +65,7 @@ class MainWindow : public QMainWindow {
   void render_views();
 
   std::unique_ptr<LiveRun> run_;
+  std::unique_ptr<HandDesk> desk_;
   WindowOptions options_;
   vtkNew<StageSource> source_;
   FeedView feed_{source_};
@@ -72,6 +75,7 @@ class MainWindow : public QMainWindow {
   StatusPresenter status_;
   RecordingPresenter recordings_;
 
+  std::unique_ptr<HandControl> hand_;
   ViewWidget* feed_widget_ = nullptr;
   ViewWidget* membrane_widget_ = nullptr;
   ViewWidget* force_indentation_widget_ = nullptr;

@@ -32,6 +32,10 @@ void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& t
 }  // namespace
 
 int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options) {
+  return run_workstation(std::move(run), nullptr, options);
+}
+
+int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, const WindowOptions& options) {
   MessageLog::install();
   qInstallMessageHandler(take_qt_message);
   if (!display_answers()) {
@@ -51,7 +55,7 @@ int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options) 
   QApplication app(argc, argv);
   QApplication::setApplicationName("Pellucida");
   apply_theme(app);
-  MainWindow window(std::move(run), options);
+  MainWindow window(std::move(run), std::move(desk), options);
   window.show();
   const int status = QApplication::exec();
   if (window.screenshot_fault()) std::rethrow_exception(window.screenshot_fault());

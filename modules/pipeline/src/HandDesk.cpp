@@ -13,7 +13,7 @@
 namespace pellucida {
 namespace {
 
-constexpr int kFreeFrames = 5;           // in a row, before a plan is made
+constexpr int kFreeFrames = 3;           // in a row, before a plan is made
 constexpr double kSureConfidence = 0.6;  // of each of them
 constexpr double kOut_um = 15.0;         // before the entry: the needle is out of the cell
 constexpr double kRemoval_um = 45.0;     // before the entry: where a demonstration ends
@@ -181,7 +181,8 @@ HapticSettings HandDesk::settings() const {
   if (!plan_) return settings;
   settings = with_plan(settings, *plan_);
   settings.fixtures.stop.depth_um = depth_stop_um();
-  if (!guided_) settings.fixtures.guide.enabled = settings.fixtures.cone.enabled = settings.fixtures.cell.enabled = false;
+  if (!guided_)
+    settings.fixtures.guide.enabled = settings.fixtures.cone.enabled = settings.fixtures.cell.enabled = false;
   return settings;
 }
 

@@ -9,12 +9,12 @@
 namespace pellucida {
 namespace {
 
-Phrase state_phrase(const HapticRecord& tick) {
-  switch (tick.hand_state) {
+Phrase state_phrase(HandState state) {
+  switch (state) {
     case HandState::kWaiting:
       return {"Waiting", palette::kTextDim};
     case HandState::kWorking:
-      return {"Working", palette::kHolder};
+      return {"Leads", palette::kHolder};
     case HandState::kClutched:
       return {"Hand off", palette::kTextDim};
     case HandState::kHeld:
@@ -29,59 +29,116 @@ Phrase contact_phrase(const HapticRecord& tick) {
   const std::string age = readout::milliseconds(1e3 * tick.contact_age_s) + " old";
   switch (tick.contact_state) {
     case ContactState::kNone:
-      return {"no frame yet", palette::kTextDim};
+      return {"No frame yet", palette::kTextDim};
     case ContactState::kFree:
-      return {"free, " + age, palette::kTextDim};
+      return {"Free, " + age, palette::kTextDim};
     case ContactState::kContact:
-      return {"contact, " + age, palette::kText};
+      return {"Contact, " + age, palette::kText};
     case ContactState::kStale:
-      return {"too old: released", palette::kWarning};
+      return {"Force too old: let go", palette::kWarning};
     case ContactState::kInvalid:
-      return {"no force measured: released", palette::kWarning};
+      return {"No force seen: let go", palette::kWarning};
     case ContactState::kPunctured:
-      return {"punctured, " + age, palette::kText};
+      return {"Punctured, " + age, palette::kText};
   }
   return {};
 }
 
-// "depth, hand force", at most three of them.
-Phrase limit_phrase(const HapticRecord& tick) {
+bool acts(const HapticRecord& tick, LimitKind kind) {
+  return (tick.limits & limit_bit(kind)) != 0U;
+}
+
+// What makes the pipette stand, with the way out.
+const char* loss(const HapticRecord& tick) {
+  if (acts(tick, LimitKind::kHandLost)) return "Device lost: the pipette stands; plug it in, or choose another hand";
+  if (acts(tick, LimitKind::kPipetteLost)) return "Pipette lost: it doesn't report; check its cable and power";
+  if (acts(tick, LimitKind::kHandInvalid)) return "The device gives no numbers: the pipette stands";
+  if (acts(tick, LimitKind::kForceNotFinite)) return "The force could not be computed: none is given";
+  if (tick.hand_state == HandState::kStopped) return "Emergency stop: the pipette stands until the stop is released";
+  return nullptr;
+}
+
+struct LimitWords {
+  LimitKind kind;
+  const char* words;
+};
+// Those a person can do something about, the gravest first; of the others the events and the recording tell.
+constexpr LimitWords kLimits[] = {
+    {LimitKind::kForce, "force on the cell at its limit"},
+    {LimitKind::kDepth, "deepest indentation"},
+    {LimitKind::kTravel, "end of the travel"},
+    {LimitKind::kFollowing, "the pipette lags behind the hand"},
+    {LimitKind::kSpeed, "the hand is faster than the pipette may be"},
+    {LimitKind::kHandForce, "the device's largest force"},
+    {LimitKind::kHandStiffness, "stiffer than the device can show"},
+    {LimitKind::kPassivity, "damped to stay stable"},
+    {LimitKind::kHandJump, "the hand's reading jumped"},
+    {LimitKind::kPipetteJump, "the pipette's report jumped"},
+    {LimitKind::kLateTick, "the computer was late"},
+};
+
+std::string limit_words(const HapticRecord& tick) {
   std::string text;
-  int count = 0;
-  for (unsigned k = 0; k < static_cast<unsigned>(LimitKind::kCount); ++k) {
-    const auto kind = static_cast<LimitKind>(k);
-    if (!(tick.limits & limit_bit(kind)) || ++count > 3) continue;
-    text += (text.empty() ? "" : ", ") + std::string(to_string(kind));
+  if ((tick.fixtures & kStopBit) != 0U) text = "depth stop";
+  for (const LimitWords& limit : kLimits) {
+    if (acts(tick, limit.kind)) text += (text.empty() ? "" : ", ") + std::string(limit.words);
   }
-  if (!text.empty()) return {"Limit: " + text, palette::kWarning};
-  if (tick.fixtures != 0U) return {"Guided", palette::kPlan};
-  return {};
+  return text;
+}
+
+Phrase note_phrase(const HandStatus& status, const std::string& doing) {
+  const HapticRecord& tick = status.tick;
+  if (status.fault) return {*status.fault, palette::kRecord};
+  if (const char* lost = loss(tick)) return {lost, palette::kRecord};
+  if (std::string limits = limit_words(tick); !limits.empty()) return {"Limit: " + limits, palette::kWarning};
+  if ((tick.fixtures & (kGuideBit | kConeBit)) != 0U) {
+    return {doing.empty() ? "Guided" : doing + ", guided", palette::kPlan};
+  }
+  return {doing, palette::kTextDim};
+}
+
+std::string loop_words(const HandStatus& status) {
+  if (status.tick_count == 0U) return status.device;
+  return status.device + "; 1 kHz: " + status.real_time + "; " + std::to_string(status.tick_count) + " ticks, " +
+         std::to_string(status.missed_count) + " missed, 99 % late by at most " +
+         readout::number(status.lateness_p99_us, 0) + " \u00b5s; energy margin " +
+         readout::number(1e6 * status.tick.energy_margin_J, 0) + " \u00b5J";
 }
 
 }  // namespace
 
-HandTexts hand_texts(const HandStatus& status) {
+HandTexts hand_texts(const HandStatus& status, const std::string& doing) {
   const HapticRecord& tick = status.tick;
   HandTexts texts;
-  texts.state = state_phrase(tick);
+  texts.state = state_phrase(tick.hand_state);
   texts.stopped = tick.hand_state == HandState::kStopped;
 
   const double force_N = tick.hand_force_N.eigen().norm();
   if (status.max_force_N > 0.0) {
     texts.force_share = std::clamp(force_N / status.max_force_N, 0.0, 1.0);
-    texts.force = {readout::number(force_N, 2) + " N of " + readout::plain(status.max_force_N) + " N", palette::kText};
+    texts.force = {readout::number(force_N, 2) + " N of " + readout::number(status.max_force_N, 1) + " N",
+                   palette::kText};
+  } else if (status.tick_count > 0U) {
+    texts.force = {"Seen, not felt", palette::kTextDim};
   } else {
-    texts.force = {"seen, not felt", palette::kTextDim};
+    texts.force = {"\u2013", palette::kTextDim};
   }
-  texts.contact = contact_phrase(tick);
-  texts.limit = limit_phrase(tick);
-  if (status.fault) texts.limit = {*status.fault, palette::kRecord};
-  texts.loop = {status.real_time + "; " + std::to_string(status.tick_count) + " ticks, " +
-                    std::to_string(status.missed_count) + " missed, 99 % within " +
-                    readout::number(status.lateness_p99_us, 0) + " µs; energy margin " +
-                    readout::number(1e6 * tick.energy_margin_J, 0) + " µJ",
-                palette::kTextDim};
+  texts.contact = status.tick_count > 0U ? contact_phrase(tick) : Phrase{"\u2013", palette::kTextDim};
+  texts.note = note_phrase(status, doing);
+  texts.loop = {loop_words(status), palette::kTextDim};
   return texts;
+}
+
+PlanMarks plan_marks(const InjectionPlan& plan, double depth_stop_um, bool guided) {
+  const auto in_plane = [](const PlainVector3& v) { return Eigen::Vector2d(v.x, v.y); };
+  PlanMarks marks;
+  marks.approach_um = in_plane(plan.approach_um);
+  marks.entry_um = in_plane(plan.entry_um);
+  marks.target_um = in_plane(plan.target_um);
+  marks.depth_stop_um = marks.entry_um + depth_stop_um * in_plane(plan.axis);
+  marks.corridor_um = plan.options.path_radius_um;
+  marks.guided = guided;
+  return marks;
 }
 
 }  // namespace pellucida

@@ -1,5 +1,10 @@
 #pragma once
+#include <optional>
+#include <string>
+
+#include "pellucida/haptics/InjectionPlan.h"
 #include "pellucida/pipeline/HandRig.h"
+#include "pellucida/visualization/PlanMarks.h"
 #include "presenters/StatusPresenter.h"
 
 namespace pellucida {
@@ -7,15 +12,18 @@ namespace pellucida {
 /// Everything the hand's bar says, UTF-8.
 struct HandTexts {
   Phrase state;              ///< its colour is the pill's ground
-  Phrase force;              ///< on the hand, with the device's largest; what it would be where the device gives none
+  Phrase force;              ///< on the hand, with the device's largest; or that the device gives none
   double force_share = 0.0;  ///< of the device's largest, 0..1
   Phrase contact;            ///< what the force rests on, with its age
-  Phrase limit;              ///< the limits and guides that act now; empty for none
+  Phrase note;               ///< what is wrong, the limits that act, or else what goes on; may be empty
   Phrase loop;               ///< the loop's own figures, for a tip
   bool stopped = false;      ///< the emergency stop is in force
 };
 
-/// Turns the hand's status into words. Knows no widgets.
-HandTexts hand_texts(const HandStatus& status);
+/// Turns the hand's status into words. `doing`: what goes on when nothing is wrong. Knows no widgets.
+HandTexts hand_texts(const HandStatus& status, const std::string& doing = {});
+
+/// The plan as it is drawn over the feed.
+PlanMarks plan_marks(const InjectionPlan& plan, double depth_stop_um, bool guided);
 
 }  // namespace pellucida

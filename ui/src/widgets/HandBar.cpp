@@ -7,6 +7,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QVBoxLayout>
 
 #include "presenters/HandPresenter.h"
 
@@ -14,6 +16,7 @@ namespace pellucida {
 namespace {
 
 constexpr int kForceSteps = 1000;
+constexpr double kShallowest_um = 1.0;
 constexpr double kDeepest_um = 200.0;
 
 }  // namespace
@@ -22,84 +25,108 @@ HandBar::HandBar(const QStringList& hands, const QStringList& scales, Actions ac
     : QFrame(parent), actions_(std::move(actions)) {
   setObjectName("handBar");
   setAttribute(Qt::WA_StyledBackground);
-  setFixedHeight(42);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 4, 16, 6);
-  row->setSpacing(10);
+  setFixedHeight(76);
+  // What the hand does above, what may be done below; the stop stands beside both.
+  auto* bar = new QHBoxLayout(this);
+  bar->setContentsMargins(16, 7, 16, 8);
+  bar->setSpacing(18);
+  auto* lines = new QVBoxLayout;
+  lines->setSpacing(7);
+  bar->addLayout(lines, 1);
+  lines->addLayout(build_readouts());
+  lines->addLayout(build_controls(hands, scales));
+  stop_ = new QPushButton("STOP", this);
+  stop_->setObjectName("emergencyStop");
+  stop_->setToolTip("Halt the pipette and let go of the hand at once (Esc); release on purpose: here, or Shift+Esc");
+  stop_->setFocusPolicy(Qt::TabFocus);
+  stop_->setFixedSize(132, 54);
+  bar->addWidget(stop_);
+  connect(stop_, &QPushButton::clicked, this, [this] { actions_.stop(!stopped_); });
+}
 
+QHBoxLayout* HandBar::build_readouts() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(14);
   auto* title = new QLabel("HAND", this);
   title->setObjectName("readoutName");
   row->addWidget(title);
-  hand_ = new QComboBox(this);
-  hand_->addItems(hands);
-  hand_->setToolTip("Who holds the pipette");
-  hand_->setFocusPolicy(Qt::TabFocus);
-  row->addWidget(hand_);
-  connect(hand_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_hand(index); });
-
   state_ = new QLabel(this);
   state_->setObjectName("handPill");
   state_->setAlignment(Qt::AlignCenter);
-  state_->setFixedSize(84, 22);
+  state_->setFixedSize(92, 22);
   row->addWidget(state_);
+  force_bar_ = new QProgressBar(this);
+  force_bar_->setRange(0, kForceSteps);
+  force_bar_->setTextVisible(false);
+  force_bar_->setFixedSize(96, 8);
+  force_bar_->setToolTip("Force on the hand; full: the most the device can give");
+  row->addWidget(force_bar_);
+  force_ = add_text(row, "0.00 N of 0.0 N");
+  contact_ = add_text(row, "Contact, force 000 ms old");
+  // The rest of the line; a long text must not widen the window.
+  note_ = new QLabel(this);
+  note_->setObjectName("statusText");
+  note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(note_, 1);
+  return row;
+}
 
-  guide_ = add_button(row, "Guide", "Hold the tip on the planned line, in and out (G)");
+QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList& scales) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  hand_ = add_choice(row, hands, "Who holds the pipette");
+  connect(hand_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_hand(index); });
+  scale_ = add_choice(row, scales, "How far the tip goes: 100:1 is 100 \u00b5m for 10 mm of the hand");
+  connect(scale_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_scale(index); });
+  row->addSpacing(8);
+
+  guide_ = add_button(row, "Guide", "Keep the tip on the planned line, in and out (G)");
   guide_->setObjectName("guide");
   guide_->setCheckable(true);
   guide_->setChecked(true);
   guide_->setShortcut(Qt::Key_G);
   connect(guide_, &QPushButton::toggled, this, [this](bool on) { actions_.guide(on); });
-
-  scale_ = new QComboBox(this);
-  scale_->addItems(scales);
-  scale_->setToolTip("How far the tip goes for a way of the hand");
-  scale_->setFocusPolicy(Qt::TabFocus);
-  row->addWidget(scale_);
-  connect(scale_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_scale(index); });
-
   auto* stop_name = new QLabel("Depth stop", this);
   stop_name->setObjectName("statusText");
   row->addWidget(stop_name);
   depth_stop_ = new QDoubleSpinBox(this);
-  depth_stop_->setRange(1.0, kDeepest_um);
+  depth_stop_->setRange(kShallowest_um, kDeepest_um);
   depth_stop_->setDecimals(0);
-  depth_stop_->setSuffix(QString::fromUtf8(" µm"));
-  depth_stop_->setToolTip("The tip goes no deeper behind the entry");
+  depth_stop_->setSuffix(QString::fromUtf8(" \u00b5m"));
+  depth_stop_->setToolTip("The tip goes no deeper than this behind the entry");
   depth_stop_->setFocusPolicy(Qt::ClickFocus);
   depth_stop_->setKeyboardTracking(false);
+  depth_stop_->setFixedSize(92, 28);
   row->addWidget(depth_stop_);
   connect(depth_stop_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this](double depth_um) { actions_.depth_stop(depth_um); });
+  // The window's keys shall work again after a number was typed.
+  connect(depth_stop_, &QDoubleSpinBox::editingFinished, depth_stop_, &QWidget::clearFocus);
 
-  force_bar_ = new QProgressBar(this);
-  force_bar_->setRange(0, kForceSteps);
-  force_bar_->setTextVisible(false);
-  force_bar_->setFixedSize(70, 8);
-  row->addWidget(force_bar_);
-  force_ = add_text(row, "0.00 N of 3.3 N");
-  contact_ = add_text(row, "contact, 000 ms old");
-  limit_ = new QLabel(this);
-  limit_->setObjectName("statusText");
-  limit_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(limit_, 1);
-
+  row->addStretch(1);
   inject_ = add_button(row, "Deposit", "Deposit while held down (D)");
-  inject_->setShortcut(Qt::Key_D);
   connect(inject_, &QPushButton::pressed, this, [this] { actions_.inject(true); });
   connect(inject_, &QPushButton::released, this, [this] { actions_.inject(false); });
-  retract_ = add_button(row, "Retract", "Take the pipette out along the line while held down (X)");
-  retract_->setShortcut(Qt::Key_X);
+  retract_ = add_button(row, "Retract", "Take the pipette out along its line while held down (X)");
   connect(retract_, &QPushButton::pressed, this, [this] { actions_.retract(true); });
   connect(retract_, &QPushButton::released, this, [this] { actions_.retract(false); });
   if (actions_.new_cell) {
-    QPushButton* renew = add_button(row, "New cell", "A whole cell in the place of this one (C)");
+    QPushButton* renew =
+        add_button(row, "New cell", "Take the needle out, then a whole cell in the place of this one (C)");
     renew->setShortcut(Qt::Key_C);
     connect(renew, &QPushButton::clicked, this, [this] { actions_.new_cell(); });
   }
-  stop_ = add_button(row, "STOP", "Halt the pipette and release the hand at once (Esc)");
-  stop_->setObjectName("emergencyStop");
-  stop_->setMinimumWidth(92);
-  connect(stop_, &QPushButton::clicked, this, [this] { toggle_stop(); });
+  return row;
+}
+
+QComboBox* HandBar::add_choice(QHBoxLayout* row, const QStringList& names, const char* tip) {
+  auto* choice = new QComboBox(this);
+  choice->addItems(names);
+  choice->setToolTip(QString::fromUtf8(tip));
+  choice->setFocusPolicy(Qt::TabFocus);
+  choice->setFixedHeight(28);
+  row->addWidget(choice);
+  return choice;
 }
 
 QLabel* HandBar::add_text(QHBoxLayout* row, const char* widest) {
@@ -132,21 +159,29 @@ void HandBar::show_texts(const HandTexts& texts) {
   force_bar_->setValue(static_cast<int>(kForceSteps * texts.force_share));
   show_phrase(force_, texts.force);
   show_phrase(contact_, texts.contact);
-  show_phrase(limit_, texts.limit);
-  limit_->setToolTip(QString::fromStdString(texts.limit.text));
+  show_phrase(note_, texts.note);
+  note_->setToolTip(QString::fromStdString(texts.note.text));
   state_->setToolTip(QString::fromStdString(texts.loop.text));
   if (texts.stopped == stopped_) return;
   stopped_ = texts.stopped;
   stop_->setText(stopped_ ? "Release stop" : "STOP");
+  stop_->setProperty("latched", stopped_);
+  stop_->style()->unpolish(stop_);
+  stop_->style()->polish(stop_);
 }
 
-void HandBar::set_hand(int index) {
-  const QSignalBlocker quiet(hand_);
-  hand_->setCurrentIndex(index);
+void HandBar::set_choice(int hand, int scale) {
+  const QSignalBlocker quiet_hand(hand_), quiet_scale(scale_);
+  hand_->setCurrentIndex(hand);
+  scale_->setCurrentIndex(scale);
 }
 
 void HandBar::set_depth_stop_um(double depth_um) {
+  // Not while somebody types.
+  if (depth_stop_->hasFocus()) return;
   const QSignalBlocker quiet(depth_stop_);
+  depth_stop_->setEnabled(depth_um > 0.0);
+  depth_stop_->setSpecialValueText(depth_um > 0.0 ? QString() : QString::fromUtf8("\u2013"));
   depth_stop_->setValue(depth_um);
 }
 
@@ -154,10 +189,6 @@ void HandBar::set_manual(bool manual) {
   inject_->setEnabled(manual);
   retract_->setEnabled(manual);
   scale_->setEnabled(manual);
-}
-
-void HandBar::toggle_stop() {
-  actions_.stop(!stopped_);
 }
 
 }  // namespace pellucida

@@ -1,7 +1,7 @@
 #pragma once
 #include <QFrame>
+#include <QStringList>
 #include <functional>
-#include <vector>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -15,8 +15,8 @@ namespace pellucida {
 struct HandTexts;
 struct Phrase;
 
-/// The hand in one line: who holds it, what it does and feels, the guide, the depth stop, and the emergency stop at the
-/// right end, always in reach.
+/// The hand: what it does and feels above, who holds it, its scale, guide, depth stop and buttons below, and the
+/// emergency stop at the right end, always in reach.
 class HandBar : public QFrame {
  public:
   /// What the bar's controls do. All are called on the window's thread, none while the bar itself is being set.
@@ -34,13 +34,16 @@ class HandBar : public QFrame {
   HandBar(const QStringList& hands, const QStringList& scales, Actions actions, QWidget* parent);
 
   void show_texts(const HandTexts& texts);
-  void set_hand(int index);
+  void set_choice(int hand, int scale);
+  /// 0: there is none yet.
   void set_depth_stop_um(double depth_um);
   /// The buttons that only a person's hand has.
   void set_manual(bool manual);
-  void toggle_stop();
 
  private:
+  QHBoxLayout* build_readouts();
+  QHBoxLayout* build_controls(const QStringList& hands, const QStringList& scales);
+  QComboBox* add_choice(QHBoxLayout* row, const QStringList& names, const char* tip);
   QLabel* add_text(QHBoxLayout* row, const char* widest);
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const QString& tip);
   static void show_phrase(QLabel* label, const Phrase& phrase);
@@ -54,7 +57,7 @@ class HandBar : public QFrame {
   QProgressBar* force_bar_;
   QLabel* force_;
   QLabel* contact_;
-  QLabel* limit_;
+  QLabel* note_;
   QPushButton* inject_;
   QPushButton* retract_;
   QPushButton* stop_;

@@ -125,7 +125,7 @@ class HandDesk {
   bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false;
   long frame_index_ = -1;
   bool broken_ = false;  // the newest frame shows the membrane closed about the shaft
-  int free_count_ = 0;  // frames in a row that show an untouched cell
+  int free_count_ = 0;   // frames in a row that show an untouched cell
   std::uint64_t person_count_ = 0;
   std::optional<double> ended_s_;
 

@@ -1,0 +1,186 @@
+#include "HandControl.h"
+
+#include <vtkRenderer.h>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QWidget>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/visualization_vtk/FeedView.h"
+#include "presenters/HandPresenter.h"
+#include "widgets/HandBar.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kNotch = 120.0;  // of the wheel, in eighths of a degree
+
+QStringList to_list(const std::vector<std::string>& names) {
+  QStringList list;
+  for (const std::string& name : names) list << QString::fromStdString(name);
+  return list;
+}
+
+}  // namespace
+
+HandControl::HandControl(HandDesk& desk, FeedView& feed, ViewWidget& feed_widget, QWidget& window, Notify notify)
+    : desk_(desk),
+      feed_(feed),
+      feed_widget_(feed_widget),
+      window_(window),
+      notify_(std::move(notify)),
+      bar_(make_bar()) {
+  qApp->installEventFilter(this);
+}
+
+HandBar* HandControl::make_bar() {
+  HandBar::Actions actions;
+  actions.choose_hand = [this](int index) { choose(index); };
+  actions.guide = [this](bool on) {
+    desk_.guide(on);
+    plan_stale_ = true;
+  };
+  actions.choose_scale = [this](int index) { desk_.scale(index); };
+  actions.depth_stop = [this](double depth_um) {
+    desk_.depth_stop_um(depth_um);
+    plan_stale_ = true;
+  };
+  actions.inject = [this](bool held) { desk_.inject(held); };
+  actions.retract = [this](bool held) { desk_.retract(held); };
+  if (desk_.can_renew()) actions.new_cell = [this] { desk_.new_cell(); };
+  actions.stop = [this](bool on) { emergency_stop(on); };
+  return new HandBar(to_list(desk_.hands()), to_list(HandDesk::scales()), std::move(actions), &window_);
+}
+
+void HandControl::choose(int index) {
+  dragged_px_.reset();
+  feed_widget_.unsetCursor();
+  desk_.choose(index);
+  if (desk_.is_mouse()) feed_widget_.setCursor(Qt::OpenHandCursor);
+  show_status();
+}
+
+bool HandControl::tick() {
+  desk_.update();
+  // A plan that was made or dropped, or one that the person changed.
+  const bool changed = plan_stale_ || desk_.plan().has_value() != plan_drawn_;
+  if (!changed) return false;
+  plan_drawn_ = desk_.plan().has_value();
+  plan_stale_ = false;
+  feed_.set_plan(plan_drawn_ ? std::optional(plan_marks(*desk_.plan(), desk_.depth_stop_um(), desk_.guided()))
+                             : std::nullopt);
+  return true;
+}
+
+void HandControl::show_status() {
+  std::string doing = desk_.doing();
+  if (doing.empty() && desk_.is_mouse() && !dragged_px_) doing = "Hold the left button on the image to lead the needle";
+  bar_->show_texts(hand_texts(desk_.status(), doing));
+  bar_->set_choice(desk_.chosen(), desk_.scale());
+  bar_->set_depth_stop_um(desk_.depth_stop_um());
+  bar_->set_manual(!desk_.is_demonstration());
+}
+
+bool HandControl::eventFilter(QObject* target, QEvent* event) {
+  if (target == &feed_widget_ && take_feed_event(event)) return true;
+  if (target == &window_ && event->type() == QEvent::WindowDeactivate) {
+    dragged_px_.reset();
+    desk_.release_all();
+  }
+  const bool pressed = event->type() == QEvent::KeyPress;
+  if (!pressed && event->type() != QEvent::KeyRelease) return false;
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  if (pressed && key.key() == Qt::Key_Escape) {
+    // In any window of the program, which may have a use for the key too.
+    emergency_stop((key.modifiers() & Qt::ShiftModifier) == 0);
+    return false;
+  }
+  const auto* widget = qobject_cast<QWidget*>(target);
+  return widget && widget->window() == &window_ && take_key(key, pressed);
+}
+
+bool HandControl::take_key(const QKeyEvent& event, bool pressed) {
+  if (event.modifiers() != Qt::NoModifier && pressed) return false;
+  if (event.key() != Qt::Key_D && event.key() != Qt::Key_X) return false;
+  if (event.isAutoRepeat() || desk_.is_demonstration()) return true;
+  if (event.key() == Qt::Key_D) {
+    desk_.inject(pressed);
+  } else {
+    desk_.retract(pressed);
+  }
+  return true;
+}
+
+bool HandControl::take_feed_event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+      return take_press(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseMove: {
+      if (!dragged_px_) return false;
+      const QPointF place_px = static_cast<const QMouseEvent*>(event)->localPos();
+      const QPointF way_px = place_px - *dragged_px_;
+      desk_.move_px(way_px.x(), way_px.y());
+      dragged_px_ = place_px;
+      return true;
+    }
+    case QEvent::MouseButtonRelease: {
+      if (static_cast<const QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
+      const bool ours = dragged_px_ || target_pressed_;
+      target_pressed_ = false;
+      if (dragged_px_) {
+        dragged_px_.reset();
+        desk_.grip(false);
+        feed_widget_.setCursor(Qt::OpenHandCursor);
+      }
+      return ours;
+    }
+    case QEvent::Wheel:
+      if (!dragged_px_) return false;
+      desk_.turn_wheel(static_cast<const QWheelEvent*>(event)->angleDelta().y() / kNotch);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool HandControl::take_press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return false;
+  if ((event.modifiers() & Qt::ControlModifier) != 0) {
+    target_pressed_ = true;
+    set_target(event.localPos());
+    return true;
+  }
+  if (!desk_.is_mouse()) return false;
+  dragged_px_ = event.localPos();
+  desk_.grip(true);
+  feed_widget_.setCursor(Qt::ClosedHandCursor);
+  return true;
+}
+
+void HandControl::set_target(const QPointF& place_px) {
+  // The image is seen along the depth, without perspective: any depth gives the same place in its plane.
+  const double ratio = feed_widget_.devicePixelRatioF();
+  vtkRenderer* renderer = feed_.renderer();
+  renderer->SetDisplayPoint(place_px.x() * ratio, (feed_widget_.height() - 1 - place_px.y()) * ratio, 0.0);
+  renderer->DisplayToWorld();
+  const double* place = renderer->GetWorldPoint();
+  const auto objection = desk_.set_target(place[0] / place[3], place[1] / place[3]);
+  plan_stale_ = true;
+  if (objection) {
+    notify_("Target: " + QString::fromStdString(*objection), true);
+  } else {
+    notify_("Target set", false);
+  }
+}
+
+void HandControl::emergency_stop(bool on) {
+  desk_.emergency_stop(on);
+  show_status();
+}
+
+}  // namespace pellucida

@@ -1,0 +1,60 @@
+#pragma once
+#include <QObject>
+#include <QPointF>
+#include <functional>
+#include <optional>
+
+#include "pellucida/pipeline/HandDesk.h"
+
+class QKeyEvent;
+class QMouseEvent;
+
+namespace pellucida {
+
+class FeedView;
+class HandBar;
+class ViewWidget;
+
+/// Joins the hand's desk with the window: the bar, the mouse on the feed, the keys held, the plan over the feed.
+///
+/// On the feed: the left button held moves the needle while mouse and keyboard is the hand, the wheel meanwhile moves
+/// it in depth; Ctrl and a click set the target. Keys: D deposits and X retracts while held, Esc stops, Shift+Esc
+/// releases the stop. When the window is no longer the active one nothing is held any more.
+class HandControl : public QObject {
+ public:
+  /// What is said to the person: the text, and whether it is a problem.
+  using Notify = std::function<void(const QString&, bool)>;
+
+  /// All must outlive the control but the bar, which belongs to `window`.
+  HandControl(HandDesk& desk, FeedView& feed, ViewWidget& feed_widget, QWidget& window, Notify notify);
+
+  HandBar* bar() const noexcept { return bar_; }
+  /// From the window's tick. True when the feed has to be drawn again.
+  bool tick();
+  void show_status();
+
+ protected:
+  bool eventFilter(QObject* target, QEvent* event) override;
+
+ private:
+  HandBar* make_bar();
+  void choose(int index);
+  bool take_feed_event(QEvent* event);
+  bool take_press(const QMouseEvent& event);
+  bool take_key(const QKeyEvent& event, bool pressed);
+  void set_target(const QPointF& place_px);
+  void emergency_stop(bool on);
+
+  HandDesk& desk_;
+  FeedView& feed_;
+  ViewWidget& feed_widget_;
+  QWidget& window_;
+  Notify notify_;
+  HandBar* bar_;
+  std::optional<QPointF> dragged_px_;  // while the mouse leads the needle
+  bool target_pressed_ = false;
+  bool plan_stale_ = true;
+  bool plan_drawn_ = false;
+};
+
+}  // namespace pellucida
