@@ -52,7 +52,8 @@ void run_headless_injection(const WorkstationArguments& arguments, const std::st
 void run_headless(const WorkstationArguments& arguments) {
   const std::string session = arguments.session.empty() ? default_session_folder() : arguments.session;
   std::cerr << "pellucida: no display (DISPLAY is not set): running headless\n";
-  if (arguments.source == "virtual") {
+  if (arguments.hand == "mouse") throw UsageError("--hand mouse needs the window: set DISPLAY, or choose another hand");
+  if (arguments.source == "virtual" && arguments.hand != "none") {
     run_headless_injection(arguments, session);
     return;
   }
