@@ -108,10 +108,24 @@ Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
   const ExplicitTimes explicit_steps = measure_explicit_steps(profile, profile.mesh_frequency);
   std::printf("%-28s %9.2f ns a spring a step, %d springs\n", "explicit time steps", explicit_steps.ns_per_spring_step,
               explicit_steps.spring_count);
+  // The same by the size of the mesh, beside plain code that takes one connector at a time.
+  Json sweep = Json::array();
+  for (const int frequency : {7, 14, 32, 50, 71}) {
+    const ExplicitTimes times = measure_explicit_steps(profile, frequency, 0.1);
+    std::printf("  %7d nodes              %9.2f ns a spring a step, %.2f without AVX2, %.2f one at a time\n",
+                times.node_count, times.ns_per_spring_step, times.plain_ns_per_spring_step,
+                times.naive_ns_per_spring_step);
+    sweep.push_back({{"nodes", times.node_count},
+                     {"springs", times.spring_count},
+                     {"ns_per_spring_step", times.ns_per_spring_step},
+                     {"plain_ns_per_spring_step", times.plain_ns_per_spring_step},
+                     {"naive_ns_per_spring_step", times.naive_ns_per_spring_step}});
+  }
   return {{"nodes", nodes},
           {"springs", explicit_steps.spring_count},
           {"step_us", to_json(rounds.step_us.at("mechanics"))},
-          {"ns_per_spring_step", explicit_steps.ns_per_spring_step}};
+          {"ns_per_spring_step", explicit_steps.ns_per_spring_step},
+          {"explicit_sweep", sweep}};
 }
 
 Json to_json(const LatencySummary& us) {

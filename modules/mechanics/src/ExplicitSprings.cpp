@@ -46,44 +46,44 @@ struct ExplicitSpringsKernel {
     const Lanes none = {};
     const Lanes damping = none + damping_uN_s_per_um;
     for (std::size_t g = 0; g < count; ++g, ++groups, ++sides) {
+      // Copies, which no force can overwrite.
+      const Sides at = *sides;
       Lanes px, py, pz, vx, vy, vz, constant;
-      difference(px, u.x, *sides);
-      difference(py, u.y, *sides);
-      difference(pz, u.z, *sides);
+      difference(px, u.x, at);
+      difference(py, u.y, at);
+      difference(pz, u.z, at);
       load(constant, groups->rest_x);
       px += constant;
       load(constant, groups->rest_y);
       py += constant;
       load(constant, groups->rest_z);
       pz += constant;
-      difference(vx, v.x, *sides);
-      difference(vy, v.y, *sides);
-      difference(vz, v.z, *sides);
+      difference(vx, v.x, at);
+      difference(vy, v.y, at);
+      difference(vz, v.z, at);
       const Lanes along = vx * px + vy * py + vz * pz;
 
-      // The tiny number keeps the lanes of missing connectors finite.
-      const Lanes square = px * px + py * py + pz * pz + 1e-30f;
+      // (|p| / L)^2; the tiny number keeps the lanes of missing connectors finite.
+      Lanes per_square, k2, k1;
+      load(per_square, groups->per_square);
+      load(k2, groups->k2);
+      load(k1, groups->k1);
+      const Lanes square = (px * px + py * py + pz * pz) * per_square + 1e-12f;
       Lanes root;
       for (std::size_t l = 0; l < kLanes; ++l) root[l] = std::sqrt(square[l]);
       const Lanes inverse = 1.0f / root;
-      Lanes per_length, length, k2, k1;
-      load(per_length, groups->per_length);
-      load(length, groups->length_um);
-      load(k2, groups->k2);
-      load(k1, groups->k1);
-      const Lanes strain = root * per_length - 1.0f;
+      const Lanes strain = root - 1.0f;
       const Lanes stiffness = k2 + k1 * (strain * strain);
-      const Lanes pull =
-          stiffness * (length * inverse - 1.0f) - (length > 0.0f ? damping : none) * along * (inverse * inverse);
+      const Lanes pull = stiffness * (inverse - 1.0f) - (along * per_square) * (inverse * inverse) * damping;
       px *= pull;
       py *= pull;
       pz *= pull;
-      add(on_i.x + sides->i, px);
-      add(on_i.y + sides->i, py);
-      add(on_i.z + sides->i, pz);
-      add(on_j.x + sides->j, px);
-      add(on_j.y + sides->j, py);
-      add(on_j.z + sides->j, pz);
+      add(on_i.x + at.i, px);
+      add(on_i.y + at.i, py);
+      add(on_i.z + at.i, pz);
+      add(on_j.x + at.j, px);
+      add(on_j.y + at.j, py);
+      add(on_j.z + at.j, pz);
     }
   }
 
@@ -179,11 +179,24 @@ ExplicitSprings::ExplicitSprings(const TriangleMesh& rest, const SpringTerm& spr
     group.rest_x[l] = static_cast<float>(at_rest.x());
     group.rest_y[l] = static_cast<float>(at_rest.y());
     group.rest_z[l] = static_cast<float>(at_rest.z());
-    group.length_um[l] = static_cast<float>(length_um);
-    group.per_length[l] = static_cast<float>(1.0 / length_um);
+    group.per_square[l] = static_cast<float>(1.0 / (length_um * length_um));
     group.k2[l] = static_cast<float>(scale * p.spring->k2_uN_per_um);
     group.k1[l] = static_cast<float>(scale * p.spring->k1_uN_per_um);
   }
+
+  // Stretch by stretch of nodes, and in each by direction as before.
+  std::vector<std::size_t> order(groups_.size());
+  for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sides_[a].i / kStretch < sides_[b].i / kStretch; });
+  std::vector<Group> sorted;
+  std::vector<Sides> sorted_sides;
+  for (const std::size_t g : order) {
+    sorted.push_back(groups_[g]);
+    sorted_sides.push_back(sides_[g]);
+  }
+  groups_ = std::move(sorted);
+  sides_ = std::move(sorted_sides);
 }
 
 namespace {
