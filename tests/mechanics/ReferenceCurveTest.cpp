@@ -51,7 +51,7 @@ TEST_P(OocyteReference, IsMetWithinFivePercent) {
 INSTANTIATE_TEST_SUITE_P(Configurations, OocyteReference, ::testing::Values(1, 2, 3));
 
 TEST(OocyteReferenceBesideTheAxis, IsMetWithinFivePercent) {
-  const Errors errors = compare(load_profile("mouse-oocyte"), 4, reference("offset/mouse-oocyte-4"), "force_uN");
+  const Errors errors = compare(load_profile("mouse-oocyte"), 4, reference("mouse-oocyte-4"), "force_uN");
   EXPECT_LT(errors.largest_ratio, 0.05);
   EXPECT_LT(errors.largest_of_peak_ratio, 0.035);
 }
