@@ -13,6 +13,7 @@
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
+#include "pellucida/identification/Identification.h"
 #include "pellucida/mechanics/MechanicsBench.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/BatchRun.h"
@@ -170,6 +171,18 @@ Json bench_haptics(const BenchArguments& arguments) {
   return report;
 }
 
+/// A whole identification with the defaults: half a minute, so that only who asks for the mechanics gets it.
+Json bench_identification() {
+  const IdentificationTimes times = measure_identification();
+  std::printf("%-28s %9.1f s, %.1f s of processor; finite elements %.1f s, fit %.1f s, %d evaluations\n",
+              "identification", times.wall_s, times.processor_s, times.reference_s, times.fit_s, times.fit_evaluations);
+  return {{"wall_s", times.wall_s},
+          {"processor_s", times.processor_s},
+          {"finite_elements_s", times.reference_s},
+          {"fit_s", times.fit_s},
+          {"fit_evaluations", times.fit_evaluations}};
+}
+
 Json bench_pipeline(const Rounds& rounds) {
   print_row("frame arrival to force", rounds.frame_to_force_us);
   print_row("  the first frame", rounds.first_frame_us);
@@ -227,6 +240,7 @@ void bench(const BenchArguments& arguments) {
     const Rounds rounds = run_rounds(arguments);
     if (rounds.frame_count == 0) throw NothingMeasuredError(arguments.source + ": it has no frames");
     if (wanted("mechanics")) report["mechanics"] = bench_mechanics(rounds, arguments.pipeline.profile);
+    if (arguments.part == "mechanics") report["mechanics"]["identification"] = bench_identification();
     if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds);
     if (wanted("session")) report["session"] = bench_session(rounds, source);
   }

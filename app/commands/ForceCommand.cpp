@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
@@ -22,8 +23,35 @@ struct ForceArguments {
   double max_indentation_um = 0.0;  // 0: the profile's puncture
   double step_um = 1.0;
   std::optional<double> angle_deg, offset_um, tip_radius_um;
+  std::optional<double> speed_um_per_s, hold_s;
   std::string output;
 };
+
+/// A row of the file. `time_s` counts from the contact, where a speed is given.
+struct Row {
+  double depth_um, force_uN, pressure_Pa, stiffness_uN_per_um, time_s;
+};
+
+constexpr int kHoldRows = 100;
+
+/// A push of a given speed and a hold, in a membrane that relaxes: everything but the shape goes with what is left of
+/// the elastic force.
+std::vector<Row> relax(const std::vector<Row>& elastic, const CellProfile& profile, double speed_um_per_s,
+                       double hold_s) {
+  const double sudden = profile.relaxation_elastic_ratio;
+  Relaxation relaxation(profile.relaxation_arms);
+  relaxation.start(0.0);
+  std::vector<Row> rows;
+  const auto add = [&](Row row, double time_s) {
+    const double force_uN = relaxation.advance(time_s, sudden * row.force_uN);
+    const double left = row.force_uN > 0.0 ? force_uN / row.force_uN : 1.0;
+    rows.push_back({row.depth_um, force_uN, left * row.pressure_Pa, sudden * row.stiffness_uN_per_um, time_s});
+  };
+  for (const Row& row : elastic) add(row, row.depth_um / speed_um_per_s);
+  const double end_s = elastic.back().depth_um / speed_um_per_s;
+  for (int k = 1; hold_s > 0.0 && k <= kHoldRows; ++k) add(elastic.back(), end_s + hold_s * k / kHoldRows);
+  return rows;
+}
 
 void write_force_curve(const ForceArguments& arguments) {
   CellProfile profile = load_profile(arguments.profile);
@@ -34,6 +62,10 @@ void write_force_curve(const ForceArguments& arguments) {
     }
     profile.tip_radius_um = *arguments.tip_radius_um;
   }
+  if (arguments.speed_um_per_s && profile.relaxation_arms.empty()) {
+    throw UsageError("--speed-um-per-s: profile " + profile.name +
+                     " has no relaxation; give it one with pellucida identify --relaxation");
+  }
   const bool own_setup = arguments.angle_deg || arguments.offset_um;
   const MembraneSetup setup =
       own_setup ? setup_for_needle(profile, arguments.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
@@ -43,28 +75,36 @@ void write_force_curve(const ForceArguments& arguments) {
       arguments.max_indentation_um != 0.0 ? arguments.max_indentation_um : profile.puncture_indentation_um;
   const auto curve = force_curve(profile, setup, deepest_um, arguments.step_um);
 
-  // The file, as far as the model goes.
-  std::ofstream file(arguments.output);
-  file << "indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um\n";
-  const IndentationState* last = nullptr;
+  // As far as the model goes.
+  std::vector<Row> rows;
   for (const auto& state : curve) {
     if (state.report.status != SolveStatus::kConverged) break;
-    file << csv_number(state.depth_um) << ',' << csv_number(state.push_force_uN) << ',' << csv_number(state.pressure_Pa)
-         << ',' << csv_number(state.stiffness_uN_per_um) << '\n';
-    last = &state;
+    rows.push_back({state.depth_um, state.push_force_uN, state.pressure_Pa, state.stiffness_uN_per_um, 0.0});
+  }
+  const std::size_t reached = rows.size();
+  const double reached_um = rows.empty() ? 0.0 : rows.back().depth_um;
+  const bool relaxes = arguments.speed_um_per_s && !rows.empty();
+  if (relaxes) rows = relax(rows, profile, *arguments.speed_um_per_s, arguments.hold_s.value_or(0.0));
+
+  std::ofstream file(arguments.output);
+  file << "indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um" << (relaxes ? ",time_s\n" : "\n");
+  for (const Row& row : rows) {
+    file << csv_number(row.depth_um) << ',' << csv_number(row.force_uN) << ',' << csv_number(row.pressure_Pa) << ','
+         << csv_number(row.stiffness_uN_per_um);
+    if (relaxes) file << ',' << csv_number(row.time_s);
+    file << '\n';
   }
   file.close();
   if (!file) throw OutputError(arguments.output + ": can't be written; check the folder and its permissions");
-  if (last != &curve.back()) {
+  if (reached < curve.size()) {
     throw Error(ExitCode::kOurFault, arguments.output + ": the model found no equilibrium beyond " +
-                                         csv_number(last ? last->depth_um : 0.0) +
-                                         " um; give a smaller --max-indentation-um");
+                                         csv_number(reached_um) + " um; give a smaller --max-indentation-um");
   }
   const std::string where = own_setup ? "needle at " + csv_number(arguments.angle_deg.value_or(0.0)) + " degrees, " +
                                             csv_number(arguments.offset_um.value_or(0.0)) + " um beside the centre"
                                       : "configuration " + std::to_string(arguments.configuration);
-  std::cout << profile.name << ", " << where << ": " << csv_number(last->push_force_uN) << " uN at "
-            << csv_number(last->depth_um) << " um; " << curve.size() << " rows in " << arguments.output << '\n';
+  std::cout << profile.name << ", " << where << ": " << csv_number(rows.back().force_uN) << " uN at "
+            << csv_number(rows.back().depth_um) << " um; " << rows.size() << " rows in " << arguments.output << '\n';
 }
 
 }  // namespace
@@ -101,6 +141,14 @@ void add_force_command(CLI::App& app) {
   command->add_option("--step-um", arguments->step_um, "distance of the rows, um")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  CLI::Option* speed = command
+                           ->add_option("--speed-um-per-s", arguments->speed_um_per_s,
+                                        "push at this speed, for a profile with relaxation: forces fall meanwhile, and "
+                                        "a column time_s is added")
+                           ->check(CLI::PositiveNumber);
+  command->add_option("--hold-s", arguments->hold_s, "then hold the needle there, s")
+      ->check(CLI::PositiveNumber)
+      ->needs(speed);
   command
       ->add_option("--output", arguments->output, "CSV file: indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um")
       ->required();

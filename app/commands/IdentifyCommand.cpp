@@ -29,7 +29,7 @@ struct IdentifyArguments {
   std::optional<double> young_modulus_kPa, radius_um, thickness_um, poisson_ratio;
   std::optional<double> tip_radius_um, holder_radius_um, holder_half_width_um;
   std::optional<double> puncture_force_uN, puncture_indentation_um, scale_uncertainty_percent;
-  std::optional<double> max_indentation_um;
+  std::optional<double> max_indentation_um, anchor_ramp_s;
   std::string measured_curve, relaxation;
   double edge_length_ratio = 1.0;
   int threads = 0;
@@ -121,7 +121,7 @@ void name_sources(const IdentifyArguments& arguments, CellProfile& cell) {
                "the tool's reach on the cell and about a bending length, sqrt(R h), beyond");
     set_source(cell, "msd.node_mass_kg", "the cell at the density of water in equal parts on the nodes; not fitted");
     set_source(cell, "msd.damping_uN_s_per_um", "the quickest connector is damped critically; not fitted");
-    set_source(cell, "mesh", "642 nodes, finer at the needle: what a frame's time allows");
+    set_source(cell, "mesh", "as many nodes as a frame's time allows; evenly spread, or finer at a sharp needle");
   }
   const bool curve = !arguments.measured_curve.empty();
   set_source(cell, "effective_young_modulus_kPa",
@@ -164,20 +164,50 @@ void print_constants(const CellProfile& p) {
   }
 }
 
-std::vector<RelaxationArm> fit_arms(const std::string& file) {
-  const RelaxationRecord record = read_relaxation_record(file);
-  const RelaxationFit two = fit_relaxation(record, 2), one = fit_relaxation(record, 1);
+/// A record and what was fitted to it.
+struct FittedArms {
+  RelaxationRecord record;
+  RelaxationFit two, one;
+};
+
+FittedArms fit_arms(const std::string& file) {
+  FittedArms fitted;
+  fitted.record = read_relaxation_record(file);
+  fitted.two = fit_relaxation(fitted.record, 2);
+  fitted.one = fit_relaxation(fitted.record, 1);
   std::printf("relaxation, %s: sensor noise %.2f nN\n", fs::path(file).filename().c_str(),
-              1e3 * record.baseline_sigma_uN);
+              1e3 * fitted.record.baseline_sigma_uN);
   std::printf("%-28s %12s %12s %18s\n", "residual RMS, nN", "hold", "ramp", "ramp and hold");
-  for (const auto& [name, fit] : {std::pair{"spring and two arms", &two}, {"spring and one arm", &one}}) {
+  for (const auto& [name, fit] : {std::pair{"spring and two arms", &fitted.two}, {"spring and one arm", &fitted.one}}) {
     std::printf("%-28s %12.2f %12.2f %18.2f\n", name, 1e3 * fit->hold_rms_uN, 1e3 * fit->ramp_rms_uN,
                 1e3 * fit->ramp_and_hold_rms_uN);
   }
-  for (const RelaxationArm& arm : two.arms) {
+  for (const RelaxationArm& arm : fitted.two.arms) {
     std::printf("arm: %.1f %% of the sudden force, gone with %.3g s\n", 100.0 * arm.fraction, arm.time_s);
   }
-  return two.arms;
+  return fitted;
+}
+
+/// Gives the anchored profile its relaxation: new arms, or those that it had.
+void set_relaxation(const IdentifyArguments& arguments, const std::optional<FittedArms>& fitted, CellProfile& cell) {
+  const std::vector<RelaxationArm> arms = fitted ? fitted->two.arms : cell.relaxation_arms;
+  if (arms.empty()) return;
+  double ramp_s = cell.relaxation_anchor_ramp_s;
+  if (arguments.anchor_ramp_s) {
+    ramp_s = *arguments.anchor_ramp_s;
+    set_source(cell, "relaxation_anchor_ramp_s", arguments.source);
+  } else if (fitted) {
+    const double speed_um_per_s = ramp_speed_um_per_s(fitted->record);
+    ramp_s = cell.puncture_indentation_um / speed_um_per_s;
+    set_source(cell, "relaxation_anchor_ramp_s",
+               "assumed: the measured force was pushed as fast as the ramp-and-hold record, " +
+                   csv_number(speed_um_per_s) + " um/s");
+  }
+  apply_relaxation(arms, ramp_s, cell);
+  set_source(cell, "relaxation_elastic_ratio",
+             "the model's curve through the arms in relaxation_anchor_ramp_s: a sudden push over one of that time");
+  std::printf("a sudden push takes %.3f times the force of one of %.3g s%s, in which the scale is anchored\n",
+              cell.relaxation_elastic_ratio, ramp_s, arguments.anchor_ramp_s ? "" : " (assumed)");
 }
 
 void write_profile(const CellProfile& profile, const fs::path& file) {
@@ -216,7 +246,7 @@ void run_identify(const IdentifyArguments& arguments) {
   request.edge_length_ratio = arguments.edge_length_ratio;
   request.threads = arguments.threads;
   check_writable(output);
-  std::vector<RelaxationArm> arms = request.cell.relaxation_arms;
+  std::optional<FittedArms> arms;
   if (!arguments.relaxation.empty()) arms = fit_arms(arguments.relaxation);
 
   Identification result;
@@ -235,7 +265,7 @@ void run_identify(const IdentifyArguments& arguments) {
       progress.update(static_cast<long>(100.0 * all), 100);
     });
   }
-  result.profile.relaxation_arms = arms;
+  set_relaxation(arguments, arms, result.profile);
   name_sources(arguments, result.profile);
   write_profile(result.profile, output);
 
@@ -266,7 +296,9 @@ void run_identify(const IdentifyArguments& arguments) {
     }
     fs::path picture = output;
     picture.replace_extension(".png");
-    draw_identification(result, shown, picture);
+    std::optional<RelaxationPicture> relaxation;
+    if (arms) relaxation = RelaxationPicture{&arms->record, &arms->two, &arms->one};
+    draw_identification(result, shown, relaxation, picture);
     std::cout << output.string() << ", " << picture.string() << '\n';
   } else {
     std::cout << output.string() << '\n';
@@ -320,6 +352,9 @@ void add_identify_command(CLI::App& app) {
   command->add_option(
       "--relaxation", a->relaxation,
       "CSV, segment,style,time_s,height_um,force_uN: a ramp-and-hold record to fit two relaxation arms to");
+  number("--anchor-ramp-s", a->anchor_ramp_s,
+         "how long the push took whose force anchors the scale, s; 0: sudden (default: as fast as the record's ramp)")
+      ->check(CLI::NonNegativeNumber);
   command
       ->add_flag("--keep-constants", a->keep_constants,
                  "keep the constants of --from; only the force scale and the relaxation are found")

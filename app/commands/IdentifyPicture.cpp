@@ -17,6 +17,7 @@ constexpr std::array<Color, 4> kConfigurationColors{Color::from_hex(0x0B5FA5), C
                                                     Color::from_hex(0x1B7F4D), Color::from_hex(0x7A3E9D)};
 constexpr std::array<const char*, 4> kConfigurationNames{"1 aligned", "2 at 45°", "3 at 90°", "4 beside the axis"};
 constexpr Color kModel = Color::from_hex(0x0B5FA5);
+constexpr Color kReference = Color::from_hex(0x1A1D21);
 constexpr Color kMeasured = Color::from_hex(0xB3001E);
 constexpr Color kSmallError = Color::from_hex(0x1B7F4D);
 constexpr Color kLargeError = Color::from_hex(0xE08A1E);
@@ -116,8 +117,8 @@ FineCurve fine_curve(const CellProfile& profile, double to_um) {
 
 /// The curve with a band of what it becomes with an error e of 3 % and 10 %: `changed(depth, 1 + e)`.
 template <typename Changed>
-ChartPanel sensitivity(const FineCurve& fine, const MeasuredCurve& measured, double end_um, const std::string& title,
-                       const Changed& changed) {
+ChartPanel sensitivity(const FineCurve& fine, const Identification& identification, const MeasuredCurve& measured,
+                       double end_um, const std::string& title, const Changed& changed) {
   ChartPanel panel{title, "Indentation (µm)", "Force (µN)"};
   panel.x_end = axis_end(end_um);
   std::vector<double> x, middle;
@@ -139,6 +140,17 @@ ChartPanel sensitivity(const FineCurve& fine, const MeasuredCurve& measured, dou
     panel.series.push_back({"", ChartStyle::kDashedLine, x, low, {}, color, 1.0, 1.8});
   }
   panel.series.push_back({"model, configuration 1", ChartStyle::kLine, x, middle, {}, kModel, 1.0, 2.5});
+  if (!identification.curves.empty()) {
+    const ReferenceCurve& reference = identification.curves.front().reference;
+    panel.series.push_back({"finite elements",
+                            ChartStyle::kPoints,
+                            to_vector(reference.depth_um),
+                            to_vector(reference.force_uN),
+                            {},
+                            kReference,
+                            1.0,
+                            5.0});
+  }
   if (measured.force_uN.size() > 0) {
     panel.series.push_back({"measured",
                             ChartStyle::kPoints,
@@ -153,10 +165,43 @@ ChartPanel sensitivity(const FineCurve& fine, const MeasuredCurve& measured, dou
   return panel;
 }
 
+/// A ramp-and-hold record with what one and two arms make of it, and what they leave, nN.
+void add_relaxation(const RelaxationPicture& picture, std::vector<ChartPanel>& panels) {
+  const RelaxationRecord& record = *picture.record;
+  const auto from = record.ramp_begin;
+  const Eigen::Index count = record.time_s.size() - from;
+  const auto nN = [&](const Eigen::VectorXd& force_uN) { return to_vector(1e3 * force_uN.tail(count)); };
+  const std::vector<double> time_s = to_vector((record.time_s.tail(count).array() - record.time_s[from]).matrix());
+  ChartPanel force{"Ramp and hold, measured and fitted", "Time since the ramp began (s)", "Force (nN)"};
+  force.x_end = axis_end(time_s.back());
+  force.y_end = axis_end(1.05e3 * record.force_uN.maxCoeff());
+  force.legend_right = true;
+  force.series.push_back({"measured", ChartStyle::kPoints, time_s, nN(record.force_uN), {}, kMeasured, 1.0, 4.0});
+  force.series.push_back(
+      {"spring and one arm", ChartStyle::kDashedLine, time_s, nN(picture.one->force_uN), {}, kLargeError, 1.0, 2.0});
+  force.series.push_back(
+      {"spring and two arms", ChartStyle::kLine, time_s, nN(picture.two->force_uN), {}, kModel, 1.0, 2.0});
+
+  ChartPanel rest{"What the fits leave", "Time since the ramp began (s)", "Measured less fitted (nN)"};
+  rest.x_end = force.x_end;
+  rest.legend_right = true;
+  double largest_nN = 0.0;
+  for (const auto& [fit, name, color] : {std::tuple{picture.one, "spring and one arm", kLargeError},
+                                         std::tuple{picture.two, "spring and two arms", kModel}}) {
+    const Eigen::VectorXd off_uN = record.force_uN - fit->force_uN;
+    largest_nN = std::max(largest_nN, 1e3 * off_uN.tail(count).cwiseAbs().maxCoeff());
+    rest.series.push_back({name, ChartStyle::kLine, time_s, nN(off_uN), {}, color, 1.0, 1.5});
+  }
+  rest.y_end = axis_end(1.05 * largest_nN);
+  rest.y_begin = -rest.y_end;
+  panels.push_back(force);
+  panels.push_back(rest);
+}
+
 }  // namespace
 
 void draw_identification(const Identification& identification, const MeasuredCurve& measured,
-                         const std::filesystem::path& png) {
+                         const std::optional<RelaxationPicture>& relaxation, const std::filesystem::path& png) {
   const CellProfile& profile = identification.profile;
   double end_um = profile.puncture_indentation_um;
   if (measured.indentation_um.size() > 0) end_um = std::max(end_um, measured.indentation_um.maxCoeff());
@@ -167,11 +212,13 @@ void draw_identification(const Identification& identification, const MeasuredCur
     panels.push_back(comparison(identification, end_um));
     panels.push_back(differences(identification, end_um));
   }
-  panels.push_back(sensitivity(fine, measured, end_um, "What an error of the modulus does",
+  panels.push_back(sensitivity(fine, identification, measured, end_um, "What an error of the modulus does",
                                [&](double depth, double factor) { return factor * fine.at(depth); }));
-  panels.push_back(sensitivity(fine, measured, end_um, "What an error of the depth does",
+  panels.push_back(sensitivity(fine, identification, measured, end_um, "What an error of the depth does",
                                [&](double depth, double factor) { return fine.at(factor * depth); }));
-  render_charts(panels, 2, png, {.width_px = 1600, .height_px = panels.size() > 2 ? 1200 : 640});
+  if (relaxation) add_relaxation(*relaxation, panels);
+  const int rows = static_cast<int>(panels.size()) / 2;
+  render_charts(panels, 2, png, {.width_px = 1600, .height_px = rows == 1 ? 640 : 600 * rows});
 }
 
 }  // namespace pellucida

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "pellucida/core/Error.h"
 
@@ -72,6 +73,33 @@ TEST(Relaxation, RampRatioIsThatOfARamp) {
   relaxation.start(0.0);
   EXPECT_NEAR(relaxation.advance(2.2, 4.0), 4.0 * relaxation.ramp_ratio(2.2), 1e-12);
   EXPECT_DOUBLE_EQ(relaxation.ramp_ratio(0.0), 1.0);
+}
+
+TEST(Relaxation, RateAndRestAreThoseOfItsFall) {
+  Relaxation relaxation(kArms);
+  relaxation.start(0.0);
+  const double now_uN = relaxation.advance(1.0, 3.0), rate = relaxation.rate_uN_per_s();
+  const double rest_uN = relaxation.relaxed_uN();
+  EXPECT_NEAR((relaxation.advance(1.0 + 1e-6, 3.0) - now_uN) / 1e-6, rate, 1e-5);
+  EXPECT_NEAR(relaxation.advance(1e4, 3.0), rest_uN, 1e-9);
+}
+
+TEST(Relaxation, StorageAndLossAreThoseOfASteadyVibration) {
+  // Fe = sin(omega t): once settled, F = storage sin(omega t) + omega loss cos(omega t).
+  constexpr double kOmega_per_s = 2.0, kStep_s = 1e-3;
+  Relaxation relaxation(kArms);
+  relaxation.start(0.0);
+  double in_phase = 0.0, across = 0.0, length_s = 0.0;
+  const double period_s = 2.0 * std::numbers::pi / kOmega_per_s;
+  for (int k = 1; k * kStep_s < 40.0 * period_s; ++k) {
+    const double t = k * kStep_s, force = relaxation.advance(t, std::sin(kOmega_per_s * t));
+    if (t < 30.0 * period_s) continue;
+    in_phase += force * std::sin(kOmega_per_s * t) * kStep_s;
+    across += force * std::cos(kOmega_per_s * t) * kStep_s;
+    length_s += kStep_s;
+  }
+  EXPECT_NEAR(2.0 * in_phase / length_s, relaxation.storage_ratio(kOmega_per_s), 1e-3);
+  EXPECT_NEAR(2.0 * across / length_s, kOmega_per_s * relaxation.loss_s(kOmega_per_s), 1e-3);
 }
 
 TEST(Relaxation, WithoutArmsIsElastic) {

@@ -22,6 +22,10 @@ constexpr double kLeastReach = 1.06;
 /// Connectors must bear strains beyond the largest of the reference's middle surface, and never less than these.
 constexpr double kStrainReserve = 1.2, kLeastStrain = 0.5;
 
+/// The mesh is even where the tip's radius is a tenth of the cell's, and finer at the needle for a sharper tip; a finer
+/// mesh there is a coarser one at the holder.
+constexpr double kEvenRadius_ratio = 0.1, kSteepestGrading = 1.8;
+
 /// The force at the point nearest to a depth.
 double force_near_uN(const ReferenceCurve& curve, double depth_um) {
   Eigen::Index nearest = 0;
@@ -124,8 +128,8 @@ CellProfile table_one_oocyte() {
   cell.holder_half_width_um = contact.holder_half_width_um;
   cell.holder_bond_per_um = contact.holder_bond_per_um;
   cell.volume_stiffness_ratio = ShellSpecimen{}.bulk_modulus_ratio;
-  cell.mesh_frequency = 8;
-  cell.mesh_grading = 1.4;
+  cell.mesh_frequency = 9;
+  cell.mesh_grading = 1.0;
   return cell;
 }
 
@@ -142,6 +146,8 @@ Identification identify(const IdentificationRequest& request,
   profile.references.clear();
   profile.errors.clear();
   set_regions(profile);
+  profile.mesh_grading =
+      std::clamp(kEvenRadius_ratio * profile.mid_radius_um / profile.tip_radius_um, 1.0, kSteepestGrading);
   if (!(profile.body.k2_ratio > 0.0)) set_starting_constants(profile);
 
   // The reference.

@@ -9,12 +9,16 @@
 #include <limits>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/mechanics/Indenter.h"
 
 namespace pellucida {
 namespace {
 
 /// Force above the baseline, in its standard deviations, that is taken for contact at first.
 constexpr double kContactSigmas = 8.0;
+
+/// The elastic curve under a ramp is straight over this, um.
+constexpr double kCurveStep_um = 1.0;
 
 /// Parameters: contact height, a1 a2 a3 over the force's peak, then for each arm the log of its fraction over the
 /// spring's, and the log of its time. The spring's fraction is 1 / (1 + sum of exp), so that all stay positive.
@@ -152,6 +156,34 @@ RelaxationFit fit_relaxation(const RelaxationRecord& record, int arm_count) {
   best.ramp_rms_uN = rms(off.segment(record.ramp_begin, record.hold_begin - record.ramp_begin));
   best.ramp_and_hold_rms_uN = rms(off.tail(used));
   return best;
+}
+
+double ramp_speed_um_per_s(const RelaxationRecord& record) {
+  const double way_um = record.height_um[record.ramp_begin] - record.height_um[record.hold_begin];
+  return way_um / (record.time_s[record.hold_begin] - record.time_s[record.ramp_begin]);
+}
+
+void apply_relaxation(const std::vector<RelaxationArm>& arms, double anchor_ramp_s, CellProfile& profile) {
+  if (!(anchor_ramp_s >= 0.0 && std::isfinite(anchor_ramp_s))) {
+    throw UsageError("relaxation: the time of the measured push must be 0 s or above");
+  }
+  Relaxation relaxation(arms);
+  double ratio = 1.0;
+  if (!arms.empty() && anchor_ramp_s > 0.0) {
+    relaxation.start(0.0);
+    double elastic_uN = 0.0;
+    for (const IndentationState& state : force_curve(profile, 1, profile.puncture_indentation_um, kCurveStep_um)) {
+      if (state.report.status != SolveStatus::kConverged) {
+        throw UsageError("relaxation: the model finds no equilibrium at the puncture indentation");
+      }
+      elastic_uN = state.push_force_uN;
+      relaxation.advance(anchor_ramp_s * state.depth_um / profile.puncture_indentation_um, elastic_uN);
+    }
+    ratio = elastic_uN / relaxation.force_uN();
+  }
+  profile.relaxation_arms = arms;
+  profile.relaxation_elastic_ratio = ratio;
+  profile.relaxation_anchor_ramp_s = arms.empty() ? 0.0 : anchor_ramp_s;
 }
 
 }  // namespace pellucida

@@ -96,6 +96,8 @@ void read_relaxation(const Reader& in, const std::string& file, CellProfile& pro
   } catch (const UsageError& error) {
     in.fail("relaxation_arms", std::string("is wrong: ") + error.what());
   }
+  profile.relaxation_elastic_ratio = in.number("relaxation_elastic_ratio", 1.0, 1e3);
+  profile.relaxation_anchor_ramp_s = in.number("relaxation_anchor_ramp_s", 0.0, 1e9);
 }
 
 }  // namespace
@@ -242,7 +244,11 @@ std::string to_json(const CellProfile& p) {
       {"mesh", {{"frequency", p.mesh_frequency}, {"grading", p.mesh_grading}}},
       {"references", references},
       {"errors", errors}};
-  if (!p.relaxation_arms.empty()) root["relaxation_arms"] = arms;
+  if (!p.relaxation_arms.empty()) {
+    root["relaxation_arms"] = arms;
+    root["relaxation_elastic_ratio"] = p.relaxation_elastic_ratio;
+    root["relaxation_anchor_ramp_s"] = p.relaxation_anchor_ramp_s;
+  }
   return root.dump(2);
 }
 

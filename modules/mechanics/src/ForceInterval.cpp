@@ -14,7 +14,7 @@ constexpr double kLargestRatio = 0.6;
 }  // namespace
 
 double ForceErrors::absolute_uN() const noexcept {
-  return std::hypot(std::hypot(depth_uN, shape_uN), model_uN);
+  return std::hypot(std::hypot(depth_uN, shape_uN), std::hypot(model_uN, relaxation_uN));
 }
 
 double ForceErrors::relative() const noexcept {

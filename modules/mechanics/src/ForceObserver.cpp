@@ -5,10 +5,13 @@
 #include <numbers>
 #include <optional>
 
+#include "ErrorBudget.h"
+#include "FittedCell.h"
+#include "NodalField.h"
+#include "RelaxingContact.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/mechanics/CellPlacement.h"
 #include "pellucida/mechanics/DepthFilter.h"
-#include "pellucida/mechanics/Indenter.h"
 #include "pellucida/mechanics/RevolvedContour.h"
 
 namespace pellucida {
@@ -18,10 +21,6 @@ namespace {
 constexpr double kDefaultDepthSigma_um = 0.2;
 /// And of the tip along the needle.
 constexpr double kDefaultTipSigma_um = 0.4;
-/// How deep the risk of puncture is told, in puncture indentations.
-constexpr double kRiskDepth_ratio = 1.3;
-/// A stiffness' slope by depth is taken over this.
-constexpr double kSlopeStep_um = 0.5;
 /// Rounds of finding the contour's nearest places again.
 constexpr int kProjections = 3;
 /// What no filter averages out: the edge's centre line may lie a little beside the membrane, the same in every frame.
@@ -29,28 +28,6 @@ constexpr double kEdgeBias_um = 0.12;
 /// A profile speaks of cells of its own size: outside this share of its radius it says nothing.
 constexpr double kSmallestRatio = 0.6;
 constexpr double kLargestRatio = 1.7;
-/// The model is built anew when the tracked rest radius or thickness moved by more than this share.
-constexpr double kRebuildRatio = 0.004;
-/// The turn of the holder, and the change of the needle's offset, that are worth following.
-constexpr double kHolderTurn_rad = 0.002;
-constexpr double kOffsetStep_um = 0.75;
-/// A needle whose line moved by more than this since the contact began has slipped.
-constexpr double kSlip_um = 4.0;
-/// A resting radius is known to this, um, by a tracker; the force goes with its power -1.9 (method, finite elements).
-constexpr double kRadiusSigma_um = 0.2;
-constexpr double kRadiusPower = 1.9;
-/// What a contour may differ from the model by, um, beside its noise: at rest, and more for each um of depth (the
-/// virtual microscope's cells; see the module's README).
-constexpr double kUsualMismatch_um = 0.2;
-constexpr double kUsualMismatch_ratio = 0.02;
-/// Beyond so many times what is usual the shape isn't the model's.
-constexpr double kMismatch = 2.5;
-/// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
-constexpr double kUnknownHolder_ratio = 0.3;
-
-double usual_mismatch_um(const ShapeAudit& shape, double depth_um) {
-  return std::hypot(shape.noise_um, kUsualMismatch_um + kUsualMismatch_ratio * depth_um);
-}
 
 double sphere_volume_um3(double radius_um) {
   return 4.0 / 3.0 * std::numbers::pi * std::pow(radius_um, 3);
@@ -65,8 +42,11 @@ std::string whole(double value) {
 class ForceObserver::Impl {
  public:
   Impl(CellProfile profile, const ForceOptions& options)
-      : profile_(std::move(profile)), options_(options), tables_(profile_.name) {
-    if (!(options_.observation_ratio >= 0.0)) throw UsageError("weight of the contour: it must be 0 or above");
+      : profile_(std::move(profile)),
+        options_(checked(options)),
+        tables_(profile_.name),
+        cell_(profile_),
+        relaxing_(profile_, options.hand_frequency_Hz) {
     scale_ = {1.0, profile_.force_scale_relative_sigma};
   }
 
@@ -90,25 +70,13 @@ class ForceObserver::Impl {
 
   std::vector<PunctureRisk> puncture_risk(double step_um) {
     if (!(step_um > 0.0)) throw UsageError("risk of puncture: the step must be above 0 um");
-    std::vector<PunctureRisk> risk;
-    if (!indenter_) return risk;
-    indenter_->reset();
-    for (int k = 1; k * step_um <= kRiskDepth_ratio * profile_.puncture_indentation_um; ++k) {
-      const IndentationState state = indenter_->advance_to(k * step_um);
-      if (state.report.status != SolveStatus::kConverged) break;
-      ForceErrors errors;
-      add_model_errors(profile_, state.push_force_uN, rest_stiffness_uN_per_um_, errors);
-      const double force_uN = scale_.ratio * state.push_force_uN;
-      const double relative = std::hypot(errors.model_ratio, scale_.relative_sigma);
-      risk.push_back({k * step_um, force_uN, puncture_probability(profile_, force_uN, relative)});
-    }
-    indenter_->reset();
-    return risk;
+    return cell_.exists() ? cell_.puncture_risk(step_um, scale_) : std::vector<PunctureRisk>{};
   }
 
   void reset() {
-    indenter_.reset();
+    cell_.forget();
     placement_.reset();
+    relaxing_.forget();
     end_contact();
   }
 
@@ -117,9 +85,10 @@ class ForceObserver::Impl {
     estimate.time_s = o.time_s;
     estimate.frame_index = o.frame_index;
 
-    // Nothing to measure.
+    // Nothing to measure. A cell that is lost goes on relaxing; another one has no past.
     if (o.state == CellState::kNoCell || o.state == CellState::kLost || !o.outer) {
       estimate.reason = "no cell to measure";
+      if (o.state == CellState::kNoCell) relaxing_.forget();
       end_contact();
       return estimate;
     }
@@ -140,7 +109,11 @@ class ForceObserver::Impl {
     estimate.rotation_WC = placement_.rotation_WC();
     estimate.center_um = placement_.center_um();
     estimate.holder_assumed = placement_.holder_assumed();
-    prepare_model(o, estimate);
+    if (cell_.fit(o, placement_)) {
+      auditor_.set_model(cell_.model().rest());
+      palpated_ = false;
+    }
+    estimate.thickness_assumed = cell_.thickness_assumed();
     if (palpation_ && !palpated_) palpate();
 
     // Contact: the filtered depth, unless the membrane has just left the tip; otherwise the cell is at rest.
@@ -162,7 +135,7 @@ class ForceObserver::Impl {
         depth_um = filtered.depth_um;
         estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um);
         // No needle goes deeper than the model can follow.
-        if (depth_um > 1.4 * indenter_->model().setup().mid_radius_um) {
+        if (depth_um > cell_.deepest_um()) {
           estimate.reason = "the indentation is deeper than the model reaches";
           return estimate;
         }
@@ -172,89 +145,48 @@ class ForceObserver::Impl {
     if (estimate.punctured) estimate.puncture = monitor_.take_puncture(o.time_s);
     estimate.work_uN_um = monitor_.work_uN_um();
     if (o.state == CellState::kFree) end_contact();
-    if (!contact) {
-      filter_.reset();
-      estimate.depth_sigma_um = 0.0;
-    }
+    if (!contact) leave(o, estimate);
     solve(o, depth_um, contact, estimate);
     return estimate;
   }
 
  private:
+  static const ForceOptions& checked(const ForceOptions& options) {
+    if (!(options.observation_ratio >= 0.0)) throw UsageError("weight of the contour: it must be 0 or above");
+    if (!(options.hand_frequency_Hz > 0.0)) throw UsageError("frequency of the hand: it must be above 0 Hz");
+    return options;
+  }
+
   void end_contact() {
     filter_.reset();
     monitor_.release();
     placement_.end_contact();
   }
 
-  /// A model of this cell's size with needle and holder in place.
-  void prepare_model(const Observation& o, ForceEstimate& estimate) {
-    double thickness_um = o.rest_outer_radius_um - o.rest_inner_radius_um;
-    estimate.thickness_assumed = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um && thickness_um > 0.0);
-    if (estimate.thickness_assumed) thickness_um = profile_.thickness_um;
-    thickness_um_ = thickness_um;
-    const double mid_radius_um = o.rest_outer_radius_um - 0.5 * thickness_um;
-
-    // The thickness of the force scale is the profile's: a measured one is too coarse for it (the force goes with
-    // h^1.2).
-    const bool fits = indenter_ &&
-                      std::abs(mid_radius_um / indenter_->model().setup().mid_radius_um - 1.0) < kRebuildRatio &&
-                      std::abs(placement_.offset_um() - model_offset_um_) < kOffsetStep_um;
-    if (!fits) {
-      const MembraneSetup setup{mid_radius_um, profile_.thickness_um, placement_.push(), placement_.holder()};
-      indenter_ = std::make_unique<Indenter>(profile_, setup);
-      auditor_.set_model(indenter_->model().rest());
-      rest_stiffness_uN_per_um_ = indenter_->advance_to(0.0).stiffness_uN_per_um;
-      model_offset_um_ = placement_.offset_um();
-      palpated_ = false;
-      outer_radius_um_ = mid_radius_um + 0.5 * thickness_um;
-    } else if (indenter_->model().setup().holder.dot(placement_.holder()) < std::cos(kHolderTurn_rad)) {
-      indenter_->set_holder(placement_.holder());
-    }
+  /// The needle carries nothing in this frame.
+  void leave(const Observation& o, ForceEstimate& estimate) {
+    filter_.reset();
+    relaxing_.rest(o.time_s);
+    estimate.depth_sigma_um = 0.0;
   }
 
   /// The palpation against the model of this cell; anew where the model is. The model is at rest afterwards.
   void palpate() {
     palpated_ = true;
-    const double deepest_um = 1.4 * indenter_->model().setup().mid_radius_um;
-    const double depth_um = std::min(palpation_->indentation_um, deepest_um);
-    const bool by_force = palpation_->known_force_uN > 0.0;
-    indenter_->reset();
-    const IndentationState before = indenter_->advance_to(std::max(0.0, depth_um - kSlopeStep_um));
-    const IndentationState at = indenter_->advance_to(depth_um);
-    indenter_->reset();
-    if (at.report.status != SolveStatus::kConverged || !(at.push_force_uN > 0.0)) return;
-    ForceErrors model;
-    add_model_errors(profile_, at.push_force_uN, rest_stiffness_uN_per_um_, model);
-    const double relative = std::hypot(model.model_ratio, model.model_uN / at.push_force_uN);
-    const double value = by_force ? at.push_force_uN : at.stiffness_uN_per_um;
-    const double slope =
-        by_force ? at.stiffness_uN_per_um : (at.stiffness_uN_per_um - before.stiffness_uN_per_um) / kSlopeStep_um;
-    scale_ = update_scale(scale_before(profile_), *palpation_, value, slope, relative);
+    if (const auto scale = cell_.scale_after(*palpation_)) scale_ = *scale;
   }
 
   void solve(const Observation& o, double depth_um, bool contact, ForceEstimate& estimate) {
     // Out of contact the shape is known.
-    IndentationState state;
-    if (contact) {
-      // After a failure start from rest, not from a shape that leads nowhere.
-      if (start_anew_) indenter_->reset();
-      state = indenter_->advance_to(depth_um);
-      start_anew_ = state.report.status != SolveStatus::kConverged;
-      estimate.converged = state.report.status == SolveStatus::kConverged;
-      estimate.iterations = state.report.iterations;
-      if (!estimate.converged) {
-        estimate.reason = "the model found no equilibrium: " + std::string(to_string(state.report.status));
-      }
-    } else {
-      indenter_->reset();
-      estimate.converged = true;
-      state.volume_um3 = indenter_->model().volume().rest_volume_um3();
+    IndentationState state = contact ? cell_.press(depth_um) : cell_.release();
+    estimate.converged = !contact || state.report.status == SolveStatus::kConverged;
+    estimate.iterations = state.report.iterations;
+    if (!estimate.converged) {
+      estimate.reason = "the model found no equilibrium: " + std::string(to_string(state.report.status));
     }
-    const MembraneModel& model = indenter_->model();
     const Eigen::Matrix3d& R = estimate.rotation_WC;
     const auto audit = [&] {
-      estimate.shape = auditor_.audit(o, indenter_->positions_um(), R, estimate.center_um, thickness_um_);
+      estimate.shape = auditor_.audit(o, cell_.indenter().positions_um(), R, estimate.center_um, cell_.thickness_um());
     };
     audit();
 
@@ -265,124 +197,85 @@ class ForceObserver::Impl {
       contact = false;
       estimate.punctured = true;
       estimate.puncture = monitor_.take_puncture(o.time_s);
-      filter_.reset();
-      estimate.depth_sigma_um = depth_um = 0.0;
-      indenter_->reset();
-      state = IndentationState{};
-      state.volume_um3 = model.volume().rest_volume_um3();
+      leave(o, estimate);
+      depth_um = 0.0;
+      state = cell_.release();
       audit();
     }
 
     // The contour's weak pull, where it is asked for: its places found again about the shape it led to.
+    const MembraneModel& model = cell_.model();
     for (int round = 0; contact && estimate.converged && options_.observation_ratio > 0.0 && round < kProjections;
          ++round) {
-      indenter_->observe(observe_revolved(model.rest(), indenter_->positions_um(), auditor_,
-                                          options_.observation_ratio * model.force_scale_uN_per_um()));
-      state = indenter_->advance_to(depth_um);
+      cell_.indenter().observe(observe_revolved(model.rest(), cell_.indenter().positions_um(), auditor_,
+                                                options_.observation_ratio * model.force_scale_uN_per_um()));
+      state = cell_.indenter().advance_to(depth_um);
       audit();
     }
-    const Eigen::Matrix3Xd& x = indenter_->positions_um();
+    const Eigen::Matrix3Xd& x = cell_.indenter().positions_um();
 
     // The shape, in the world.
     estimate.rest_um = (R * model.rest().points_um).colwise() + estimate.center_um;
     estimate.solved_um = (R * x).colwise() + estimate.center_um;
     estimate.triangles = model.rest().triangles;
 
-    // The force with what makes it uncertain. All forces go with the cell's scale.
-    const double scale = scale_.ratio;
-    const double push_uN = scale * std::max(0.0, state.push_force_uN);
-    const double stiffness_uN_per_um = contact ? scale * std::max(0.0, state.stiffness_uN_per_um) : 0.0;
-    if (contact) fill_errors(push_uN, stiffness_uN_per_um, depth_um, estimate);
-    const ForceInterval interval = contact ? interval_95(push_uN, estimate.errors) : ForceInterval{};
-    fill_nodes(model, x, contact, estimate);
+    // The force with what makes it uncertain. All forces go with the cell's scale, and with what relaxation leaves.
+    RelaxingContact::Force force;
+    if (contact) {
+      const double push_uN = scale_.ratio * std::max(0.0, state.push_force_uN);
+      const double stiffness_uN_per_um = scale_.ratio * std::max(0.0, state.stiffness_uN_per_um);
+      force.force_uN = push_uN;
+      force.stiffness_uN_per_um = stiffness_uN_per_um;
+      if (estimate.converged) force = relaxing_.advance(o.time_s, push_uN, stiffness_uN_per_um);
+      const double model_uN = push_uN / scale_.ratio;
+      fill_errors({profile_, cell_, placement_, scale_, depth_um, model_uN, force}, estimate);
+    }
+    const double scale = scale_.ratio * force.ratio;
+    const ForceInterval interval = contact ? interval_95(force.force_uN, estimate.errors) : ForceInterval{};
+    fill_nodes(cell_.indenter(), scale, contact, estimate);
 
     // The outer surface encloses what it did at rest, but for the little the liquid gives.
-    estimate.volume_um3 = sphere_volume_um3(outer_radius_um_) * (state.volume_um3 / model.volume().rest_volume_um3());
+    estimate.volume_um3 =
+        sphere_volume_um3(cell_.outer_radius_um()) * (state.volume_um3 / model.volume().rest_volume_um3());
     estimate.pressure_Pa = scale * state.pressure_Pa;
 
     // A model that isn't where the needle is says nothing of its force.
     if (!estimate.converged) return;
     estimate.depth_um = depth_um;
-    estimate.stiffness_uN_per_um = stiffness_uN_per_um;
-    estimate.damping_uN_s_per_um = contact ? damping(model, x) : 0.0;
+    estimate.stiffness_uN_per_um = force.stiffness_uN_per_um;
+    estimate.damping_uN_s_per_um =
+        contact ? force.damping_uN_s_per_um + damping_uN_s_per_um(cell_.indenter(), profile_.damping_uN_s_per_um) : 0.0;
+    estimate.force_rate_uN_per_s = force.rate_uN_per_s;
+    estimate.relaxed_force_uN = force.relaxed_uN;
     estimate.tip_force_uN = scale * (R * state.tip_force_uN);
     const Eigen::Vector3d across = state.tip_force_uN - state.push_force_uN * model.setup().push;
     estimate.lateral_force_uN = scale * across.norm();
-    estimate.contact_force_uN = push_uN;
+    estimate.contact_force_uN = force.force_uN;
     estimate.contact_force_lower_uN = interval.lower_uN;
     estimate.contact_force_upper_uN = interval.upper_uN;
-    if (palpation_) estimate.puncture_probability = puncture_probability(profile_, push_uN, estimate.errors.relative());
+    if (palpation_) {
+      estimate.puncture_probability = puncture_probability(profile_, force.force_uN, estimate.errors.relative());
+    }
     if (!contact) return;
-    monitor_.add(depth_um, push_uN);
-    ask_others(o, depth_um, estimate);
+    monitor_.add(depth_um, force.force_uN);
+    ask_others(o, depth_um, scale, estimate);
     estimate.work_uN_um = monitor_.work_uN_um();
     if (options_.naive_readout)
       estimate.naive_force_uN = scale * naive_force_uN(model, lay_on_contour(model.rest(), x, auditor_));
   }
 
   /// The other models' forces, for who analyses.
-  void ask_others(const Observation& o, double depth_um, ForceEstimate& estimate) const {
-    const MembraneSetup& setup = indenter_->model().setup();
+  void ask_others(const Observation& o, double depth_um, double scale, ForceEstimate& estimate) const {
+    const MembraneSetup& setup = cell_.model().setup();
     const auto point_load = point_load_force_uN(profile_.young_modulus_kPa, profile_.poisson_ratio, setup.thickness_um,
                                                 depth_um, o.dimple_radius_um, profile_.tip_radius_um);
     const double angle_rad = std::acos(std::clamp(setup.push.dot(setup.holder), -1.0, 1.0));
-    const auto table = model_offset_um_ == 0.0
+    const auto table = cell_.offset_um() == 0.0
                            ? tables_.force_uN(depth_um, angle_rad, setup.mid_radius_um / profile_.mid_radius_um)
                            : std::nullopt;
-    if (point_load) estimate.opinions.point_load_uN = scale_.ratio * *point_load;
-    if (table) estimate.opinions.table_uN = scale_.ratio * *table;
+    if (point_load) estimate.opinions.point_load_uN = scale * *point_load;
+    if (table) estimate.opinions.table_uN = scale * *table;
     estimate.opinions.spread_percent = spread_percent(estimate.contact_force_uN, estimate.opinions);
-  }
-
-  /// What the interval is made of, and what is worth a warning.
-  void fill_errors(double push_uN, double stiffness_uN_per_um, double depth_um, ForceEstimate& estimate) const {
-    ForceErrors& errors = estimate.errors;
-    errors.depth_uN = stiffness_uN_per_um * estimate.depth_sigma_um;
-    errors.scale_ratio = scale_.relative_sigma;
-    const double radius_sigma_um = std::hypot(kRadiusSigma_um, estimate.thickness_assumed ? 0.25 * thickness_um_ : 0.0);
-    errors.geometry_ratio = std::hypot(kRadiusPower * radius_sigma_um / indenter_->model().setup().mid_radius_um,
-                                       estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
-    add_model_errors(profile_, push_uN / scale_.ratio, rest_stiffness_uN_per_um_, errors);
-    errors.model_uN *= scale_.ratio;
-
-    // The contour beside the model: beyond what is usual it counts as a depth that isn't known.
-    const ShapeAudit& shape = estimate.shape;
-    unsigned warnings = kNoForceWarning;
-    if (std::isfinite(shape.residual_rms_um)) {
-      const double usual_um = usual_mismatch_um(shape, depth_um);
-      const double beyond_um = std::max(0.0, shape.residual_rms_um - usual_um);
-      errors.shape_uN = stiffness_uN_per_um * beyond_um;
-      if (shape.residual_rms_um > kMismatch * usual_um) warnings |= kShapeMismatch;
-      estimate.asymmetry_force_uN = stiffness_uN_per_um * shape.unexplained_asymmetry_um;
-      if (shape.unexplained_asymmetry_um > kMismatch * usual_um) warnings |= kNotOfRevolution;
-    }
-    if (std::abs(placement_.slipped_um()) > kSlip_um) warnings |= kNeedleSlip;
-    estimate.warnings = static_cast<ForceWarning>(warnings);
-  }
-
-  /// Forces on the nodes; their sigma from the depth's (along the tangent), and the relative errors.
-  void fill_nodes(const MembraneModel& model, const Eigen::Matrix3Xd& x, bool contact, ForceEstimate& estimate) const {
-    const Eigen::Matrix3Xd force = scale_.ratio * model.elastic_force_uN(x);
-    estimate.force_uN = estimate.rotation_WC * force;
-    const double relative = estimate.errors.relative();
-    estimate.force_sigma_uN = relative * force.colwise().norm().transpose();
-    if (contact && estimate.depth_sigma_um > 0.0) {
-      constexpr double kProbe_um = 1e-3;
-      const Eigen::Matrix3Xd moved = scale_.ratio * model.elastic_force_uN(x + kProbe_um * indenter_->depth_tangent());
-      const Eigen::VectorXd by_depth =
-          ((moved - force) * (estimate.depth_sigma_um / kProbe_um)).colwise().norm().transpose();
-      estimate.force_sigma_uN = (estimate.force_sigma_uN.array().square() + by_depth.array().square()).sqrt().matrix();
-    }
-    estimate.tension_uN_per_um =
-        scale_.ratio * model.springs().tension_uN_per_um(x, node_areas_um2(x, model.rest().triangles));
-  }
-
-  /// Of the dampers of eq. (1), felt by a needle that moves along the push: what they dissipate at 1 um/s.
-  double damping(const MembraneModel& model, const Eigen::Matrix3Xd& x) const {
-    Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, x.cols());
-    const Eigen::Matrix3Xd& velocity = indenter_->depth_tangent();
-    model.springs().add_damping(x, velocity, profile_.damping_uN_s_per_um, force);
-    return -(force.array() * velocity.array()).sum();
   }
 
   CellProfile profile_;
@@ -391,29 +284,13 @@ class ForceObserver::Impl {
   ForceTables tables_;
   std::optional<Palpation> palpation_;
   bool palpated_ = false;  // the palpation was held against this model
-  std::unique_ptr<Indenter> indenter_;
-  bool start_anew_ = false;
-  double rest_stiffness_uN_per_um_ = 0.0;
+  FittedCell cell_;
+  RelaxingContact relaxing_;
   DepthFilter filter_;
   PunctureMonitor monitor_;
   ShapeAuditor auditor_;
-  double outer_radius_um_ = 0.0, thickness_um_ = 0.0;
   CellPlacement placement_;
-  double model_offset_um_ = 0.0;
 };
-
-std::string to_string(ForceWarning warnings) {
-  std::string text;
-  const auto add = [&](ForceWarning one, const char* name) {
-    if (!(warnings & one)) return;
-    text += text.empty() ? "" : "+";
-    text += name;
-  };
-  add(kShapeMismatch, "mismatch");
-  add(kNeedleSlip, "slip");
-  add(kNotOfRevolution, "asymmetry");
-  return text;
-}
 
 ForceObserver::ForceObserver(CellProfile profile, ForceOptions options)
     : impl_(std::make_unique<Impl>(std::move(profile), options)) {}

@@ -31,6 +31,11 @@ void Relaxation::start(double time_s, double elastic_uN) noexcept {
   started_ = true;
 }
 
+void Relaxation::reset() noexcept {
+  start(0.0);
+  started_ = false;
+}
+
 double Relaxation::advance(double time_s, double elastic_uN) noexcept {
   if (!started_) start(time_s);
   const double dt_s = time_s > time_s_ ? time_s - time_s_ : 0.0;
@@ -48,6 +53,30 @@ double Relaxation::force_uN() const noexcept {
   double force = spring_fraction_ * elastic_uN_;
   for (const double arm : arm_force_uN_) force += arm;
   return force;
+}
+
+double Relaxation::rate_uN_per_s() const noexcept {
+  double rate = 0.0;
+  for (std::size_t k = 0; k < arms_.size(); ++k) rate -= arm_force_uN_[k] / arms_[k].time_s;
+  return rate;
+}
+
+double Relaxation::storage_ratio(double omega_per_s) const noexcept {
+  double ratio = 1.0;
+  for (const RelaxationArm& arm : arms_) {
+    const double x = omega_per_s * arm.time_s;
+    ratio -= arm.fraction / (1.0 + x * x);
+  }
+  return ratio;
+}
+
+double Relaxation::loss_s(double omega_per_s) const noexcept {
+  double loss = 0.0;
+  for (const RelaxationArm& arm : arms_) {
+    const double x = omega_per_s * arm.time_s;
+    loss += arm.fraction * arm.time_s / (1.0 + x * x);
+  }
+  return loss;
 }
 
 double Relaxation::modulus_ratio(double time_s) const noexcept {

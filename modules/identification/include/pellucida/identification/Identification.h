@@ -17,9 +17,9 @@ namespace pellucida {
 CellProfile table_one_oocyte();
 
 struct IdentificationRequest {
-  /// Geometry, Young's modulus, Poisson's ratio, puncture point, tools, mesh, name and sources. What identification
-  /// finds (constants, effective modulus and its uncertainty, m, b, errors) is overwritten; constants it has already
-  /// are where the fit starts.
+  /// Geometry, Young's modulus, Poisson's ratio, puncture point, tools, the mesh's frequency, name and sources. What
+  /// identification finds (constants, regions, grading, effective modulus and its uncertainty, m, b, errors) is
+  /// overwritten; constants it has already are where the fit starts.
   CellProfile cell = table_one_oocyte();
   std::optional<MeasuredCurve> measured;    ///< anchors the force scale; without it the puncture point does
   double assumed_scale_sigma_ratio = 0.05;  ///< of the scale, where one point alone anchors it

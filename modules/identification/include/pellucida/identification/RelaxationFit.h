@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "pellucida/identification/RelaxationRecord.h"
+#include "pellucida/mechanics/CellProfile.h"
 #include "pellucida/mechanics/Relaxation.h"
 
 namespace pellucida {
@@ -24,5 +25,14 @@ struct RelaxationFit {
 /// UsageError for another number of arms, NothingMeasuredError when the record holds no push: a force that never rises
 /// above the noise, or a height that doesn't fall.
 RelaxationFit fit_relaxation(const RelaxationRecord& record, int arm_count = 2);
+
+/// Speed of a record's ramp, um/s.
+double ramp_speed_um_per_s(const RelaxationRecord& record);
+
+/// Gives a profile whose force scale is anchored these arms. The scale is that of a steady push to the puncture
+/// indentation within `anchor_ramp_s` >= 0 (0: a sudden one), in which the arms relax already, so that a sudden push
+/// takes more force: Fe(d) / integral of G(T - s) dFe(s), Fe the model's force-indentation curve in configuration 1.
+/// Throws UsageError for another time or arms.
+void apply_relaxation(const std::vector<RelaxationArm>& arms, double anchor_ramp_s, CellProfile& profile);
 
 }  // namespace pellucida

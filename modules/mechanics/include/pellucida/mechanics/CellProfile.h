@@ -78,8 +78,12 @@ struct CellProfile {
   std::vector<ProfileReference> references;  ///< empty where a profile's maker didn't write them down
   std::vector<ProfileError> errors;
 
-  /// How the force falls while the needle rests; empty: not known, and taken as not at all.
+  /// How the force falls while the needle rests; empty: not known, and taken as not at all. The effective modulus is
+  /// that of the push it was measured in, of `relaxation_anchor_ramp_s` from rest (0: a sudden one), in which the arms
+  /// had begun to relax already: a sudden push takes `relaxation_elastic_ratio` >= 1 times the force. 1 without arms.
   std::vector<RelaxationArm> relaxation_arms;
+  double relaxation_elastic_ratio = 1.0;
+  double relaxation_anchor_ramp_s = 0.0;
 
   /// E h at the effective modulus, uN/um.
   double membrane_stiffness_uN_per_um() const noexcept { return 1e-3 * effective_young_modulus_kPa * thickness_um; }

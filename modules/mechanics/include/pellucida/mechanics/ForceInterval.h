@@ -8,6 +8,7 @@ namespace pellucida {
 struct ForceErrors {
   double depth_uN = 0.0;        ///< noise and bias of the depth times the tangent stiffness
   double shape_uN = 0.0;        ///< the contour's residual beyond what is usual, times the tangent stiffness
+  double relaxation_uN = 0.0;   ///< what the arms' own spread makes of the force, where the membrane relaxes
   double model_uN = 0.0;        ///< error that the profile admits to, below the depths it was compared at
   double model_ratio = 0.0;     ///< the same at those depths
   double scale_ratio = 0.0;     ///< of the profile's scale, or of this cell's after a palpation

@@ -1,30 +1,13 @@
 #pragma once
-#include <Eigen/Core>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/mechanics/CellProfile.h"
-#include "pellucida/mechanics/ForceInterval.h"
-#include "pellucida/mechanics/ModelOpinions.h"
+#include "pellucida/mechanics/ForceEstimate.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
-#include "pellucida/mechanics/PunctureMonitor.h"
-#include "pellucida/mechanics/ShapeAudit.h"
 
 namespace pellucida {
-
-/// What a person should know before believing a force; one or more of these, combined with |.
-enum ForceWarning : unsigned {
-  kNoForceWarning = 0,
-  kShapeMismatch = 1,   ///< the contour isn't the model's: wrong configuration, a tool elsewhere, a wrinkled cell
-  kNeedleSlip = 2,      ///< the needle isn't where it was when the contact began, or the membrane doesn't follow it
-  kNotOfRevolution = 4  ///< left and right of the contour differ by more than the model explains
-};
-/// "mismatch", "slip", "asymmetry", joined by "+"; empty for none.
-std::string to_string(ForceWarning warnings);
 
 /// What may be chosen about the estimate.
 struct ForceOptions {
@@ -33,69 +16,18 @@ struct ForceOptions {
   double observation_ratio = 0.0;
   /// Also read the springs with every node laid on the contour: biased, for teaching only.
   bool naive_readout = false;
-};
-
-/// What the model says of one frame. Numbers that could not be had are NaN; the arrays are empty when there is no model
-/// shape (no cell seen). No other number is ever NaN.
-struct ForceEstimate {
-  static constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
-
-  /// Force of the needle on the cell along the push, uN: 0 when free or punctured. This is the force of a
-  /// force-indentation curve; a needle beside the holder's axis feels a lateral reaction besides, see `tip_force_uN`.
-  double contact_force_uN = kNotMeasured;
-  double contact_force_lower_uN = kNotMeasured;  ///< 95 % interval, see `interval_95`; what it is made of: `errors`
-  double contact_force_upper_uN = kNotMeasured;
-  double lateral_force_uN = kNotMeasured;  ///< magnitude of the force of the needle on the cell across the push, solved
-                                           ///< for; 0 when free or punctured
-  Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();  ///< whole force of the needle on the cell, frame W
-  double pressure_Pa = kNotMeasured;                       ///< excess pressure in the cell
-  double volume_um3 = kNotMeasured;           ///< enclosed by the zona's outer surface, as the model has it
-  double stiffness_uN_per_um = kNotMeasured;  ///< tangent stiffness felt along the push
-  double damping_uN_s_per_um = kNotMeasured;  ///< of the model's dampers, felt along the push
-  double depth_um = kNotMeasured;             ///< filtered indentation
-  double depth_sigma_um = kNotMeasured;       ///< its standard deviation, edge bias included
-
-  double time_s = 0.0;              ///< of the frame this was seen in
-  long frame_index = 0;             ///< likewise
-  ForceErrors errors;               ///< what the interval is made of
-  ShapeAudit shape;                 ///< the contour against the model
-  double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
-  ForceWarning warnings = kNoForceWarning;
-  bool punctured = false;                      ///< the membrane has left the tip: the force is 0
-  std::optional<Puncture> puncture;            ///< in the frame that showed it first
-  double work_uN_um = 0.0;                     ///< of the needle on the cell in this contact
-  ModelOpinions opinions;                      ///< what other models say
-  double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
-  double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
-
-  bool converged = false;          ///< the model is in equilibrium at `depth_um`
-  int iterations = 0;              ///< Newton iterations spent
-  std::string reason;              ///< one line when not converged or not measured; empty otherwise
-  bool holder_assumed = false;     ///< no holder seen so far: taken to lie opposite the needle
-  bool thickness_assumed = false;  ///< the inner membrane was not seen at rest: the profile's thickness
-
-  /// The cell frame C in W: z towards the needle, y along W's z, origin at the cell's centre.
-  Eigen::Matrix3d rotation_WC = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d center_um = Eigen::Vector3d::Zero();
-  Eigen::Matrix3Xd rest_um;    ///< (3 x n) nodes at rest, frame W: the middle surface of the zona
-  Eigen::Matrix3Xd solved_um;  ///< (3 x n) nodes in equilibrium, frame W
-  Eigen::Matrix3Xi triangles;  ///< (3 x m), outward
-
-  /// (3 x n) uN, frame W: resultant of the membrane's own elastic forces on each node, i.e. of the springs of eq. (1)
-  /// and the hinges. In equilibrium it balances what acts on the node from outside: the pressure everywhere, the needle
-  /// under the tip, the holder on its ring. Summed over the nodes under the tip it points at the needle, with the
-  /// contact force less the pressure's part; single nodes there differ, since the bonded tip bears on the rim of its
-  /// patch and pulls at its middle. All nodes together sum to zero, since the outer forces do.
-  Eigen::Matrix3Xd force_uN;
-  Eigen::VectorXd force_sigma_uN;     ///< (n) standard deviation of its magnitude
-  Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
+  /// What stiffness and damping are told for, where the profile has relaxation arms; above 0. A hand moves at about 1
+  /// Hz.
+  double hand_frequency_Hz = 1.0;
 };
 
 /// Force from the tracked shape. Each frame: the contact point from the needle's line and the resting outline, which
 /// gives the cell's frame and the push (a needle beside the centre pushes askew); the holder where it was tracked; the
 /// filtered indentation, taken as the needle's depth; then the mass-spring-damper membrane in equilibrium with the
 /// needle that deep, started from the last frame's shape; then the exact read-out of the tip's bond. The rest of the
-/// contour audits the result: it widens the interval and warns. One thread at a time; not real-time safe (allocates).
+/// contour audits the result: it widens the interval and warns. Where the profile has relaxation arms the force, and
+/// with it everything on the nodes, is what they leave of it since the contact began (`Relaxation`). One thread at a
+/// time; not real-time safe (allocates).
 class ForceObserver {
  public:
   explicit ForceObserver(CellProfile profile, ForceOptions options = {});

@@ -35,12 +35,27 @@ class Relaxation {
   /// Begins anew: the elastic force has been `elastic_uN` for ever (all arms relaxed), 0 before a contact.
   void start(double time_s, double elastic_uN = 0.0) noexcept;
 
+  /// Forgets everything: as before the first `start`.
+  void reset() noexcept;
+
   /// The force at `time_s`, uN; the elastic force went in a straight line from where it was to `elastic_uN`. At an
   /// instant not later than the last one the elastic force jumps. Before `start`, the first call starts with 0.
   double advance(double time_s, double elastic_uN) noexcept;
 
   /// The last answer, uN.
   double force_uN() const noexcept;
+
+  /// How fast it would fall from there on if the elastic force stayed, uN/s: - sum q_k / tau_k.
+  double rate_uN_per_s() const noexcept;
+
+  /// What would be left of it then in the end, uN: the spring's part.
+  double relaxed_uN() const noexcept { return spring_fraction_ * elastic_uN_; }
+
+  /// A steady small vibration of angular frequency omega > 0 feels the stiffness k of the elastic force as a spring of
+  /// k times `storage_ratio` beside a damper of k times `loss_s`:
+  ///     1 - sum f_k / (1 + (omega tau_k)^2),    sum f_k tau_k / (1 + (omega tau_k)^2).
+  double storage_ratio(double omega_per_s) const noexcept;
+  double loss_s(double omega_per_s) const noexcept;
 
   /// G(t): what is left of a sudden push `time_s` >= 0 later.
   double modulus_ratio(double time_s) const noexcept;

@@ -1,0 +1,87 @@
+#pragma once
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "pellucida/mechanics/ForceInterval.h"
+#include "pellucida/mechanics/ModelOpinions.h"
+#include "pellucida/mechanics/PunctureMonitor.h"
+#include "pellucida/mechanics/ShapeAudit.h"
+
+namespace pellucida {
+
+/// What a person should know before believing a force; one or more of these, combined with |.
+enum ForceWarning : unsigned {
+  kNoForceWarning = 0,
+  kShapeMismatch = 1,   ///< the contour isn't the model's: wrong configuration, a tool elsewhere, a wrinkled cell
+  kNeedleSlip = 2,      ///< the needle isn't where it was when the contact began, or the membrane doesn't follow it
+  kNotOfRevolution = 4  ///< left and right of the contour differ by more than the model explains
+};
+/// "mismatch", "slip", "asymmetry", joined by "+"; empty for none.
+std::string to_string(ForceWarning warnings);
+
+/// What the model says of one frame. Numbers that could not be had are NaN; the arrays are empty when there is no model
+/// shape (no cell seen). No other number is ever NaN.
+struct ForceEstimate {
+  static constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+  /// Force of the needle on the cell along the push, uN: 0 when free or punctured. This is the force of a
+  /// force-indentation curve; a needle beside the holder's axis feels a lateral reaction besides, see `tip_force_uN`.
+  double contact_force_uN = kNotMeasured;
+  double contact_force_lower_uN = kNotMeasured;  ///< 95 % interval, see `interval_95`; what it is made of: `errors`
+  double contact_force_upper_uN = kNotMeasured;
+  double lateral_force_uN = kNotMeasured;  ///< magnitude of the force of the needle on the cell across the push, solved
+                                           ///< for; 0 when free or punctured
+  Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();  ///< whole force of the needle on the cell, frame W
+  double pressure_Pa = kNotMeasured;                       ///< excess pressure in the cell
+  double volume_um3 = kNotMeasured;  ///< enclosed by the zona's outer surface, as the model has it
+  /// Tangent stiffness and damping felt along the push by a hand that moves the needle. Where the profile has
+  /// relaxation arms these are their spring and damper at `ForceOptions::hand_frequency_Hz`, see
+  /// `Relaxation::storage_ratio`, beside the model's own dampers.
+  double stiffness_uN_per_um = kNotMeasured;
+  double damping_uN_s_per_um = kNotMeasured;
+  /// With relaxation arms: how fast the force falls while the needle rests (negative while it does), and what is left
+  /// of it in the end. Without: 0 and the force.
+  double force_rate_uN_per_s = kNotMeasured;
+  double relaxed_force_uN = kNotMeasured;
+  double depth_um = kNotMeasured;        ///< filtered indentation
+  double depth_sigma_um = kNotMeasured;  ///< its standard deviation, edge bias included
+
+  double time_s = 0.0;              ///< of the frame this was seen in
+  long frame_index = 0;             ///< likewise
+  ForceErrors errors;               ///< what the interval is made of
+  ShapeAudit shape;                 ///< the contour against the model
+  double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
+  ForceWarning warnings = kNoForceWarning;
+  bool punctured = false;                      ///< the membrane has left the tip: the force is 0
+  std::optional<Puncture> puncture;            ///< in the frame that showed it first
+  double work_uN_um = 0.0;                     ///< of the needle on the cell in this contact
+  ModelOpinions opinions;                      ///< what other models say
+  double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
+  double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
+
+  bool converged = false;          ///< the model is in equilibrium at `depth_um`
+  int iterations = 0;              ///< Newton iterations spent
+  std::string reason;              ///< one line when not converged or not measured; empty otherwise
+  bool holder_assumed = false;     ///< no holder seen so far: taken to lie opposite the needle
+  bool thickness_assumed = false;  ///< the inner membrane was not seen at rest: the profile's thickness
+
+  /// The cell frame C in W: z towards the needle, y along W's z, origin at the cell's centre.
+  Eigen::Matrix3d rotation_WC = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d center_um = Eigen::Vector3d::Zero();
+  Eigen::Matrix3Xd rest_um;    ///< (3 x n) nodes at rest, frame W: the middle surface of the zona
+  Eigen::Matrix3Xd solved_um;  ///< (3 x n) nodes in equilibrium, frame W
+  Eigen::Matrix3Xi triangles;  ///< (3 x m), outward
+
+  /// (3 x n) uN, frame W: resultant of the membrane's own elastic forces on each node, i.e. of the springs of eq. (1)
+  /// and the hinges. In equilibrium it balances what acts on the node from outside: the pressure everywhere, the needle
+  /// under the tip, the holder on its ring. Summed over the nodes under the tip it points at the needle, with the
+  /// contact force less the pressure's part; single nodes there differ, since the bonded tip bears on the rim of its
+  /// patch and pulls at its middle. All nodes together sum to zero, since the outer forces do.
+  Eigen::Matrix3Xd force_uN;
+  Eigen::VectorXd force_sigma_uN;     ///< (n) standard deviation of its magnitude
+  Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
+};
+
+}  // namespace pellucida

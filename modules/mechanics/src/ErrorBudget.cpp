@@ -1,0 +1,57 @@
+#include "ErrorBudget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucida {
+namespace {
+
+/// A needle whose line moved by more than this since the contact began has slipped.
+constexpr double kSlip_um = 4.0;
+/// A resting radius is known to this, um, by a tracker; the force goes with its power -1.9 (method, finite elements).
+constexpr double kRadiusSigma_um = 0.2;
+constexpr double kRadiusPower = 1.9;
+/// What a contour may differ from the model by, um, beside its noise: at rest, and more for each um of depth (the
+/// virtual microscope's cells; see the module's README).
+constexpr double kUsualMismatch_um = 0.2;
+constexpr double kUsualMismatch_ratio = 0.02;
+/// Beyond so many times what is usual the shape isn't the model's.
+constexpr double kMismatch = 2.5;
+/// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
+constexpr double kUnknownHolder_ratio = 0.3;
+
+}  // namespace
+
+double usual_mismatch_um(const ShapeAudit& shape, double depth_um) {
+  return std::hypot(shape.noise_um, kUsualMismatch_um + kUsualMismatch_ratio * depth_um);
+}
+
+void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
+  ForceErrors& errors = estimate.errors;
+  const double stiffness_uN_per_um = in.force.stiffness_uN_per_um;
+  errors.depth_uN = stiffness_uN_per_um * estimate.depth_sigma_um;
+  errors.relaxation_uN = in.force.sigma_uN;
+  errors.scale_ratio = in.scale.relative_sigma;
+  const double radius_sigma_um =
+      std::hypot(kRadiusSigma_um, estimate.thickness_assumed ? 0.25 * in.cell.thickness_um() : 0.0);
+  errors.geometry_ratio = std::hypot(kRadiusPower * radius_sigma_um / in.cell.model().setup().mid_radius_um,
+                                     estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
+  add_model_errors(in.profile, in.model_force_uN, in.cell.rest_stiffness_uN_per_um(), errors);
+  errors.model_uN *= in.scale.ratio * in.force.ratio;
+
+  // The contour beside the model: beyond what is usual it counts as a depth that isn't known.
+  const ShapeAudit& shape = estimate.shape;
+  unsigned warnings = kNoForceWarning;
+  if (std::isfinite(shape.residual_rms_um)) {
+    const double usual_um = usual_mismatch_um(shape, in.depth_um);
+    const double beyond_um = std::max(0.0, shape.residual_rms_um - usual_um);
+    errors.shape_uN = stiffness_uN_per_um * beyond_um;
+    if (shape.residual_rms_um > kMismatch * usual_um) warnings |= kShapeMismatch;
+    estimate.asymmetry_force_uN = stiffness_uN_per_um * shape.unexplained_asymmetry_um;
+    if (shape.unexplained_asymmetry_um > kMismatch * usual_um) warnings |= kNotOfRevolution;
+  }
+  if (std::abs(in.placement.slipped_um()) > kSlip_um) warnings |= kNeedleSlip;
+  estimate.warnings = static_cast<ForceWarning>(warnings);
+}
+
+}  // namespace pellucida
