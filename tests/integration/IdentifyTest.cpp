@@ -74,6 +74,24 @@ TEST(Identify, AddsScaleAndRelaxationToAProfile) {
   EXPECT_GT(after.force_scale_relative_sigma, 0.0);
   EXPECT_LT(after.force_scale_relative_sigma, 0.05);
   EXPECT_DOUBLE_EQ(after.body.k2_ratio, before.body.k2_ratio);
+  // The measured curve is taken to be as quick as the record's ramp, 20 um/s; its arms relax meanwhile.
+  EXPECT_NEAR(after.relaxation_anchor_ramp_s, after.puncture_indentation_um / 20.0, 0.05);
+  EXPECT_GT(after.relaxation_elastic_ratio, 1.1);
+  EXPECT_LT(after.relaxation_elastic_ratio, 2.0);
+
+  // Pushed as fast as that the force is the anchored one again; then it falls.
+  const auto curve = folder / "held.csv", quasi_static = folder / "force.csv";
+  const std::string force = "force " + quoted(profile) + " --step-um 4 --output ";
+  ASSERT_EQ(test::run_program(force + quoted(curve) + " --speed-um-per-s 20 --hold-s 30", folder).exit_code, 0);
+  ASSERT_EQ(test::run_program(force + quoted(quasi_static), folder).exit_code, 0);
+  const Table held = Table::read(curve);
+  const Eigen::VectorXd time_s = held.column("time_s"), force_uN = held.column("force_uN");
+  const Eigen::VectorXd anchored_uN = Table::read(quasi_static).column("force_uN");
+  const Eigen::Index peak = anchored_uN.size() - 1;
+  EXPECT_NEAR(time_s[peak], after.puncture_indentation_um / 20.0, 1e-6);
+  EXPECT_NEAR(force_uN[peak], anchored_uN[peak], 0.01 * anchored_uN[peak]);
+  EXPECT_LT(force_uN[force_uN.size() - 1], 0.6 * force_uN[peak]);
+  EXPECT_EQ(test::run_program("force mouse-oocyte --speed-um-per-s 20 --output " + quoted(curve), folder).exit_code, 2);
 }
 
 TEST(Identify, WrongInputEndsWithItsExitCodeAndOneLine) {

@@ -133,8 +133,8 @@ TEST_P(MechanicsStepMesh, CarriesTheForcesToTheOuterMembraneWithTheirSum) {
   // The model.
   const auto model = out->model.shallow_copy();
   ASSERT_TRUE(model);
-  EXPECT_EQ(model->GetNumberOfPoints(), 642);
-  EXPECT_EQ(model->GetNumberOfCells(), 1280);
+  EXPECT_EQ(model->GetNumberOfPoints(), 812);
+  EXPECT_EQ(model->GetNumberOfCells(), 1620);
   for (const char* name : {array_name::kForce, array_name::kDisplacement, array_name::kTension}) {
     EXPECT_TRUE(model->GetPointData()->HasArray(name)) << name;
   }

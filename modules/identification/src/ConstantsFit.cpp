@@ -18,6 +18,8 @@ namespace {
 constexpr int kCount = 9;
 /// Pull to the starting constants: what a factor of e off them costs, in units of error.
 constexpr double kPull = 0.1;
+/// Worst error, in units, below which pressing down the largest ones is no longer worth the time.
+constexpr double kWellWithin = 0.7;
 
 using Parameters = Eigen::Matrix<double, kCount, 1>;
 
@@ -219,6 +221,7 @@ FitReport fit_constants(CellProfile& profile, const std::vector<ReferenceCurve>&
   FitReport report;
   report.complete = true;
   for (const int power : {1, 2, 4}) {
+    if (power > 1 && evaluation.at(parameters) && evaluation.worst_unit() < kWellWithin) break;
     ceres::Problem problem;
     problem.AddResidualBlock(new Cost(evaluation, start, power), nullptr, parameters.data());
     for (int r = 0; r < kCount; r += 3) {
