@@ -142,10 +142,11 @@ ChartPanel sensitivity(const FineCurve& fine, const Identification& identificati
   panel.series.push_back({"model, configuration 1", ChartStyle::kLine, x, middle, {}, kModel, 1.0, 2.5});
   if (!identification.curves.empty()) {
     const ReferenceCurve& reference = identification.curves.front().reference;
+    const Eigen::Index shown = (reference.depth_um.array() <= end_um + 1e-9).count();
     panel.series.push_back({"finite elements",
                             ChartStyle::kPoints,
-                            to_vector(reference.depth_um),
-                            to_vector(reference.force_uN),
+                            to_vector(reference.depth_um.head(shown)),
+                            to_vector(reference.force_uN.head(shown)),
                             {},
                             kReference,
                             1.0,
