@@ -48,13 +48,7 @@ TEST_P(OocyteReference, IsMetWithinFivePercent) {
   EXPECT_LT(errors.largest_of_peak_ratio, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Configurations, OocyteReference, ::testing::Values(1, 2, 3));
-
-TEST(OocyteReferenceBesideTheAxis, IsMetWithinFivePercent) {
-  const Errors errors = compare(load_profile("mouse-oocyte"), 4, reference("mouse-oocyte-4"), "force_uN");
-  EXPECT_LT(errors.largest_ratio, 0.05);
-  EXPECT_LT(errors.largest_of_peak_ratio, 0.035);
-}
+INSTANTIATE_TEST_SUITE_P(Configurations, OocyteReference, ::testing::Values(1, 2, 3, 4));
 
 // The embryo's shipped reference is the axisymmetric solid: thin-shell theory is off by 17 to 20 % at 10 um whatever
 // the scale.
