@@ -36,10 +36,10 @@ void set_starting_constants(CellProfile& profile);
 
 /// Fits the nine constants of `profile` (K2, K1, g by region; the rest of it stays) to the curves: first least squares
 /// of the errors in their units; then, unless all are well within them, the sums of their fourth and of their eighth
-/// powers, which press down the largest. Levenberg and Marquardt (Ceres) on log K2, K1/K2 (bounded), log g, with the exact Jacobian of
-/// CurveSensitivity; a weak pull to the starting constants decides what the curves leave open. `progress` hears of
-/// every evaluation: how many there were and the worst error so far. Same input, same constants. Throws UsageError when
-/// there is no curve or the model doesn't bear the starting constants.
+/// powers, which press down the largest. Levenberg and Marquardt (Ceres) on log K2, K1/K2 (bounded), log g, with the
+/// exact Jacobian of CurveSensitivity; a weak pull to the starting constants decides what the curves leave open.
+/// `progress` hears of every evaluation: how many there were and the worst error so far. Same input, same constants.
+/// Throws UsageError when there is no curve or the model doesn't bear the starting constants.
 FitReport fit_constants(CellProfile& profile, const std::vector<ReferenceCurve>& curves, const FitOptions& options,
                         const std::function<void(int evaluations, double worst_unit)>& progress = {},
                         const std::stop_token& cancel = {});
