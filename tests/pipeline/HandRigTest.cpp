@@ -123,14 +123,15 @@ TEST(HandRig, TheHandFeelsTheCellAndTheSessionHoldsIt) {
   // The needle comes from the right: the hand goes left, softly, until 15 um of the cell are pushed in.
   const double way_um = workplace.scenario().motion.gap_um + 15.0;
   double gone_um = 0.0;
+  HandStatus status;
   ASSERT_TRUE(wait_until([&] {
     gone_um = std::min(gone_um + 0.5, way_um);
     hand.x_m = -gone_um / map.scale_um_per_m();
-    return hand.force_x_N > 0.01;
+    // On a busy machine a frame may be too old for a moment: one in time will come.
+    status = rig.status();
+    return hand.force_x_N > 0.01 && status.tick.contact_state == ContactState::kContact;
   }));
-  const HandStatus status = rig.status();
   EXPECT_EQ(status.device, "Touch");
-  EXPECT_EQ(status.tick.contact_state, ContactState::kContact);
   EXPECT_GT(status.tick.contact_force_uN.x, 0.0);
   EXPECT_LT(status.tick.pipette_um.x, start_um - workplace.scenario().motion.gap_um);
   EXPECT_FALSE(status.fault);
