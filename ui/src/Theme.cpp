@@ -12,6 +12,9 @@
 namespace pellucida {
 namespace {
 
+// What can't be used now: between the dim text and the borders.
+constexpr Color kFaint = Color::from_hex(0x66737F);
+
 // The sheet names colours as @name; they are filled in from the palette.
 const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
@@ -32,7 +35,7 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 QToolButton, QPushButton { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 4px 10px; font-size: 12px; }
 QToolButton:hover, QPushButton:hover { border-color: @accent; }
 QToolButton:pressed, QPushButton:pressed { background: @border; }
-QToolButton:disabled, QPushButton:disabled { color: @border; }
+QToolButton:disabled, QPushButton:disabled { color: @faint; background: @panel; }
 QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
@@ -44,7 +47,8 @@ QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; 
 QPushButton#emergencyStop:hover { border-color: @text; }
 QComboBox, QDoubleSpinBox { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; }
 QComboBox:hover, QDoubleSpinBox:hover, QComboBox:focus, QDoubleSpinBox:focus { border-color: @accent; }
-QComboBox:disabled, QDoubleSpinBox:disabled { color: @border; }
+QComboBox:disabled, QDoubleSpinBox:disabled { color: @faint; background: @panel; }
+QComboBox::drop-down { border: none; width: 22px; }
 QComboBox QAbstractItemView { background: @raised; border: 1px solid @border; selection-background-color: @border; }
 QProgressBar { background: @border; border: none; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
@@ -84,10 +88,11 @@ void apply_theme(QApplication& app) {
   app.setPalette(colors);
 
   QString sheet = QString::fromUtf8(kSheet);
-  const std::pair<const char*, Color> names[] = {
-      {"@window", palette::kWindow}, {"@panel", palette::kPanel},   {"@raised", palette::kRaised},
-      {"@border", palette::kBorder}, {"@text", palette::kText},     {"@dim", palette::kTextDim},
-      {"@accent", palette::kAccent}, {"@record", palette::kRecord}, {"@plan", palette::kPlan}};
+  const std::pair<const char*, Color> names[] = {{"@window", palette::kWindow}, {"@panel", palette::kPanel},
+                                                 {"@raised", palette::kRaised}, {"@border", palette::kBorder},
+                                                 {"@text", palette::kText},     {"@dim", palette::kTextDim},
+                                                 {"@accent", palette::kAccent}, {"@record", palette::kRecord},
+                                                 {"@plan", palette::kPlan},     {"@faint", kFaint}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
   app.setStyleSheet(sheet);
 }

@@ -4,12 +4,15 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "Theme.h"
+#include "pellucida/visualization/Palette.h"
 #include "presenters/HandPresenter.h"
 
 namespace pellucida {
@@ -18,6 +21,22 @@ namespace {
 constexpr int kForceSteps = 1000;
 constexpr double kShallowest_um = 1.0;
 constexpr double kDeepest_um = 200.0;
+constexpr int kArrowMargin_px = 9;
+
+// A choice with the same arrow as the window's other menus.
+class Choice final : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QComboBox::paintEvent(event);
+    QPainter painter(this);
+    painter.setPen(to_qt(isEnabled() ? palette::kTextDim : palette::kBorder));
+    painter.drawText(rect().adjusted(0, 0, -kArrowMargin_px, 0), Qt::AlignRight | Qt::AlignVCenter,
+                     QString::fromUtf8("\u25BE"));
+  }
+};
 
 }  // namespace
 
@@ -96,7 +115,8 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   depth_stop_->setToolTip("The tip goes no deeper than this behind the entry");
   depth_stop_->setFocusPolicy(Qt::ClickFocus);
   depth_stop_->setKeyboardTracking(false);
-  depth_stop_->setFixedSize(92, 28);
+  depth_stop_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // wheel, arrow keys, digits
+  depth_stop_->setFixedSize(68, 28);
   row->addWidget(depth_stop_);
   connect(depth_stop_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this](double depth_um) { actions_.depth_stop(depth_um); });
@@ -120,7 +140,7 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
 }
 
 QComboBox* HandBar::add_choice(QHBoxLayout* row, const QStringList& names, const char* tip) {
-  auto* choice = new QComboBox(this);
+  auto* choice = new Choice(this);
   choice->addItems(names);
   choice->setToolTip(QString::fromUtf8(tip));
   choice->setFocusPolicy(Qt::TabFocus);

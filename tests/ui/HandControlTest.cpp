@@ -1,0 +1,200 @@
+#include "HandControl.h"
+
+#include <gtest/gtest.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <chrono>
+#include <thread>
+
+#include "pellucida/core_vtk/StageSource.h"
+#include "pellucida/pipeline/VirtualWorkplace.h"
+#include "pellucida/visualization_vtk/FeedView.h"
+#include "presenters/HandPresenter.h"
+#include "widgets/HandBar.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+// Widgets without a display: nothing is drawn, all events are real.
+class Widgets : public testing::Test {
+ protected:
+  Widgets() {
+    static QApplication* app = [] {
+      qputenv("QT_QPA_PLATFORM", "offscreen");
+      static int argc = 1;
+      static char name[] = "test";
+      static char* argv[] = {name, nullptr};
+      return new QApplication(argc, argv);
+    }();
+    EXPECT_TRUE(app);
+  }
+
+  static QPushButton* button(QWidget& parent, const QString& text) {
+    for (auto* one : parent.findChildren<QPushButton*>()) {
+      if (one->text() == text) return one;
+    }
+    return nullptr;
+  }
+};
+
+class HandBarTest : public Widgets {
+ protected:
+  HandBar::Actions actions() {
+    HandBar::Actions actions;
+    const auto note = [this](const QString& text) { said_ << text; };
+    const auto on = [](bool held) { return held ? " on" : " off"; };
+    actions.choose_hand = [=](int index) { note("hand " + QString::number(index)); };
+    actions.guide = [=](bool held) { note(QString("guide") + on(held)); };
+    actions.choose_scale = [=](int index) { note("scale " + QString::number(index)); };
+    actions.depth_stop = [=](double depth_um) { note("depth " + QString::number(depth_um)); };
+    actions.inject = [=](bool held) { note(QString("inject") + on(held)); };
+    actions.retract = [=](bool held) { note(QString("retract") + on(held)); };
+    actions.new_cell = [=] { note("new cell"); };
+    actions.stop = [=](bool held) { note(QString("stop") + on(held)); };
+    return actions;
+  }
+
+  QStringList said_;
+};
+
+TEST_F(HandBarTest, ButtonsSayWhatIsHeldAndShownValuesSayNothing) {
+  HandBar bar({"One", "Two"}, {"Coarse", "Fine"}, actions(), nullptr);
+  bar.set_choice(1, 1);
+  bar.set_depth_stop_um(46.0);
+  EXPECT_TRUE(said_.isEmpty()) << said_.join(", ").toStdString();
+  button(bar, "Deposit")->pressed();
+  button(bar, "Deposit")->released();
+  button(bar, "Guide")->click();
+  button(bar, "New cell")->click();
+  bar.findChild<QDoubleSpinBox*>()->setValue(30.0);
+  EXPECT_EQ(said_, QStringList({"inject on", "inject off", "guide off", "new cell", "depth 30"}))
+      << said_.join(", ").toStdString();
+}
+
+TEST_F(HandBarTest, TheStopIsReleasedByTheSameButtonOnceItIsInForce) {
+  HandBar bar({"One"}, {"Coarse"}, actions(), nullptr);
+  HandStatus status;
+  bar.show_texts(hand_texts(status));
+  button(bar, "STOP")->click();
+  status.tick.hand_state = HandState::kStopped;
+  bar.show_texts(hand_texts(status));
+  ASSERT_TRUE(button(bar, "Release stop"));
+  button(bar, "Release stop")->click();
+  EXPECT_EQ(said_, QStringList({"stop on", "stop off"}));
+}
+
+TEST_F(HandBarTest, WhereTheCellIsRealThereIsNoNewOne) {
+  HandBar::Actions without = actions();
+  without.new_cell = {};
+  HandBar bar({"One"}, {"Coarse"}, without, nullptr);
+  EXPECT_FALSE(button(bar, "New cell"));
+}
+
+// The control on a real desk with its 1 kHz loop; the run isn't started, since no frame is needed.
+class HandControlTest : public Widgets {
+ protected:
+  HandControlTest() {
+    window_.resize(1200, 800);
+    feed_widget_->resize(600, 500);
+    desk_.choose(desk_.find_hand("Mouse").value());
+  }
+  ~HandControlTest() override { control_.reset(); }
+
+  void mouse(QEvent::Type type, const QPointF& place_px, Qt::MouseButton button, Qt::MouseButtons held) {
+    QMouseEvent event(type, place_px, button, held, Qt::NoModifier);
+    QApplication::sendEvent(feed_widget_, &event);
+  }
+  void key(QEvent::Type type, int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QKeyEvent event(type, code, modifiers);
+    QApplication::sendEvent(&window_, &event);
+  }
+  bool wait_for(const std::function<bool(const HapticRecord&)>& condition) {
+    for (int k = 0; k < 3000; ++k) {
+      control_->tick();
+      if (condition(desk_.status().tick)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+  bool wait_for(HandState state) {
+    return wait_for([state](const HapticRecord& tick) { return tick.hand_state == state; });
+  }
+
+  VirtualWorkplace workplace_{"injection"};
+  LiveRun run_{workplace_.make_microscope(Pace::kWallClock), {}};
+  HandDesk desk_{run_, workplace_.injector(), &workplace_.needle()};
+  vtkNew<StageSource> source_;
+  FeedView feed_{source_};
+  QWidget window_;
+  ViewWidget* feed_widget_ = new ViewWidget(feed_, 0, nullptr);
+  std::unique_ptr<ViewWidget> owner_{feed_widget_};
+  std::unique_ptr<HandControl> control_ =
+      std::make_unique<HandControl>(desk_, feed_, *feed_widget_, window_, [](const QString&, bool) {});
+};
+
+TEST_F(HandControlTest, TheLeftButtonHeldOnTheFeedLeadsTheNeedle) {
+  ASSERT_TRUE(wait_for(HandState::kClutched));
+  const double start_um = desk_.status().tick.tip_um.x;
+  mouse(QEvent::MouseButtonPress, {300, 200}, Qt::LeftButton, Qt::LeftButton);
+  ASSERT_TRUE(wait_for(HandState::kWorking));
+  mouse(QEvent::MouseMove, {250, 200}, Qt::NoButton, Qt::LeftButton);
+  // 50 px of 0.1 mm each, 2 um of the tip for a mm.
+  EXPECT_TRUE(wait_for([=](const HapticRecord& tick) { return tick.tip_um.x < start_um - 8.0; }));
+  mouse(QEvent::MouseButtonRelease, {250, 200}, Qt::LeftButton, Qt::NoButton);
+  EXPECT_TRUE(wait_for(HandState::kClutched));
+  EXPECT_NEAR(desk_.status().tick.tip_um.x, start_um - 10.0, 2.0);
+}
+
+TEST_F(HandControlTest, OtherButtonsAreLeftToTheView) {
+  ASSERT_TRUE(wait_for(HandState::kClutched));
+  mouse(QEvent::MouseButtonPress, {300, 200}, Qt::RightButton, Qt::RightButton);
+  mouse(QEvent::MouseMove, {200, 200}, Qt::NoButton, Qt::RightButton);
+  for (int k = 0; k < 10; ++k) control_->tick();
+  EXPECT_EQ(desk_.status().tick.hand_state, HandState::kClutched);
+}
+
+TEST_F(HandControlTest, KeysHoldAndLetGo) {
+  ASSERT_TRUE(wait_for(HandState::kClutched));
+  const auto deposits = [](const HapticRecord& tick) { return (tick.buttons & kInject) != 0; };
+  key(QEvent::KeyPress, Qt::Key_D);
+  EXPECT_TRUE(wait_for(deposits));
+  key(QEvent::KeyRelease, Qt::Key_D);
+  EXPECT_TRUE(wait_for([&](const HapticRecord& tick) { return !deposits(tick); }));
+  key(QEvent::KeyPress, Qt::Key_X);
+  EXPECT_TRUE(wait_for([](const HapticRecord& tick) { return (tick.buttons & kRetract) != 0; }));
+  // Another window comes to the front: the release of the key would go there.
+  QEvent gone(QEvent::WindowDeactivate);
+  QApplication::sendEvent(&window_, &gone);
+  EXPECT_TRUE(wait_for([](const HapticRecord& tick) { return (tick.buttons & kRetract) == 0; }));
+}
+
+TEST_F(HandControlTest, EscapeStopsAndOnlyAPurposeReleases) {
+  ASSERT_TRUE(wait_for(HandState::kClutched));
+  key(QEvent::KeyPress, Qt::Key_Escape);
+  ASSERT_TRUE(wait_for(HandState::kStopped));
+  key(QEvent::KeyPress, Qt::Key_Escape);
+  control_->show_status();
+  EXPECT_TRUE(button(*control_->bar(), "Release stop"));
+  const std::uint64_t ticks = desk_.status().tick_count;
+  ASSERT_TRUE(wait_for([&](const HapticRecord&) { return desk_.status().tick_count > ticks + 5; }));
+  EXPECT_EQ(desk_.status().tick.hand_state, HandState::kStopped);
+  key(QEvent::KeyPress, Qt::Key_Escape, Qt::ShiftModifier);
+  EXPECT_TRUE(wait_for(HandState::kClutched));
+}
+
+TEST_F(HandControlTest, TheDemonstrationsButtonsAreItsOwn) {
+  desk_.choose(desk_.find_hand("Demonstration").value());
+  control_->show_status();
+  EXPECT_FALSE(button(*control_->bar(), "Deposit")->isEnabled());
+  EXPECT_TRUE(button(*control_->bar(), "New cell")->isEnabled());
+}
+
+}  // namespace
+}  // namespace pellucida
