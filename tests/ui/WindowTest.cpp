@@ -7,6 +7,7 @@
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/pipeline/VirtualWorkplace.h"
 #include "pellucida/ui/Workstation.h"
 #include "pellucida/visualization/Palette.h"
 #include "pellucida/visualization/VirtualDisplay.h"
@@ -100,6 +101,32 @@ TEST_F(Window, ShowsTheFeedAndSavesItself) {
   ASSERT_EQ(image->GetDimensions()[1], 900);
   // The grey picture fills the left view.
   EXPECT_GT(lit_share(image, 0.15, 0.40, 0.45, 0.70), 0.7);
+}
+
+TEST_F(Window, HasTheHandsBarWithItsStopWhenThereIsAHand) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "pellucida_window_hand.png";
+  VirtualWorkplace workplace("injection");
+  auto run = std::make_unique<LiveRun>(workplace.make_microscope(Pace::kWallClock), PipelineOptions{});
+  auto desk = std::make_unique<HandDesk>(*run, workplace.injector(), &workplace.needle());
+  WindowOptions options;
+  options.screenshot = file.string();
+  options.screenshot_after_s = 2.5;
+  options.width_px = 1000;
+  options.height_px = 640;
+  options.hand = desk->find_hand("Demonstration").value();
+  EXPECT_EQ(run_workstation(std::move(run), std::move(desk), options), 0);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  // The stop at the right end of the bar, in the smallest window too.
+  int red = 0;
+  for (int y = 640 - 185; y < 640 - 115; ++y) {
+    for (int x = 850; x < 1000; ++x) {
+      red += reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, 0) > 200 &&
+             reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, 1) < 130;
+    }
+  }
+  EXPECT_GT(red, 4000);
 }
 
 TEST_F(Window, ASourceThatBreaksLeavesTheWindowOpenWithItsReason) {
