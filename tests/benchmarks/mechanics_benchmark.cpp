@@ -26,7 +26,7 @@ void BM_WarmFrame(benchmark::State& state) {
   state.counters["frame_p50_us"] = us[us.size() / 2];
   state.counters["frame_p99_us"] = us[us.size() * 99 / 100];
 }
-BENCHMARK(BM_WarmFrame)->Arg(7)->Arg(8)->Arg(14)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_WarmFrame)->Arg(7)->Arg(8)->Arg(9)->Arg(14)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 struct Bound {
   explicit Bound(int frequency)
@@ -72,7 +72,7 @@ void BM_Factorisation(benchmark::State& state) {
   state.counters["entries"] = static_cast<double>(factor.entry_count());
   state.counters["multiplications"] = factor.operation_count();
 }
-BENCHMARK(BM_Factorisation)->Arg(7)->Arg(8)->Arg(14)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_Factorisation)->Arg(7)->Arg(8)->Arg(9)->Arg(14)->Unit(benchmark::kMicrosecond);
 
 void BM_Solution(benchmark::State& state) {
   const Bound bound(static_cast<int>(state.range(0)));
