@@ -165,7 +165,6 @@ PlainVector3 OperatorModel::goal_um() const noexcept {
 
 void OperatorModel::enter(OperatorPhase phase) noexcept {
   phase_ = phase;
-  phase_start_s_ = time_s();
   reached_looks_ = 0;
 }
 

@@ -131,7 +131,7 @@ class OperatorModel {
 
   long tick_ = 0;
   OperatorPhase phase_ = OperatorPhase::kLook;
-  double phase_start_s_ = 0.0, next_look_s_ = 0.0, noticed_s_ = -1.0, inject_until_s_ = 0.0;
+  double next_look_s_ = 0.0, noticed_s_ = -1.0, inject_until_s_ = 0.0;
   int submovement_count_ = 0, reached_looks_ = 0;
   PlainVector3 sight_error_um_;  ///< of the last look, unit deviation times its noise
 
