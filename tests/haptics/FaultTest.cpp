@@ -94,6 +94,35 @@ TEST_F(Fault, TheCameraStalls) {
   EXPECT_LT(after.back().hand_force_N.x, -0.3);
 }
 
+TEST_F(Fault, BlindThePipetteGoesNoDeeperButComesBackAtOnce) {
+  run_.camera_stalled = true;
+  const auto records = run_.run(0.5);
+  // The force is gone, so the hand falls forward; the pipette stays where the force was last known.
+  const auto stale = std::find_if(records.begin(), records.end(), [](const HapticRecord& record) {
+    return record.contact_state == ContactState::kStale;
+  });
+  ASSERT_NE(stale, records.end());
+  for (auto record = stale; record != records.end(); ++record) {
+    ASSERT_LE(record->tip_um.x, stale->tip_um.x + 1e-9);
+    EXPECT_EQ(record->hand_state, HandState::kWorking);
+  }
+  EXPECT_GT(run_.arm.position_m().x(), before_.hand_m.x + 1e-3);
+  EXPECT_TRUE(told(LimitKind::kBlind));
+  // A small way back is a small way back of the pipette, wherever the hand had gone.
+  run_.run(1.0);
+  before_ = run_.tick();
+  run_.arm.intent_m.x() = run_.arm.position_m().x() - 0.004;
+  const auto back = run_.run(1.0);
+  expect_smooth(back);
+  EXPECT_LT(back.back().tip_um.x, before_.tip_um.x - 4.0);
+  EXPECT_GT(back.back().tip_um.x, before_.tip_um.x - 12.0);
+  // Unless it's switched off.
+  settings_.limits.hold_when_blind = false;
+  run_.servo().set(settings_);
+  run_.arm.intent_m.x() += 0.01;
+  EXPECT_GT(run_.run(1.0).back().tip_um.x, back.back().tip_um.x + 15.0);
+}
+
 TEST_F(Fault, TheModelSaysNaN) {
   run_.camera_says_nan = true;
   const auto records = run_.run(0.5);

@@ -118,8 +118,10 @@ bool ContactPredictor::land(const Eigen::Vector3d& tip_um, const Eigen::Vector3d
     frame_.time_s = next_.time_s;
     frame_.index = next_.index;
   } else if (!released_ || gain_.value() <= 0.0) {
-    correction_uN_ = released_ ? Eigen::Vector3d::Zero()
-                               : Eigen::Vector3d(old_uN + correction_part(tip_um) * correction_uN_ - new_uN);
+    // Nothing is to be kept smooth while nothing is felt.
+    const bool felt = !released_ && gain_.value() > 0.0;
+    correction_uN_ = old_uN + correction_part(tip_um) * correction_uN_ - new_uN;
+    if (!felt) correction_uN_.setZero();
     frame_ = next_;
     // Over the way out of the contact, and so that the fading adds at most a quarter to the stiffness.
     landing_way_um_ = (tip_um - frame_.tip_um).dot(frame_.push);

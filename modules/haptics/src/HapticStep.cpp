@@ -10,6 +10,7 @@ namespace {
 // Changed fixtures go in this time and the new ones come in it.
 constexpr double kFixtureFade_s = 0.1;
 constexpr double kNoForce_N = 1e-9;
+constexpr double kBlindSlack_um = 2.0;
 
 }  // namespace
 
@@ -173,7 +174,41 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
     tick.acting |= tick.guard.limits;
     return;
   }
-  if (is_finite(target.tip_um.eigen()) && is_finite(target.ahead_um.eigen())) lead(target, tick, guard);
+  if (!is_finite(target.tip_um.eigen()) || !is_finite(target.ahead_um.eigen())) return;
+  if (blind_push(target)) {
+    // The hand goes on without the pipette, and takes it again when it comes back by a little more than it trembles.
+    act(tick, LimitKind::kBlind, contact_.age_s, settings_.predictor.age_limit_s);
+    const Eigen::Vector3d way_um = target.tip_um.eigen() + target.ahead_um.eigen() - guards_.tip_um();
+    if (way_um.dot(push_) > kBlindSlack_um) {
+      map_.engage(input.hand, Eigen::Vector3d(guards_.tip_um() + kBlindSlack_um * push_));
+    }
+    stand(tick);
+    held_blind_ = true;
+    return;
+  }
+  if (held_blind_ && contact_.state != ContactState::kStale && contact_.state != ContactState::kInvalid) {
+    // Seeing again: the hand takes the pipette where it is, without what was left of that little more.
+    take_over(input.hand);
+    stand(tick);
+    held_blind_ = false;
+    return;
+  }
+  lead(target, tick, guard);
+}
+
+void HapticStep::stand(Tick& tick) noexcept {
+  felt_.place(guards_.tip_um());
+  tick.felt = felt_.hold();
+  tick.fixtures = apply(fixtures_, guards_.tip_um(), Eigen::Vector3d::Zero(), tick.scale_um_per_m,
+                        smooth_step(fixture_part_.value()));
+  tick.force_W_N = leading_force_N_ = tick.fixtures.force_N;
+}
+
+bool HapticStep::blind_push(const TipTarget& target) const noexcept {
+  const bool blind = contact_.state == ContactState::kStale || contact_.state == ContactState::kInvalid;
+  if (!blind || !settings_.limits.hold_when_blind || push_.squaredNorm() <= 0.0) return false;
+  const Eigen::Vector3d way_um = target.tip_um.eigen() + target.ahead_um.eigen() - felt_.tip_um();
+  return way_um.dot(push_) > 0.0;
 }
 
 void HapticStep::lead(const TipTarget& target, Tick& tick, GuardInput& guard) noexcept {

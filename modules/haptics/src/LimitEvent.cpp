@@ -24,6 +24,8 @@ std::string_view to_string(LimitKind kind) noexcept {
       return "passivity";
     case LimitKind::kPuncture:
       return "puncture";
+    case LimitKind::kBlind:
+      return "blind";
     case LimitKind::kContactStale:
       return "contact stale";
     case LimitKind::kContactInvalid:

@@ -76,6 +76,8 @@ class HapticStep {
   HandState decide(const HapticInput& input, Tick& tick) noexcept;
   void tie(const HapticInput& input) noexcept;
   void move(const HapticInput& input, Tick& tick, HandState& state) noexcept;
+  bool blind_push(const TipTarget& target) const noexcept;
+  void stand(Tick& tick) noexcept;
   void lead(const TipTarget& target, Tick& tick, GuardInput& guard) noexcept;
   void take_over(const HandSample& hand) noexcept;
   void feel(const HapticInput& input, Tick& tick, HandState state) noexcept;
@@ -106,7 +108,8 @@ class HapticStep {
   bool tied_ = false;    ///< the map is tied to hand and proxy
   bool placed_ = false;  ///< the proxy is where the pipette is
   bool was_clutched_ = false;
-  bool worked_ = false;  ///< the hand has led the pipette once
+  bool held_blind_ = false;  ///< the pipette stands because the contact isn't known
+  bool worked_ = false;      ///< the hand has led the pipette once
   Eigen::Vector3d push_ = Eigen::Vector3d::Zero();
   ContactForce contact_;
   double force_scale_N_per_uN_ = 0.0;

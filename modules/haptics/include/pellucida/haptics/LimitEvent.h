@@ -27,6 +27,7 @@ enum class LimitKind : std::uint8_t {
   kLateTick,        ///< a tick came so late that the motion is tied anew
   kForceNotFinite,  ///< the computed force wasn't finite: zero was written
   kEmergencyStop,   ///< everything is stopped until released
+  kBlind,           ///< the hand would push on though the contact isn't known: the pipette stands
   kCount
 };
 
