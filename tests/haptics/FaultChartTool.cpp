@@ -18,7 +18,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kScale_um_per_m = 2000.0;
-constexpr double kFault_s = 2.5, kBack_s = 2.9, kFrom_s = 2.4, kTo_s = 3.2;
+constexpr double kFault_s = 2.5, kBack_s = 3.5, kFrom_s = 2.4, kTo_s = 4.0;
 constexpr Color kBlue = Color::from_hex(0x1F6FB2), kOrange = Color::from_hex(0xC8640A),
                 kGrey = Color::from_hex(0x8A929C);
 
@@ -92,7 +92,7 @@ ChartPanel panel(const std::string& title, const std::string& y_title, double y_
   panel.x_title = "time since the fault, ms";
   panel.y_title = y_title;
   panel.x_begin = -100.0;
-  panel.x_end = 700.0;
+  panel.x_end = 1500.0;
   panel.y_begin = y_begin;
   panel.y_end = y_end;
   panel.legend_right = true;

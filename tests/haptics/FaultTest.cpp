@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "haptics/HandRun.h"
 #include "pellucida/haptics/DeviceCatalog.h"
@@ -96,10 +97,13 @@ TEST_F(Fault, TheCameraStalls) {
 
 TEST_F(Fault, BlindThePipetteGoesNoDeeperButComesBackAtOnce) {
   run_.camera_stalled = true;
-  const auto records = run_.run(0.5);
-  // The force is gone, so the hand falls forward; the pipette stays where the force was last known.
-  const auto stale = std::find_if(records.begin(), records.end(), [](const HapticRecord& record) {
-    return record.contact_state == ContactState::kStale;
+  auto records = run_.run(0.7);
+  // The force is gone and the person pushes on: after half a second the pipette goes no deeper.
+  run_.arm.intent_m.x() += 0.01;
+  const auto pushed = run_.run(0.8);
+  records.insert(records.end(), pushed.begin(), pushed.end());
+  const auto stale = std::find_if(records.begin(), records.end(), [&](const HapticRecord& record) {
+    return record.contact_age_s > settings_.limits.blind_age_s + 0.002;
   });
   ASSERT_NE(stale, records.end());
   for (auto record = stale; record != records.end(); ++record) {
@@ -117,7 +121,7 @@ TEST_F(Fault, BlindThePipetteGoesNoDeeperButComesBackAtOnce) {
   EXPECT_LT(back.back().tip_um.x, before_.tip_um.x - 4.0);
   EXPECT_GT(back.back().tip_um.x, before_.tip_um.x - 12.0);
   // Unless it's switched off.
-  settings_.limits.hold_when_blind = false;
+  settings_.limits.blind_age_s = std::numeric_limits<double>::infinity();
   run_.servo().set(settings_);
   run_.arm.intent_m.x() += 0.01;
   EXPECT_GT(run_.run(1.0).back().tip_um.x, back.back().tip_um.x + 15.0);

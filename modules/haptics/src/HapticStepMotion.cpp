@@ -70,7 +70,7 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
   if (!is_finite(target.tip_um.eigen()) || !is_finite(target.ahead_um.eigen())) return;
   if (blind_push(target)) {
     // The hand goes on without the pipette, and takes it again when it comes back by a little more than it trembles.
-    act(tick, LimitKind::kBlind, contact_.age_s, settings_.predictor.age_limit_s);
+    act(tick, LimitKind::kBlind, contact_.age_s, settings_.limits.blind_age_s);
     const Eigen::Vector3d way_um = target.tip_um.eigen() + target.ahead_um.eigen() - guards_.tip_um();
     if (way_um.dot(push_) > kBlindSlack_um) {
       map_.engage(input.hand, Eigen::Vector3d(guards_.tip_um() + kBlindSlack_um * push_));
@@ -79,7 +79,7 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
     held_blind_ = true;
     return;
   }
-  if (held_blind_ && contact_.state != ContactState::kStale && contact_.state != ContactState::kInvalid) {
+  if (held_blind_ && !blind()) {
     // Seeing again: the hand takes the pipette where it is, without what was left of that little more.
     take_over(input.hand);
     stand(tick);
@@ -97,9 +97,13 @@ void HapticStep::stand(Tick& tick) noexcept {
   tick.force_W_N = leading_force_N_ = tick.fixtures.force_N;
 }
 
+bool HapticStep::blind() const noexcept {
+  const bool unknown = contact_.state == ContactState::kStale || contact_.state == ContactState::kInvalid;
+  return unknown && contact_.age_s > settings_.limits.blind_age_s;
+}
+
 bool HapticStep::blind_push(const TipTarget& target) const noexcept {
-  const bool blind = contact_.state == ContactState::kStale || contact_.state == ContactState::kInvalid;
-  if (!blind || !settings_.limits.hold_when_blind || push_.squaredNorm() <= 0.0) return false;
+  if (!blind() || push_.squaredNorm() <= 0.0) return false;
   const Eigen::Vector3d way_um = target.tip_um.eigen() + target.ahead_um.eigen() - felt_.tip_um();
   return way_um.dot(push_) > 0.0;
 }

@@ -76,6 +76,7 @@ class HapticStep {
   HandState decide(const HapticInput& input, Tick& tick) noexcept;
   void tie(const HapticInput& input) noexcept;
   void move(const HapticInput& input, Tick& tick, HandState& state) noexcept;
+  bool blind() const noexcept;
   bool blind_push(const TipTarget& target) const noexcept;
   void stand(Tick& tick) noexcept;
   void lead(const TipTarget& target, Tick& tick, GuardInput& guard) noexcept;
