@@ -98,7 +98,7 @@ TEST_F(Fault, TheCameraStalls) {
 TEST_F(Fault, BlindThePipetteGoesNoDeeperButComesBackAtOnce) {
   run_.camera_stalled = true;
   auto records = run_.run(0.7);
-  // The force is gone and the person pushes on: after half a second the pipette goes no deeper.
+  // The force is gone and the person pushes on: after a quarter of a second the pipette goes no deeper.
   run_.arm.intent_m.x() += 0.01;
   const auto pushed = run_.run(0.8);
   records.insert(records.end(), pushed.begin(), pushed.end());

@@ -25,7 +25,7 @@ struct CellLimits {
   double max_lag_um =
       60.0;  ///< the manipulator may stay this far behind; the tip gets slower beyond, and stands at twice
 
-  double blind_age_s = 0.5;  ///< no deeper when the newest usable frame is older; back is free. Infinite: never
+  double blind_age_s = 0.25;  ///< no deeper when the newest usable frame is older; back is free. Infinite: never
 
   double max_hand_speed_m_per_s = 5.0;          ///< faster is a jump of the reading
   double max_pipette_speed_um_per_s = 20000.0;  ///< the same for the manipulator's reports
