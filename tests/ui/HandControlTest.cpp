@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QWheelEvent>
 #include <chrono>
 #include <thread>
 
@@ -88,6 +89,21 @@ TEST_F(HandBarTest, TheStopIsReleasedByTheSameButtonOnceItIsInForce) {
   ASSERT_TRUE(button(bar, "Release stop"));
   button(bar, "Release stop")->click();
   EXPECT_EQ(said_, QStringList({"stop on", "stop off"}));
+}
+
+TEST_F(HandBarTest, AWheelThatPassesOverTheBarChangesNothing) {
+  HandBar bar({"One", "Two"}, {"Coarse", "Fine"}, actions(), nullptr);
+  bar.set_depth_stop_um(46.0);
+  QList<QWidget*> targets;
+  for (auto* choice : bar.findChildren<QComboBox*>()) targets << choice;
+  targets << bar.findChild<QDoubleSpinBox*>();
+  ASSERT_EQ(targets.size(), 3);
+  for (QWidget* target : targets) {
+    QWheelEvent event({5, 5}, target->mapToGlobal(QPoint(5, 5)), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(target, &event);
+  }
+  EXPECT_TRUE(said_.isEmpty()) << said_.join(", ").toStdString();
 }
 
 TEST_F(HandBarTest, WhereTheCellIsRealThereIsNoNewOne) {

@@ -54,7 +54,7 @@ const char* loss(const HapticRecord& tick) {
   if (acts(tick, LimitKind::kPipetteLost)) return "Pipette lost: it doesn't report; check its cable and power";
   if (acts(tick, LimitKind::kHandInvalid)) return "The device gives no numbers: the pipette stands";
   if (acts(tick, LimitKind::kForceNotFinite)) return "The force could not be computed: none is given";
-  if (tick.hand_state == HandState::kStopped) return "Emergency stop: the pipette stands until the stop is released";
+  if (tick.hand_state == HandState::kStopped) return "Emergency stop: the pipette stands";
   return nullptr;
 }
 

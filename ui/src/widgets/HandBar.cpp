@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include "Theme.h"
 #include "pellucida/visualization/Palette.h"
@@ -23,18 +24,34 @@ constexpr double kShallowest_um = 1.0;
 constexpr double kDeepest_um = 200.0;
 constexpr int kArrowMargin_px = 9;
 
-// A choice with the same arrow as the window's other menus.
+// A choice with the same arrow as the window's other menus. A wheel that passes over it chooses nothing.
 class Choice final : public QComboBox {
  public:
   using QComboBox::QComboBox;
 
  protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
   void paintEvent(QPaintEvent* event) override {
     QComboBox::paintEvent(event);
     QPainter painter(this);
     painter.setPen(to_qt(isEnabled() ? palette::kTextDim : palette::kBorder));
     painter.drawText(rect().adjusted(0, 0, -kArrowMargin_px, 0), Qt::AlignRight | Qt::AlignVCenter,
                      QString::fromUtf8("\u25BE"));
+  }
+};
+
+// A number that only a wheel meant for it turns.
+class DepthBox final : public QDoubleSpinBox {
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus()) {
+      QDoubleSpinBox::wheelEvent(event);
+    } else {
+      event->ignore();
+    }
   }
 };
 
@@ -81,7 +98,7 @@ QHBoxLayout* HandBar::build_readouts() {
   force_bar_->setToolTip("Force on the hand; full: the most the device can give");
   row->addWidget(force_bar_);
   force_ = add_text(row, "0.00 N of 0.0 N");
-  contact_ = add_text(row, "Contact, force 000 ms old");
+  contact_ = add_text(row, "Punctured, 000 ms old");
   // The rest of the line; a long text must not widen the window.
   note_ = new QLabel(this);
   note_->setObjectName("statusText");
@@ -108,7 +125,7 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   auto* stop_name = new QLabel("Depth stop", this);
   stop_name->setObjectName("statusText");
   row->addWidget(stop_name);
-  depth_stop_ = new QDoubleSpinBox(this);
+  depth_stop_ = new DepthBox(this);
   depth_stop_->setRange(kShallowest_um, kDeepest_um);
   depth_stop_->setDecimals(0);
   depth_stop_->setSuffix(QString::fromUtf8(" \u00b5m"));
@@ -180,7 +197,10 @@ void HandBar::show_texts(const HandTexts& texts) {
   show_phrase(force_, texts.force);
   show_phrase(contact_, texts.contact);
   show_phrase(note_, texts.note);
-  note_->setToolTip(QString::fromStdString(texts.note.text));
+  // A narrow window shows the beginning; the tip has all of it.
+  const QString note = QString::fromStdString(texts.note.text);
+  note_->setText(note_->fontMetrics().elidedText(note, Qt::ElideRight, note_->width()));
+  note_->setToolTip(note);
   state_->setToolTip(QString::fromStdString(texts.loop.text));
   if (texts.stopped == stopped_) return;
   stopped_ = texts.stopped;
