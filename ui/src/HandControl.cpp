@@ -78,7 +78,7 @@ bool HandControl::tick() {
 
 void HandControl::show_status() {
   std::string doing = desk_.doing();
-  if (doing.empty() && desk_.is_mouse() && !dragged_px_) doing = "Hold the left button on the image to lead the needle";
+  if (doing.empty() && desk_.is_mouse() && !dragged_px_) doing = "Left button held: the needle follows";
   bar_->show_texts(hand_texts(desk_.status(), doing));
   bar_->set_choice(desk_.chosen(), desk_.scale());
   bar_->set_depth_stop_um(desk_.depth_stop_um());
