@@ -64,6 +64,7 @@ struct LimitWords {
 };
 // Those a person can do something about, the gravest first; of the others the events and the recording tell.
 constexpr LimitWords kLimits[] = {
+    {LimitKind::kBlind, "no push while the force isn't known"},
     {LimitKind::kForce, "force on the cell at its limit"},
     {LimitKind::kDepth, "deepest indentation"},
     {LimitKind::kTravel, "end of the travel"},
