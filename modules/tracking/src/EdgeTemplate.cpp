@@ -143,7 +143,7 @@ void EdgeTemplate::build(EdgeKind kind) {
       blur(curve, 0.7 * width_);
       const double moved = std::clamp(extremum(curve, kind.line) - double{look.center}, -1.5, 1.5);
       look.center -= static_cast<float>(0.5 * moved);
-      look.center_deviation = static_cast<float>(0.18 * std::abs(moved));
+      look.center_deviation = static_cast<float>(0.20 * std::abs(moved));
     }
 
     // Least squares of (a, g, b) on (1, T, T'), windowed: two rows of the pseudo-inverse are the filters.

@@ -25,7 +25,8 @@ constexpr double kApart = 3.0;     // sigmas between an edge and where the thick
 constexpr double kUnlike = 3.0;    // how much surer a profile wholly alike is than one wholly unlike
 constexpr double kBilinearShare = 0.5;  // of a pixel's variance that bilinear samples keep
 constexpr double kSigmaFloor = 0.008;   // px, at a width of 1 px: no point is known better
-constexpr double kCrowded = 0.26;       // width over thickness at which that doubles
+constexpr double kBroad_px = 3.0;       // width from which on that is a fixed share of it
+constexpr double kCrowded = 0.258;      // width over thickness at which the doubt about the centre doubles
 constexpr double kSqueeze = 0.25;       // of the zona's thickness that the tip may take away
 constexpr int kReach = 6;               // samples to both sides of the prediction
 constexpr double kSettled_px = 0.6;     // displacement after which the profiles are not sampled again
@@ -301,15 +302,15 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   const double bound = kReach * look.step_px, width = look.edge.width() * look.step_px;
   // An edge that is wide against the zona runs into the other one, and its centre is the less certain.
   const double crowded = has_inner() && thickness_ > 0.0 ? width / (kCrowded * thickness_) : 0.0;
-  const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 4));
+  const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 8));
   // A line narrower than a pixel is drawn by too few of them; a contour alone has none beside it to be held against.
-  const double floor = kSigmaFloor * (width * std::max(1.0, width) + 1.0 / std::pow(width, 3)) +
+  const double floor = kSigmaFloor * (width * std::clamp(width, 1.0, kBroad_px) + 1.0 / (width * width)) +
                        (has_inner() ? 0.0 : kAlone_px / std::pow(std::min(1.0, width), 2));
   const double smoothed = has_inner() ? kSmoothed : 1.0;
   double largest = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {
     const int direction = EdgeTemplate::direction_of(normals_(0, i), normals_(1, i));
-    const double center = doubt * std::hypot(look.step_px * look.edge.center_deviation(direction), floor);
+    const double center = doubt * std::max(look.step_px * look.edge.center_deviation(direction), floor);
     snake.sigma_px[i] = std::sqrt(smoothed * deviation[i] * deviation[i] + center * center);
     const double move = std::clamp(u[i], -bound, bound);
     snake.points.col(i) += move * normals_.col(i);

@@ -13,7 +13,7 @@ constexpr double kBehind = 85.0, kMostBehind = 170.0;  // units, and px at most,
 constexpr int kLearnFrames = 40;
 // Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
 // about; of the cone's place when the needle was first seen in contact.
-constexpr double kEndFloor = 0.08, kEndHidden = 0.6, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
+constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 
 // So many blurs ahead of the tip must be free of other bodies for a blurred end to be told.
 constexpr double kEndBlurs = 2.5;

@@ -10,7 +10,7 @@ namespace {
 // Errors of a station that more light would not cure, in units of the blur.
 constexpr double kStationFloor = 0.02;
 // How far the width of the whole shaft may be wrong although the noise is nothing: blur and light change it.
-constexpr double kWidthFloor = 0.012;
+constexpr double kWidthFloor = 0.009;
 // Samples closer than a pixel share its noise.
 double shared_noise(double step) {
   return std::max(1.0, 1.0 / step);
