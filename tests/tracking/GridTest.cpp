@@ -27,7 +27,6 @@ struct Exception {
   Limits limits;
 };
 constexpr std::array kExceptions{
-    Exception{"pixel 1.5 um", {.coverage_high = 0.92}},
     Exception{"diameter 64 px", {.coverage_low = 0.3}},
 };
 

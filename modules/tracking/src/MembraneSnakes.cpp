@@ -24,8 +24,9 @@ constexpr double kSmoothed = 0.7;  // of the solve's variance that is left after
 constexpr double kApart = 3.0;     // sigmas between an edge and where the thickness has it, at which its own doubles
 constexpr double kUnlike = 3.0;    // how much surer a profile wholly alike is than one wholly unlike
 constexpr double kBilinearShare = 0.5;  // of a pixel's variance that bilinear samples keep
-constexpr double kSigmaFloor = 0.008;   // px, at a width of 1 px: no point is known better
-constexpr double kBroad_px = 3.0;       // width from which on that is a fixed share of it
+constexpr double kSigmaFloor = 0.010;   // px, at a width of 1 px: no point is known better
+constexpr double kNarrow = 0.6;         // of that, of a line that is 1 px wide: too few pixels draw it
+constexpr double kBroad_px = 2.4;       // width from which on that is a fixed share of it
 constexpr double kCrowded = 0.258;      // width over thickness at which the doubt about the centre doubles
 constexpr double kSqueeze = 0.25;       // of the zona's thickness that the tip may take away
 constexpr int kReach = 6;               // samples to both sides of the prediction
@@ -304,7 +305,7 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   const double crowded = has_inner() && thickness_ > 0.0 ? width / (kCrowded * thickness_) : 0.0;
   const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 8));
   // A line narrower than a pixel is drawn by too few of them; a contour alone has none beside it to be held against.
-  const double floor = kSigmaFloor * (width * std::clamp(width, 1.0, kBroad_px) + 1.0 / (width * width)) +
+  const double floor = kSigmaFloor * (width * std::clamp(width, 1.0, kBroad_px) + kNarrow / (width * width)) +
                        (has_inner() ? 0.0 : kAlone_px / std::pow(std::min(1.0, width), 2));
   const double smoothed = has_inner() ? kSmoothed : 1.0;
   double largest = 0.0;
