@@ -13,6 +13,7 @@
 #include "commands/InjectCommand.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/SimulateCommand.h"
+#include "commands/TrialCommand.h"
 #include "commands/WorkstationCommand.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Version.h"
@@ -40,6 +41,7 @@ int main(int argc, char** argv) {
   pellucida::add_force_command(app);
   pellucida::add_check_command(app);
   pellucida::add_export_command(app);
+  pellucida::add_trial_command(app);
   pellucida::add_bench_command(app);
   pellucida::add_devices_command(app);
   pellucida::add_profiles_command(app);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
   for (const char* command : {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench",
-                              "devices", "profiles", "inject"}) {
+                              "devices", "profiles", "inject", "trial"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
@@ -201,6 +201,44 @@ TEST(Commands, BenchTrackingTimesTheTrackerAndItsParts) {
   }
   EXPECT_GE(tracking["detect_us"]["count"].get<int>(), 5);
   EXPECT_GT(tracking["frames_per_s"].get<double>(), 0.0);
+}
+
+// Three simulated persons in all four modalities: files that a script can read, and the same ones again.
+TEST(Commands, TrialTellsOfTheSimulatedOperatorInAllModalities) {
+  const auto folder = test::fresh_folder("commands_trial", testing::TempDir());
+  const auto run = [&](const std::string& name) {
+    return test::run_program(
+        "trial --simulated --trials 3 --seed 11 --no-picture --output '" + (folder / name).string() + "'", folder);
+  };
+  const auto outcome = run("one");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("SIMULATED operator"), std::string::npos);
+  EXPECT_NE(outcome.out.find("guide, same simulated operator"), std::string::npos);
+  const auto text_of = [&](const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(folder / name / "trials.csv").rdbuf();
+    return text.str();
+  };
+  std::istringstream rows(text_of("one"));
+  int count = -1;
+  for (std::string row; std::getline(rows, row); ++count) {
+    EXPECT_EQ(row.rfind(count < 0 ? "operator,modality,seed,success" : "simulated,", 0), 0U) << row;
+  }
+  EXPECT_EQ(count, 12);
+  EXPECT_TRUE(fs::exists(folder / "one" / "summary.csv"));
+  ASSERT_EQ(run("two").exit_code, 0);
+  EXPECT_EQ(text_of("two"), text_of("one"));
+}
+
+TEST(Commands, TrialWithoutItsOptionsIsWrongUsage) {
+  const auto folder = test::fresh_folder("commands_trial_usage", testing::TempDir());
+  const std::string output = "--output '" + (folder / "t").string() + "'";
+  EXPECT_EQ(test::run_program("trial " + output, folder).exit_code, 2);
+  EXPECT_EQ(test::run_program("trial --simulated", folder).exit_code, 2);
+  EXPECT_EQ(test::run_program("trial --simulated --modality 4d " + output, folder).exit_code, 2);
+  EXPECT_EQ(test::run_program("trial --simulated --scenario default " + output, folder).exit_code, 2);
+  EXPECT_EQ(test::run_program("trial --simulated --scenario nowhere.json " + output, folder).exit_code, 3);
+  EXPECT_EQ(test::run_program("trial --simulated --trials 1 --no-picture --output /proc/none/t", folder).exit_code, 5);
 }
 
 }  // namespace

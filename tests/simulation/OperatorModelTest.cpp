@@ -205,6 +205,53 @@ TEST(OperatorModel, FeltDropEndsThePushSoonerThanSeeingIt) {
   EXPECT_LT(overshoot_um(Modality::kSpaceAndHaptics), overshoot_um(Modality::kSpace));
 }
 
+// A force of so much at the operator's skin, felt but held by nobody: the model alone, no arm.
+double intended_speed_um_per_s(double slowing_N, const PlainVector3& force_N) {
+  OperatorOptions options = exact();
+  options.modality = Modality::kSpaceAndHaptics;
+  options.slowing_N = slowing_N;
+  OperatorModel person(options, plan_along_x(), 1);
+  const PlainVector3 start_um{120, 0, 0};
+  double speed = 0;
+  for (int k = 0; k < 8000 && person.phase() != OperatorPhase::kDone; ++k) {
+    const bool pushes = person.phase() == OperatorPhase::kInsert;
+    const OperatorIntent& intent = person.tick(pushes ? force_N : PlainVector3{});
+    const Eigen::Vector3d tip_um = start_um.eigen() + 1e4 * world_from_hand(intent.position_m).eigen();
+    if (k % 33 == 0) person.see({person.time_s(), PlainVector3(tip_um), true, false});
+    if (tip_um.x() < 60) return speed;
+    if (pushes && tip_um.x() < 80) speed = std::max(speed, -1e4 * intent.velocity_m_per_s.x);
+  }
+  return 0;
+}
+
+TEST(OperatorModel, SlowsAgainstAResistanceButNotForAGuidesPush) {
+  const double free = intended_speed_um_per_s(0.4, {});
+  EXPECT_NEAR(free, plan_along_x().insertion_speed_um_per_s, 4);
+  EXPECT_NEAR(intended_speed_um_per_s(0.4, {0.4, 0, 0}), 0.5 * free, 3);
+  EXPECT_EQ(intended_speed_um_per_s(0.4, {0, 0.4, 0}), free);
+  EXPECT_EQ(intended_speed_um_per_s(0, {0.4, 0, 0}), free);
+}
+
+// A picture that comes 0.15 s late: who knows of it aims once, who does not goes to and fro.
+TEST(OperatorModel, KnowsTheLagOfWhatItIsShown) {
+  const auto turns = [](double known_lag_s) {
+    OperatorPlan plan = plan_along_x();
+    plan.lag_s = known_lag_s;
+    OperatorModel person(exact(), plan, 1);
+    std::vector<double> x_um;
+    int count = 0;
+    for (int k = 0; k < 3000 && person.phase() != OperatorPhase::kInsert; ++k) {
+      x_um.push_back(300 + 1e4 * person.tick({}).position_m.x);
+      const auto late = static_cast<std::size_t>(std::max(0, k - 150));
+      if (k % 33 == 0) person.see({person.time_s(), {x_um[late], 0, 0}, true, false});
+      if (x_um.size() > 2 && (x_um[x_um.size() - 1] - x_um[x_um.size() - 2]) > 1e-6) ++count;
+    }
+    return count;  // milliseconds on the way back
+  };
+  EXPECT_EQ(turns(0.15), 0);
+  EXPECT_GT(turns(0.0), 100);
+}
+
 TEST(OperatorModel, DepositsAtTheTargetAndPressesTheButtonOnlyThere) {
   OperatorPlan plan = plan_along_x();
   plan.inject_s = 0.7;

@@ -8,8 +8,11 @@
 
 namespace pellucida {
 
-ContactCamera::ContactCamera(const ContactCameraOptions& options, const SpecimenForce& cell, double outer_radius_um)
-    : options_(options), cell_(cell), outer_radius_um_(outer_radius_um), random_(options.seed) {
+ContactCamera::ContactCamera(const ContactCameraOptions& options, const SpecimenForce& cell)
+    : options_(options),
+      cell_(cell),
+      outer_radius_um_((cell.tip_at(0.0, 0.0).eigen() - cell.frame().center_um.eigen()).norm()),
+      random_(options.seed) {
   const auto require = [](bool good, const char* name, double value, const char* range) {
     if (!good) throw UsageError(std::string(name) + " is " + std::to_string(value) + "; it must be " + range);
   };

@@ -87,11 +87,15 @@ OperatorModel::OperatorModel(const OperatorOptions& options, const OperatorPlan&
   require("fitts_slope_s", options.fitts_slope_s, 0.0, 2.0);
   require("drop_ratio", options.drop_ratio, 0.0, 1.0);
   require("just_felt_N", options.just_felt_N, 0.0, 10.0);
+  require("slowing_N", options.slowing_N, 0.0, 100.0);
   require("plan.scale_um_per_m", plan.scale_um_per_m, 1.0, 1e6);
   require("plan.insertion_speed_um_per_s", plan.insertion_speed_um_per_s, 0.1, 1e4);
   require("plan.inject_s", plan.inject_s, 0.0, 600.0);
   require("plan.deepest_push_um", plan.deepest_push_um, 0.0, 1e4);
+  require("plan.lag_s", plan.lag_s, 0.0, 0.5);
   for (auto& word : random_) word = mixed(seed);
+  const Eigen::Vector3d line = plan.target_um.eigen() - plan.entry_um.eigen();
+  if (line.norm() > 0) against_ = turned(-line.normalized());
 
   // Tremor: white noise through two poles at its frequency; the gain gives each of three axes its share.
   const double pi = std::numbers::pi, r = std::exp(-pi * kTremorBandwidth_Hz * kStep_s);
@@ -134,7 +138,12 @@ void OperatorModel::shake() noexcept {
 
 void OperatorModel::see(const OperatorView& view) noexcept {
   if (!view.tip_um.eigen().allFinite()) return;
-  seen_[static_cast<std::size_t>(seen_next_)] = {view, intent_.position_m};
+  // Before the first tick the hand was told nothing.
+  const long lag = std::min(std::lround(plan_.lag_s / kStep_s), static_cast<long>(intended_m_.size()) - 1);
+  const long told = tick_ - 1 - lag;
+  const PlainVector3 intended_m =
+      told >= 0 ? intended_m_[static_cast<std::size_t>(told) % intended_m_.size()] : PlainVector3{};
+  seen_[static_cast<std::size_t>(seen_next_)] = {view, intended_m};
   seen_next_ = (seen_next_ + 1) % static_cast<int>(seen_.size());
   seen_count_ = std::min(seen_count_ + 1, static_cast<int>(seen_.size()));
 }
@@ -193,18 +202,18 @@ void OperatorModel::halt() noexcept {
 // What was felt a reaction time ago: a force that rose and then fell is the membrane that gave way.
 void OperatorModel::feel(const PlainVector3& force_N) noexcept {
   // Feeling follows slow changes: tremor is not taken for a force.
-  felt_now_N_ =
-      Eigen::Vector3d(felt_now_N_.eigen() + kStep_s / kFeelingTime_s * (force_N.eigen() - felt_now_N_.eigen()));
+  const double resistance_N = std::max(0.0, force_N.eigen().dot(against_.eigen()));
+  felt_now_N_ += kStep_s / kFeelingTime_s * (resistance_N - felt_now_N_);
   const auto size = static_cast<long>(felt_N_.size());
-  felt_N_[static_cast<std::size_t>(tick_ % size)] = felt_now_N_.eigen().norm();
+  felt_N_[static_cast<std::size_t>(tick_ % size)] = felt_now_N_;
   const long delay = std::min(std::lround(options_.haptic_delay_s / kStep_s), size - 1);
   if (!haptics_ || phase_ != OperatorPhase::kInsert || noticed_s_ >= 0 || tick_ < delay) {
-    felt_peak_N_ = 0.0;
+    felt_peak_N_ = felt_late_N_ = 0.0;
     return;
   }
-  const double felt = felt_N_[static_cast<std::size_t>((tick_ - delay) % size)];
-  felt_peak_N_ = std::max(felt_peak_N_, felt);
-  if (felt_peak_N_ < options_.just_felt_N || felt >= options_.drop_ratio * felt_peak_N_) return;
+  felt_late_N_ = felt_N_[static_cast<std::size_t>((tick_ - delay) % size)];
+  felt_peak_N_ = std::max(felt_peak_N_, felt_late_N_);
+  if (felt_peak_N_ < options_.just_felt_N || felt_late_N_ >= options_.drop_ratio * felt_peak_N_) return;
   noticed_s_ = time_s();
   halt();
   next_look_s_ = time_s() + options_.look_interval_s;
@@ -244,7 +253,8 @@ void OperatorModel::decide(const Seen& seen) noexcept {
       return;
     }
     const Eigen::Vector3d sideways = way_um - way_um.dot(along) * along;
-    const double step_um = plan_.insertion_speed_um_per_s * options_.look_interval_s;
+    const double slower = options_.slowing_N > 0 ? 1 / (1 + felt_late_N_ / options_.slowing_N) : 1.0;
+    const double step_um = slower * plan_.insertion_speed_um_per_s * options_.look_interval_s;
     aim(Eigen::Vector3d(sideways + step_um * along), 2 * options_.look_interval_s);
     return;
   }
@@ -310,6 +320,7 @@ const OperatorIntent& OperatorModel::tick(const PlainVector3& force_N) noexcept 
   }
   move_count_ = kept;
   intent_ = {position, velocity, phase_ == OperatorPhase::kDeposit};
+  intended_m_[static_cast<std::size_t>(tick_) % intended_m_.size()] = intent_.position_m;
   ++tick_;
   return intent_;
 }

@@ -25,6 +25,9 @@ struct OperatorPlan {
   double scale_um_per_m = 1e4;  ///< tip motion for hand motion, as the operator has learnt it: position control
   double insertion_speed_um_per_s = 40.0;  ///< from the approach point to the target
   double deepest_push_um = 75.0;           ///< past the entry point: there the membrane is taken for broken
+  /// 0..0.5: how far the tip in a picture lags the hand (filter, manipulator, camera), as the operator has learnt it:
+  /// what was told within it is on its way, and is not told again. Miall and others, J. Motor Behav. 25 (1993).
+  double lag_s = 0.0;
 };
 
 /// The numbers of a person; defaults are those of a practised one. Sources beside them are for their order of
@@ -45,6 +48,11 @@ struct OperatorOptions {
   double fitts_offset_s = 0.15, fitts_slope_s = 0.12;  ///< time of an aimed move: offset + slope log2(1 + A / 3 um)
   double drop_ratio = 0.5;    ///< a felt force that falls below this part of its peak is the membrane giving way
   double just_felt_N = 0.05;  ///< least peak to be felt
+  /// A felt resistance F lowers the planned speed of insertion to v / (1 + F / slowing_N); 0: it does not. That people
+  /// push more slowly and softly when they feel the resistance is what Ammi and others saw in cell injection (section
+  /// IV of the paper this project follows) and Wagner and others, Presence 16 (2007), in dissection; how much is
+  /// assumed.
+  double slowing_N = 0.4;
 };
 
 /// What the operator does.
@@ -74,9 +82,10 @@ struct OperatorIntent {
 /// that overlap (Flash and Henis, J. Cogn. Neurosci. 3 (1991)); each look plans one submovement from what was seen a
 /// reaction time ago, plus what the hand was told since, to what is wanted. What is seen has noise by modality; what is
 /// done has noise by its length. From the approach point the hand goes on along the line of entry at a steady speed,
-/// whatever the tip meets, until a felt drop of the force or a picture of the closed membrane ends the push; then it
-/// aims at the target, deposits, and goes to the point of removal. Seeded and deterministic; `tick` runs at fixed steps
-/// of 1 ms and neither allocates nor throws.
+/// whatever the tip meets, slower against a felt resistance, until a felt drop of the force or a picture of the closed
+/// membrane ends the push; then it aims at the target, deposits, and goes to the point of removal. Of the force it is
+/// the part against the line of entry that counts: a guide pushes from the side. Seeded and deterministic; `tick` runs
+/// at fixed steps of 1 ms and neither allocates nor throws.
 class OperatorModel {
  public:
   static constexpr double kStep_s = 1e-3;
@@ -106,7 +115,7 @@ class OperatorModel {
   };
   struct Seen {
     OperatorView view;
-    PlainVector3 intended_m;  ///< the equilibrium at that time
+    PlainVector3 intended_m;  ///< the equilibrium that it shows the outcome of
   };
 
   double normal() noexcept;
@@ -142,9 +151,12 @@ class OperatorModel {
 
   std::array<Seen, 64> seen_{};
   int seen_count_ = 0, seen_next_ = 0;
-  std::array<double, 512> felt_N_{};  ///< ring, one a tick
+  std::array<PlainVector3, 512> intended_m_{};  ///< ring, one a tick
+  std::array<double, 512> felt_N_{};            ///< ring, one a tick
   double felt_peak_N_ = 0.0;
-  PlainVector3 felt_now_N_;
+  double felt_late_N_ = 0.0;  ///< what was felt a reaction time ago
+  double felt_now_N_ = 0.0;
+  PlainVector3 against_;  ///< unit, frame H: against the line of entry; 0 where the plan has none
 
   double tremor_pole_ = 0.0, tremor_turn_ = 0.0, tremor_gain_m_ = 0.0;
   std::array<PlainVector3, 2> tremor_state_{};

@@ -60,6 +60,12 @@ class SpecimenForce {
   double max_offset_um() const noexcept { return frame_.size_scale * kMaxOffset_um; }
   double max_indentation_um() const noexcept { return frame_.size_scale * max_depth_um_; }
   const Frame& frame() const noexcept { return frame_; }
+  /// The same cell elsewhere: without reading its tables again.
+  SpecimenForce moved_to(const Frame& frame) const noexcept {
+    SpecimenForce moved = *this;
+    moved.frame_ = frame;
+    return moved;
+  }
 
  private:
   static constexpr double kMaxOffset_um = 20.0, kGone_um = 45.0, kOffsetStep_um = 10.0;

@@ -1,0 +1,106 @@
+#include "commands/TrialCommand.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "commands/Progress.h"
+#include "commands/TrialPicture.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/evaluation/TrialSeries.h"
+#include "pellucida/evaluation/TrialSummary.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TrialArguments {
+  bool simulated = false;
+  bool no_slowing = false;
+  bool no_picture = false;
+  int trials = 200, jobs = 0;
+  std::uint64_t seed = 1;
+  double force_scale_N_per_uN = TrialOptions{}.force_scale_N_per_uN;
+  std::string modality = "all", scenario = "injection";
+  std::string output;
+};
+
+std::vector<Modality> modalities_of(const std::string& name) {
+  if (name == "2d") return {Modality::kFlatImage};
+  if (name == "3d") return {Modality::kSpace};
+  if (name == "haptics") return {Modality::kSpaceAndHaptics};
+  if (name == "guide") return {Modality::kSpaceAndFixture};
+  return SeriesOptions{}.modalities;
+}
+
+void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  std::ofstream stream(file);
+  write(stream);
+  stream.close();
+  if (!stream) throw OutputError(file.string() + ": can't be written; check the folder and its permissions");
+}
+
+void run_trials(const TrialArguments& arguments) {
+  if (!arguments.simulated) {
+    throw UsageError("trial: who moves the needle? A simulated operator is what this version has: give --simulated");
+  }
+  const fs::path folder(arguments.output);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw OutputError(folder.string() + ": can't be made, " + error.message() + "; choose another --output");
+
+  SeriesOptions options;
+  options.modalities = modalities_of(arguments.modality);
+  options.trials = arguments.trials;
+  options.seed = arguments.seed;
+  options.jobs = arguments.jobs;
+  options.trial.force_scale_N_per_uN = arguments.force_scale_N_per_uN;
+  options.trial.slows_on_force = !arguments.no_slowing;
+  const TrialScene scene(load_scenario(arguments.scenario));
+  std::vector<TrialOutcome> outcomes;
+  {
+    Progress progress("simulated trials:");
+    outcomes = run_series(scene, options, [&](long done, long all) { progress.update(done, all); });
+  }
+
+  const auto summaries = summarize(outcomes);
+  write_file(folder / "trials.csv", [&](std::ostream& stream) { write_trials_csv(stream, outcomes); });
+  write_file(folder / "summary.csv", [&](std::ostream& stream) { write_summary_csv(stream, summaries); });
+  std::cout << table_text(summaries) << effects_text(outcomes);
+  std::cout << (folder / "trials.csv").string() << ", " << (folder / "summary.csv").string() << std::endl;
+  if (arguments.no_picture) return;
+  draw_trials(outcomes, folder / "trials.png");
+  std::cout << (folder / "trials.png").string() << '\n';
+}
+
+}  // namespace
+
+void add_trial_command(CLI::App& app) {
+  auto a = std::make_shared<TrialArguments>();
+  CLI::App* command = app.add_subcommand(
+      "trial", "injections by a SIMULATED operator: 2-D image, 3-D view, 3-D and haptics, 3-D, haptics and a guide");
+  command->add_flag("--simulated", a->simulated, "the operator is a model of a person (needed: there is no other)");
+  command->add_option("--trials", a->trials, "of each modality")->check(CLI::Range(1, 100000))->capture_default_str();
+  command->add_option("--seed", a->seed, "of the first trial; the next ones count on")->capture_default_str();
+  command->add_option("--modality", a->modality, "what the operator is given: all, 2d, 3d, haptics or guide")
+      ->check(CLI::IsMember({"all", "2d", "3d", "haptics", "guide"}))
+      ->capture_default_str();
+  command->add_option("--scenario", a->scenario, "the cell, by name or file; one that can be punctured")
+      ->capture_default_str();
+  command->add_option("--force-scale", a->force_scale_N_per_uN, "hand force for a force at the cell, N/uN")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_flag("--no-slowing", a->no_slowing,
+                    "a felt force moves the operator's arm, but does not make the operator slow down");
+  command->add_option("--jobs", a->jobs, "threads (default: one a core)")->check(CLI::Range(1, 256));
+  command->add_flag("--no-picture", a->no_picture, "draw no chart");
+  command->add_option("--output", a->output, "folder for trials.csv, summary.csv, trials.png")->required();
+  command->callback([a] { run_trials(*a); });
+}
+
+}  // namespace pellucida

@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace pellucida {
+
+/// A sample in four numbers. All NaN for an empty one.
+struct Estimate {
+  int count = 0;  ///< values that are numbers
+  double median = 0.0, mean = 0.0;
+  double lower = 0.0, upper = 0.0;  ///< 95 % interval of the mean
+};
+
+/// Median, mean and its percentile bootstrap interval (2000 resamples, seeded: Efron and Tibshirani, An Introduction to
+/// the Bootstrap, 1993, chapter 13). Values that are NaN are left out.
+Estimate estimate(std::vector<double> values, std::uint64_t seed = 1);
+
+/// A share of successes with Wilson's 95 % score interval (J. Am. Stat. Assoc. 22, 1927).
+struct Share {
+  double value = 0.0, lower = 0.0, upper = 1.0;  ///< 0..1
+};
+/// `count` 0: value NaN, interval 0..1.
+Share share_of(int successes, int count) noexcept;
+
+}  // namespace pellucida
