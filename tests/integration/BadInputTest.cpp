@@ -30,7 +30,12 @@ class BadInput : public testing::Test {
   }
 
   fs::path at(const std::string& name) const { return folder_ / name; }
-  std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
+  std::string quoted(const std::string& name) const {
+    std::string text(1, '\'');
+    text += at(name).string();
+    text += '\'';
+    return text;
+  }
 
   fs::path folder_;
 };

@@ -12,6 +12,7 @@
 #include "pellucida/core/Table.h"
 #include "pellucida/evaluation/SimulatedPerson.h"
 #include "pellucida/haptics/HapticServo.h"
+#include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/simulation/SimulatedHand.h"
 #include "pellucida/simulation/VirtualSpecimen.h"
 #include "pellucida/teleoperation/ManipulatorStage.h"
@@ -23,7 +24,6 @@ namespace {
 
 constexpr double kTick_s = 1e-3;
 constexpr long kCommandTicks = 10;  // 100 Hz
-constexpr double kRemoval_um = 40.0;
 constexpr double kExpelled_s = 0.6;
 
 bool has_haptics(Modality modality) noexcept {
@@ -54,17 +54,11 @@ Eigen::Vector3d start_of(const InjectionPlan& plan, const Placement& place) {
          place.start_out_um * out;
 }
 
-OperatorPlan operator_plan(const InjectionPlan& plan, const SimulatedPerson& person, const TrialOptions& options,
-                           double lag_s) {
-  OperatorPlan wanted;
-  wanted.approach_um = plan.approach_um;
-  wanted.entry_um = plan.entry_um;
-  wanted.target_um = plan.target_um;
-  wanted.removal_um = Eigen::Vector3d(plan.entry_um.eigen() - kRemoval_um * plan.axis.eigen());
+OperatorPlan plan_of(const InjectionPlan& plan, const SimulatedPerson& person, const TrialOptions& options,
+                     double lag_s) {
+  OperatorPlan wanted = operator_plan(plan, options.motion_scale_um_per_m, lag_s);
   wanted.inject_s = kExpelled_s;
-  wanted.scale_um_per_m = options.motion_scale_um_per_m;
   wanted.insertion_speed_um_per_s = person.insertion_speed_um_per_s;
-  wanted.lag_s = lag_s;
   return wanted;
 }
 
@@ -117,7 +111,7 @@ class Workplace {
                   [this](const InjectorPose& pose) { cell_.advance(pose.tip_um, pose.time_s, pose.deposited_pl); }),
         stage_(injector_, clock_),
         map_(motion_of(options)),
-        hand_(person.sight_and_skill, operator_plan(plan, person, options, learnt_lag_s(options, map_)), person.arm,
+        hand_(person.sight_and_skill, plan_of(plan, person, options, learnt_lag_s(options, map_)), person.arm,
               options.seed),
         servo_(hand_, map_, {contacts_, stage_.states(), stage_.commands()},
                haptics_of(options, plan, hand_.specification())),

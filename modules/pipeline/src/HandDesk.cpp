@@ -6,6 +6,7 @@
 
 #include "DeskHand.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/teleoperation/GamepadHand.h"
 #include "pellucida/teleoperation/OpenHapticsHand.h"
 #include "pellucida/teleoperation/SpaceMouseHand.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr int kFreeFrames = 3;           // in a row, before a plan is made
 constexpr double kSureConfidence = 0.6;  // of each of them
 constexpr double kOut_um = 15.0;         // before the entry: the needle is out of the cell
-constexpr double kRemoval_um = 45.0;     // before the entry: where a demonstration ends
+constexpr double kLearntLag_s = 0.05;    // the pipette's report behind the hand: injector, its turns, the window's tick
 
 // A demonstration is slow enough to be followed with the eye.
 constexpr double kInsertionSpeed_um_per_s = 14.0;
@@ -26,14 +27,9 @@ constexpr double kDemonstrationScale_N_per_uN = 0.08;  // 0.6 N at a puncture of
 constexpr std::array kScales_um_per_m{kCoarseScale_um_per_m, kFineScale_um_per_m, kFinestScale_um_per_m};
 constexpr double kRateOfScale_per_s = 2.0;  // tip speed of a stick's deflection, for the same scale
 
-OperatorPlan operator_plan(const InjectionPlan& plan, double scale_um_per_m) {
-  OperatorPlan way;
-  way.approach_um = plan.approach_um;
-  way.entry_um = plan.entry_um;
-  way.target_um = plan.target_um;
-  way.removal_um = Eigen::Vector3d(plan.entry_um.eigen() - kRemoval_um * plan.axis.eigen());
+OperatorPlan demonstration(const InjectionPlan& plan, double scale_um_per_m) {
+  OperatorPlan way = operator_plan(plan, scale_um_per_m, kLearntLag_s);
   way.inject_s = kInject_s;
-  way.scale_um_per_m = scale_um_per_m;
   way.insertion_speed_um_per_s = kInsertionSpeed_um_per_s;
   return way;
 }
@@ -142,7 +138,7 @@ void HandDesk::open_device() {
       if (!plan_) return;  // the person begins with the plan
       OperatorOptions person;
       person.modality = guided_ ? Modality::kSpaceAndFixture : Modality::kSpaceAndHaptics;
-      const auto way = operator_plan(*plan_, kScales_um_per_m[static_cast<std::size_t>(scale_)]);
+      const auto way = demonstration(*plan_, kScales_um_per_m[static_cast<std::size_t>(scale_)]);
       device_ = std::make_unique<DeskHand>(
           std::make_unique<SimulatedHand>(person, way, ArmOptions{}, options_.seed + person_count_++));
     }

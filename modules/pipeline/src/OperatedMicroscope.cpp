@@ -8,6 +8,7 @@
 #include "pellucida/haptics/HapticServo.h"
 #include "pellucida/pipeline/HandRecorder.h"
 #include "pellucida/pipeline/VirtualWorkplace.h"
+#include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/simulation/SimulatedHand.h"
 #include "pellucida/teleoperation/ManipulatorStage.h"
 #include "pellucida/teleoperation/TeleoperationMap.h"
@@ -19,21 +20,12 @@ constexpr double kTick_s = 1e-3;
 constexpr int kManipulatorTicks = 10;    // between two turns of the manipulator's stage
 constexpr double kPlanConfidence = 0.8;  // of the frame a plan may rest on
 constexpr double kAfter_s = 0.5;         // shown once the operator is done
+constexpr double kInjectorLag_s = 0.02;  // latency, and half the time between two of its turns
 
 TeleoperationSettings map_settings() {
   TeleoperationSettings settings;
   settings.scale_um_per_m = kCoarseScale_um_per_m;
   return settings;
-}
-
-OperatorPlan operator_plan(const InjectionPlan& plan, double scale_um_per_m) {
-  OperatorPlan told;
-  told.approach_um = plan.approach_um;
-  told.entry_um = plan.entry_um;
-  told.target_um = plan.target_um;
-  told.removal_um = plan.approach_um;
-  told.scale_um_per_m = scale_um_per_m;
-  return told;
 }
 
 }  // namespace
@@ -102,8 +94,11 @@ class OperatedMicroscope::Impl {
     const auto plan = plan_injection(*geometry);
     if (!plan) return;
     plan_ = *plan;
-    hand_.emplace(options_.person, operator_plan(*plan_, map_.scale_um_per_m()), ArmOptions{}, options_.seed);
+    const double learnt_lag_s = map_.lag_s() + kInjectorLag_s + options_.vision_delay_s + 0.5 / info_.frame_rate_hz;
+    hand_.emplace(options_.person, operator_plan(*plan_, map_.scale_um_per_m(), learnt_lag_s), ArmOptions{},
+                  options_.seed);
     HapticSettings settings = default_settings(hand_->specification(), map_.scale_um_per_m());
+    settings.predictor.tip_lag_s = kInjectorLag_s;
     if (options_.person.modality == Modality::kFlatImage || options_.person.modality == Modality::kSpace) {
       settings.force_scale_N_per_uN = 0.0;
     }
