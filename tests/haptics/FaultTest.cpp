@@ -203,6 +203,37 @@ TEST_F(Fault, TheMembraneGivesWay) {
   EXPECT_TRUE(told(LimitKind::kPuncture));
 }
 
+// The arm that leaned on the membrane falls forward; the pipette stays, goes back at once, and on when the time is
+// over.
+TEST_F(Fault, ThePipetteDoesNotFallIntoThePuncturedCell) {
+  run_.cell.punctured = true;
+  std::vector<HapticRecord> records;
+  do {
+    ASSERT_LT(records.size(), 200U) << "the puncture was never told";
+    records.push_back(run_.tick());
+  } while (records.back().contact_state != ContactState::kPunctured);
+  const double tip_um = records.back().tip_um.x;
+  const double hand_m = records.back().hand_m.x;
+
+  run_.arm.intent_m.x() += 0.005;
+  for (const HapticRecord& record : run_.run(0.9 * settings_.limits.puncture_hold_s)) {
+    records.push_back(record);
+    EXPECT_LE(record.tip_um.x, tip_um + 1.0);
+  }
+  EXPECT_GT(records.back().hand_m.x, hand_m + 0.003);
+
+  const double held_um = records.back().tip_um.x;
+  run_.arm.intent_m.x() -= 0.010;
+  const auto back = run_.run(0.3);
+  EXPECT_LT(back.back().tip_um.x, held_um - 10.0);
+  run_.arm.intent_m.x() += 0.005;
+  const auto on = run_.run(0.5);
+  EXPECT_GT(on.back().tip_um.x, back.back().tip_um.x + 10.0);
+  records.insert(records.end(), back.begin(), back.end());
+  records.insert(records.end(), on.begin(), on.end());
+  expect_smooth(records);
+}
+
 TEST_F(Fault, TheForceDropsThoughTheStateSaysContact) {
   run_.cell.force_uN *= 0.2;
   const auto records = run_.run(0.3);

@@ -138,6 +138,7 @@ std::optional<std::string> fault_of(const HapticSettings& settings, const Device
       {"limits.max_speed_um_per_s", limits.max_speed_um_per_s, 1e-3, kMost},
       {"limits.max_contact_speed_um_per_s", limits.max_contact_speed_um_per_s, 0.0, kMost},
       {"limits.retract_speed_um_per_s", limits.retract_speed_um_per_s, 0.0, kMost},
+      {"limits.puncture_hold_s", limits.puncture_hold_s, 0.0, kLongest_s},
       {"limits.blind_age_s", limits.blind_age_s, predictor.age_limit_s, std::numeric_limits<double>::infinity()},
       {"limits.max_lag_um", limits.max_lag_um, 1e-3, kMost},
   });

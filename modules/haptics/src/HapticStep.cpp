@@ -122,6 +122,7 @@ void HapticStep::feel(const HapticInput& input, Tick& tick, HandState state) noe
   const double per_scale = settings_.force_scale_N_per_uN * tick.scale_um_per_m;
   if (per_scale > 0.0) predictor_.limit_stiffness(device_.max_stiffness_N_per_m / per_scale);
   contact_ = predictor_.update(input.now_s, input.dt_s, tick.felt.tip_um, tick.felt.velocity_um_per_s);
+  if (contact_.punctured_now) punctured_s_ = input.now_s;
   switch (contact_.state) {
     case ContactState::kStale:
       act(tick, LimitKind::kContactStale, contact_.age_s, settings_.predictor.age_limit_s);

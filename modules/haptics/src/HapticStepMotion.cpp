@@ -6,8 +6,8 @@
 namespace pellucida {
 namespace {
 
-// So far ahead of the pipette the hand may be, held blind, before it's tied anew: more than it trembles.
-constexpr double kBlindSlack_um = 2.0;
+// So far ahead of the held pipette the hand may be before it's tied anew: more than it trembles.
+constexpr double kHeldSlack_um = 2.0;
 
 }  // namespace
 
@@ -68,22 +68,23 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
     return;
   }
   if (!is_finite(target.tip_um.eigen()) || !is_finite(target.ahead_um.eigen())) return;
-  if (blind_push(target)) {
+  const bool no_deeper = blind() || just_punctured(input.now_s);
+  if (no_deeper && pushes(target)) {
     // The hand goes on without the pipette, and takes it again when it comes back by a little more than it trembles.
-    act(tick, LimitKind::kBlind, contact_.age_s, settings_.limits.blind_age_s);
+    if (blind()) act(tick, LimitKind::kBlind, contact_.age_s, settings_.limits.blind_age_s);
     const Eigen::Vector3d way_um = target.tip_um.eigen() + target.ahead_um.eigen() - guards_.tip_um();
-    if (way_um.dot(push_) > kBlindSlack_um) {
-      map_.engage(input.hand, Eigen::Vector3d(guards_.tip_um() + kBlindSlack_um * push_));
+    if (way_um.dot(push_) > kHeldSlack_um) {
+      map_.engage(input.hand, Eigen::Vector3d(guards_.tip_um() + kHeldSlack_um * push_));
     }
     stand(tick);
-    held_blind_ = true;
+    held_ = true;
     return;
   }
-  if (held_blind_ && !blind()) {
-    // Seeing again: the hand takes the pipette where it is, without what was left of that little more.
+  if (held_ && !no_deeper) {
+    // Free again: the hand takes the pipette where it is, without what was left of that little more.
     take_over(input.hand);
     stand(tick);
-    held_blind_ = false;
+    held_ = false;
     return;
   }
   lead(target, tick, guard);
@@ -102,8 +103,12 @@ bool HapticStep::blind() const noexcept {
   return unknown && contact_.age_s > settings_.limits.blind_age_s;
 }
 
-bool HapticStep::blind_push(const TipTarget& target) const noexcept {
-  if (!blind() || push_.squaredNorm() <= 0.0) return false;
+bool HapticStep::just_punctured(double now_s) const noexcept {
+  return now_s - punctured_s_ < settings_.limits.puncture_hold_s;
+}
+
+bool HapticStep::pushes(const TipTarget& target) const noexcept {
+  if (push_.squaredNorm() <= 0.0) return false;
   const Eigen::Vector3d way_um = target.tip_um.eigen() + target.ahead_um.eigen() - felt_.tip_um();
   return way_um.dot(push_) > 0.0;
 }

@@ -27,6 +27,10 @@ struct CellLimits {
 
   double blind_age_s = 0.25;  ///< no deeper when the newest usable frame is older; back is free. Infinite: never
 
+  /// No deeper for so long after the membrane gave way; back is free. The arm that leaned on it falls forward
+  /// meanwhile, without the pipette.
+  double puncture_hold_s = 0.4;
+
   double max_hand_speed_m_per_s = 5.0;          ///< faster is a jump of the reading
   double max_pipette_speed_um_per_s = 20000.0;  ///< the same for the manipulator's reports
   double pipette_age_limit_s = 0.5;             ///< without a report for so long the manipulator counts as lost

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 
 #include "pellucida/core/ContactModel.h"
 #include "pellucida/haptics/HandMotion.h"
@@ -77,7 +78,8 @@ class HapticStep {
   void tie(const HapticInput& input) noexcept;
   void move(const HapticInput& input, Tick& tick, HandState& state) noexcept;
   bool blind() const noexcept;
-  bool blind_push(const TipTarget& target) const noexcept;
+  bool just_punctured(double now_s) const noexcept;
+  bool pushes(const TipTarget& target) const noexcept;
   void stand(Tick& tick) noexcept;
   void lead(const TipTarget& target, Tick& tick, GuardInput& guard) noexcept;
   void take_over(const HandSample& hand) noexcept;
@@ -109,8 +111,9 @@ class HapticStep {
   bool tied_ = false;    ///< the map is tied to hand and proxy
   bool placed_ = false;  ///< the proxy is where the pipette is
   bool was_clutched_ = false;
-  bool held_blind_ = false;  ///< the pipette stands because the contact isn't known
-  bool worked_ = false;      ///< the hand has led the pipette once
+  bool held_ = false;  ///< the pipette stands because the contact isn't known, or the membrane has just given way
+  double punctured_s_ = -std::numeric_limits<double>::infinity();  ///< when it was seen to
+  bool worked_ = false;                                            ///< the hand has led the pipette once
   Eigen::Vector3d push_ = Eigen::Vector3d::Zero();
   ContactForce contact_;
   double force_scale_N_per_uN_ = 0.0;
