@@ -80,8 +80,8 @@ void HapticStep::move(const HapticInput& input, Tick& tick, HandState& state) no
     held_ = true;
     return;
   }
-  if (held_ && !no_deeper) {
-    // Free again: the hand takes the pipette where it is, without what was left of that little more.
+  if (held_) {
+    // Back, or free again: the hand takes the pipette where it is, without what was left of that little more.
     take_over(input.hand);
     stand(tick);
     held_ = false;
