@@ -7,19 +7,19 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "commands/HapticsBench.h"
+#include "bench/DisplayBench.h"
+#include "bench/HapticsBench.h"
+#include "bench/MechanicsBench.h"
+#include "bench/TrackingBench.h"
 #include "commands/Progress.h"
-#include "commands/TrackingBench.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/identification/Identification.h"
-#include "pellucida/mechanics/MechanicsBench.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionReader.h"
 #include "pellucida/session/SessionWriter.h"
-#include "pellucida/visualization_vtk/DisplayBench.h"
 
 namespace pellucida {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
-#include "pellucida/mechanics/CellProfile.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/CellProfile.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "commands/MeasureSession.h"
-#include "pellucida/pipeline/HandBlock.h"
+#include "pellucida/operation/HapticPathBlock.h"
 #include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {
@@ -14,7 +14,7 @@ constexpr std::size_t kBlockTicks = 1000;
 // Carries plan, hand and limits into the session while it is written.
 class HandWriter {
  public:
-  explicit HandWriter(OperatedMicroscope& microscope) : microscope_(microscope) {}
+  explicit HandWriter(SimulatedInjectionSource& microscope) : microscope_(microscope) {}
 
   void add(SessionWriter& writer) {
     if (!planned_ && microscope_.plan()) {
@@ -26,23 +26,23 @@ class HandWriter {
     records_.insert(records_.end(), records.begin(), records.end());
     // What is left at the end is less than a block only when the operator is done.
     if (records_.size() >= kBlockTicks || (!records_.empty() && microscope_.outcome().done)) {
-      writer.write_hand(make_hand_block(records_, 0.0), records_.front().time_s);
+      writer.write_hand(make_haptic_path_block(records_, 0.0), records_.front().time_s);
       records_.clear();
     }
   }
 
  private:
-  OperatedMicroscope& microscope_;
+  SimulatedInjectionSource& microscope_;
   std::vector<HapticRecord> records_;
   bool planned_ = false;
 };
 
 }  // namespace
 
-GuidedResult measure_guided_session(const OperatedOptions& operated, const PipelineOptions& pipeline,
+GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, const PipelineOptions& pipeline,
                                     const std::filesystem::path& folder, const SessionOptions& session_options,
                                     const std::string& command_line) {
-  OperatedMicroscope microscope(operated);
+  SimulatedInjectionSource microscope(operated);
   HandWriter hand(microscope);
   GuidedResult result;
   // One thread: the hand must know of a frame before the next is exposed.

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <string>
 
+#include "pellucida/operation/SimulatedInjectionSource.h"
 #include "pellucida/pipeline/BatchRun.h"
-#include "pellucida/pipeline/OperatedMicroscope.h"
 #include "pellucida/session/SessionInfo.h"
 
 namespace pellucida {
@@ -15,8 +15,8 @@ struct GuidedResult {
 };
 
 /// Runs it on the virtual microscope in simulated time, every frame measured, into a session folder with the hand's
-/// recording and the plan. Throws as `measure_session` and `OperatedMicroscope` do.
-GuidedResult measure_guided_session(const OperatedOptions& operated, const PipelineOptions& pipeline,
+/// recording and the plan. Throws as `measure_session` and `SimulatedInjectionSource` do.
+GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, const PipelineOptions& pipeline,
                                     const std::filesystem::path& folder, const SessionOptions& session_options,
                                     const std::string& command_line);
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 #include "pellucida/visualization/Scaling.h"
 #include "pellucida/visualization_vtk/ChartPicture.h"
 

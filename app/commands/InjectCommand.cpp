@@ -13,7 +13,7 @@ namespace pellucida {
 namespace {
 
 struct InjectArguments {
-  OperatedOptions operated;
+  SimulatedInjectionOptions operated;
   PipelineOptions pipeline;
   std::string output;
   bool no_frames = false;

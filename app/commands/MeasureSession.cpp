@@ -6,7 +6,7 @@
 
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 #include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {

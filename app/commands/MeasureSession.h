@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionInfo.h"
 #include "pellucida/session/SessionWriter.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "pellucida/core/Resources.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 namespace {

@@ -9,10 +9,10 @@
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/operation/OperatorConsole.h"
+#include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
-#include "pellucida/pipeline/HandDesk.h"
 #include "pellucida/pipeline/LiveRun.h"
-#include "pellucida/pipeline/VirtualWorkplace.h"
 #include "pellucida/ui/Workstation.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
@@ -41,7 +41,7 @@ void leave_picture(const WorkstationArguments& arguments, const std::string& ses
 
 // No display and nothing named: a guided injection by the simulated operator on the virtual microscope.
 void run_headless_injection(const WorkstationArguments& arguments, const std::string& session) {
-  const OperatedOptions operated;
+  const SimulatedInjectionOptions operated;
   const GuidedResult result = measure_guided_session(operated, arguments.pipeline, session, {}, command_line());
   std::cout << summary(result.measured, session) << summary(result.injection);
   require_measured(result.measured, "virtual:" + operated.scenario);
@@ -69,7 +69,7 @@ void run_headless(const WorkstationArguments& arguments) {
   leave_picture(arguments, session, result);
 }
 
-// The name that the hand's desk has for a name on the command line; nothing for no hand.
+// The name that the hand's console has for a name on the command line; nothing for no hand.
 std::optional<std::string_view> hand_name(const WorkstationArguments& arguments) {
   const std::string& hand = arguments.hand;
   if (hand.empty()) return is_virtual_source(arguments.source) ? std::optional("Demonstration") : std::nullopt;
@@ -95,11 +95,11 @@ int run_window(const WorkstationArguments& arguments, WindowOptions options) {
                      ": the scenario fixes pixel size and frame rate; leave out --pixel-size-um and --fps");
   }
   const auto colon = arguments.source.find(':');
-  VirtualWorkplace workplace(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
-  auto run = std::make_unique<LiveRun>(workplace.make_microscope(Pace::kWallClock), arguments.pipeline);
-  auto desk = std::make_unique<HandDesk>(*run, workplace.injector(), &workplace.needle());
-  options.hand = desk->find_hand(*hand).value_or(-1);
-  return run_workstation(std::move(run), std::move(desk), options);
+  VirtualInjectionSetup setup(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
+  auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), arguments.pipeline);
+  auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
+  options.hand = console->find_hand(*hand).value_or(-1);
+  return run_workstation(std::move(run), std::move(console), options);
 }
 
 void run_workstation_command(const WorkstationArguments& arguments) {

@@ -24,6 +24,13 @@ function(pellucida_add_test NAME)
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options GTest::gtest_main Threads::Threads)
   target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+  # tests/<module> sees that module's private parts too.
+  get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  foreach(private_folder ${CMAKE_SOURCE_DIR}/modules/${module}/src ${CMAKE_SOURCE_DIR}/modules/${module}/vtk/src)
+    if(EXISTS ${private_folder})
+      target_include_directories(${NAME} PRIVATE ${private_folder})
+    endif()
+  endforeach()
   # Read by tests that look at the shipped resources, the small test data, or (where it is there) the folder beside the checkout.
   target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   # Several labels become one, "unit+threads": the discovery takes its properties as one flat list, and `ctest -L` matches

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "pellucida/mechanics/BlockLdlt.h"
-#include "pellucida/mechanics/MechanicsBench.h"
-#include "pellucida/mechanics/MembraneModel.h"
+#include "bench/MechanicsBench.h"
+#include "pellucida/linear_algebra/BlockLdlt.h"
+#include "pellucida/membrane/MembraneModel.h"
 
 namespace {
 

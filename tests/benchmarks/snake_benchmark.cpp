@@ -4,11 +4,11 @@
 #include <cmath>
 #include <random>
 
+#include "ContourMath.h"
 #include "CyclicBandSolver.h"
 #include "EdgeTemplate.h"
 #include "FrameSampler.h"
 #include "Snake.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "SimulatedOperator.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/evaluation/SimulatedPerson.h"
 #include "pellucida/evaluation/TrialSeries.h"
 #include "pellucida/evaluation/TrialSummary.h"
 
@@ -132,8 +132,8 @@ TEST(Trial, NumbersOutOfRangeAreRefused) {
   EXPECT_THROW(TrialScene(load_scenario("default")), UsageError);
 }
 
-TEST(SimulatedPerson, IsTheSameInEveryModality) {
-  const SimulatedPerson one = person_of(3, Modality::kFlatImage), other = person_of(3, Modality::kSpaceAndFixture);
+TEST(SimulatedOperator, IsTheSameInEveryModality) {
+  const SimulatedOperator one = person_of(3, Modality::kFlatImage), other = person_of(3, Modality::kSpaceAndFixture);
   EXPECT_EQ(one.arm.mass_kg, other.arm.mass_kg);
   EXPECT_EQ(one.sight_and_skill.tremor_rms_m, other.sight_and_skill.tremor_rms_m);
   EXPECT_EQ(one.insertion_speed_um_per_s, other.insertion_speed_um_per_s);

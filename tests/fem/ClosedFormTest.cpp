@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "pellucida/fem/GradedSphereMesh.h"
-#include "pellucida/fem/NeoHookeanTerm.h"
+#include "GradedSphereMesh.h"
+#include "NeoHookeanTerm.h"
 #include "pellucida/fem/ShellReference.h"
-#include "pellucida/mechanics/AttachmentTerm.h"
-#include "pellucida/mechanics/EquilibriumSolver.h"
-#include "pellucida/mechanics/VolumeTerm.h"
+#include "pellucida/membrane/AttachmentTerm.h"
+#include "pellucida/membrane/EquilibriumSolver.h"
+#include "pellucida/membrane/VolumeTerm.h"
 
 namespace pellucida {
 namespace {

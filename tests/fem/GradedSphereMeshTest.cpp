@@ -1,4 +1,4 @@
-#include "pellucida/fem/GradedSphereMesh.h"
+#include "GradedSphereMesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "pellucida/fem/NeoHookeanTerm.h"
+#include "NeoHookeanTerm.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/SphereMesh.h"
+#include "pellucida/membrane/SphereMesh.h"
 
 namespace pellucida {
 namespace {

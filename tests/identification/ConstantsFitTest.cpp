@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "CurveSensitivity.h"
 #include "TestCells.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/identification/CurveSensitivity.h"
 
 namespace pellucida {
 namespace {

@@ -1,5 +1,5 @@
 // The curve's exact derivatives by the constants, against finite differences.
-#include "pellucida/identification/CurveSensitivity.h"
+#include "CurveSensitivity.h"
 
 #include <gtest/gtest.h>
 

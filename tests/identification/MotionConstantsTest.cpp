@@ -1,9 +1,9 @@
-#include "pellucida/identification/MotionConstants.h"
+#include "MotionConstants.h"
 
 #include <gtest/gtest.h>
 
 #include "TestCells.h"
-#include "pellucida/mechanics/Integrator.h"
+#include "pellucida/dynamics/Integrator.h"
 
 namespace pellucida {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "pellucida/identification/ConstantsFit.h"
 #include "pellucida/identification/Identification.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida::testing {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "pellucida/core/Observation.h"
-#include "pellucida/mechanics/CellProfile.h"
 #include "pellucida/mechanics/ForceObserver.h"
+#include "pellucida/membrane/CellProfile.h"
 #include "pellucida/simulation/Scenario.h"
 
 namespace pellucida::test {

@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "pellucida/core/Table.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 #include "support/RunProgram.h"
 
 // `pellucida identify` as a user runs it. The whole identification takes half a minute of two cores, so that it is run

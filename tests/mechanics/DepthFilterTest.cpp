@@ -1,4 +1,4 @@
-#include "pellucida/mechanics/DepthFilter.h"
+#include "DepthFilter.h"
 
 #include <gtest/gtest.h>
 

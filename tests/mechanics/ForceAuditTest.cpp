@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "SectionContours.h"
-#include "TestProfiles.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/mechanics/ForceObserver.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

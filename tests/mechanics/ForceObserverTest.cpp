@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "TestProfiles.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

@@ -12,10 +12,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "TestProfiles.h"
+#include "ForceTransfer.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/mechanics/SphereMesh.h"
-#include "pellucida/mechanics_vtk/ForceTransfer.h"
+#include "pellucida/membrane/SphereMesh.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

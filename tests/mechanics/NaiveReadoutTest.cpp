@@ -8,12 +8,12 @@
 #include <map>
 #include <string>
 
-#include "TestProfiles.h"
+#include "RevolvedContour.h"
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
-#include "pellucida/mechanics/Indenter.h"
-#include "pellucida/mechanics/ModelOpinions.h"
-#include "pellucida/mechanics/RevolvedContour.h"
+#include "pellucida/mechanics/ForceCrossCheck.h"
+#include "pellucida/membrane/Indenter.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

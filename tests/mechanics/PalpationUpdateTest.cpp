@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "TestProfiles.h"
 #include "pellucida/core/Error.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 namespace {

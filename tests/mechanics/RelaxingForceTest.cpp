@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "TestProfiles.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/ContactHandOver.h"
+#include "pellucida/mechanics/ContactModelBuilder.h"
 #include "pellucida/mechanics/ForceObserver.h"
-#include "pellucida/mechanics/Relaxation.h"
+#include "pellucida/membrane/Relaxation.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pellucida/core/Observation.h"
-#include "pellucida/mechanics/TriangleMesh.h"
+#include "pellucida/membrane/TriangleMesh.h"
 
 namespace pellucida::testing {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "RevolvedContour.h"
 #include "SectionContours.h"
-#include "TestProfiles.h"
-#include "pellucida/mechanics/Indenter.h"
-#include "pellucida/mechanics/RevolvedContour.h"
+#include "pellucida/membrane/Indenter.h"
+#include "support/TestProfiles.h"
 
 namespace pellucida {
 namespace {

@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "pellucida/acquisition/FrameSource.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida::test {

@@ -1,4 +1,4 @@
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 
 #include <gtest/gtest.h>
 

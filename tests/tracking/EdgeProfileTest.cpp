@@ -1,4 +1,4 @@
-#include "pellucida/tracking/EdgeProfile.h"
+#include "EdgeProfile.h"
 
 #include <gtest/gtest.h>
 

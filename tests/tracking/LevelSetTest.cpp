@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "ContourMath.h"
 #include "LevelSetOutline.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida {
 namespace {

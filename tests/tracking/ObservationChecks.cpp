@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 
 namespace pellucida::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 #include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida {

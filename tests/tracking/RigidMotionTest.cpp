@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "SceneShift.h"
+#include "GlobalShiftEstimator.h"
 
 namespace pellucida {
 namespace {
@@ -118,8 +118,8 @@ TEST(RigidMove, UndoIsTheInverse) {
   EXPECT_LT((move.undo(move.apply(p)) - p).norm(), 1e-12);
 }
 
-TEST(SceneShift, NoticesAKnockAndNothingElse) {
-  SceneShift scene;
+TEST(GlobalShiftEstimator, NoticesAKnockAndNothingElse) {
+  GlobalShiftEstimator scene;
   for (unsigned k = 0; k < 10; ++k) {
     const Picture now = draw(moved(0.1 * k, 0.0, 0.0), k < 5 ? 1.0 : 0.7, 0.01, k);
     EXPECT_FALSE(scene.update(FrameSampler(now.view()))) << "frame " << k;

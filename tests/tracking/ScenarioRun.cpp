@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ContourMath.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida::test {
 namespace {

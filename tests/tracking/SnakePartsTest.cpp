@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
+#include "ContourMath.h"
 #include "CyclicBandSolver.h"
+#include "EdgeProfile.h"
 #include "EdgeTemplate.h"
 #include "Snake.h"
-#include "pellucida/tracking/ContourMath.h"
-#include "pellucida/tracking/EdgeProfile.h"
 
 namespace pellucida {
 namespace {

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "pellucida/core_vtk/StageSource.h"
-#include "pellucida/pipeline/VirtualWorkplace.h"
+#include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "presenters/HandPresenter.h"
 #include "widgets/HandBar.h"
@@ -113,13 +113,13 @@ TEST_F(HandBarTest, WhereTheCellIsRealThereIsNoNewOne) {
   EXPECT_FALSE(button(bar, "New cell"));
 }
 
-// The control on a real desk with its 1 kHz loop; the run isn't started, since no frame is needed.
+// The control on a real console with its 1 kHz loop; the run isn't started, since no frame is needed.
 class HandControlTest : public Widgets {
  protected:
   HandControlTest() {
     window_.resize(1200, 800);
     feed_widget_->resize(600, 500);
-    desk_.choose(desk_.find_hand("Mouse").value());
+    console_.choose(console_.find_hand("Mouse").value());
   }
   ~HandControlTest() override { control_.reset(); }
 
@@ -134,7 +134,7 @@ class HandControlTest : public Widgets {
   bool wait_for(const std::function<bool(const HapticRecord&)>& condition) {
     for (int k = 0; k < 3000; ++k) {
       control_->tick();
-      if (condition(desk_.status().tick)) return true;
+      if (condition(console_.status().tick)) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return false;
@@ -143,21 +143,21 @@ class HandControlTest : public Widgets {
     return wait_for([state](const HapticRecord& tick) { return tick.hand_state == state; });
   }
 
-  VirtualWorkplace workplace_{"injection"};
-  LiveRun run_{workplace_.make_microscope(Pace::kWallClock), {}};
-  HandDesk desk_{run_, workplace_.injector(), &workplace_.needle()};
+  VirtualInjectionSetup setup_{"injection"};
+  LiveRun run_{setup_.make_microscope(Pace::kWallClock), {}};
+  OperatorConsole console_{run_, setup_.injector(), &setup_.needle()};
   vtkNew<StageSource> source_;
   FeedView feed_{source_};
   QWidget window_;
   ViewWidget* feed_widget_ = new ViewWidget(feed_, 0, nullptr);
   std::unique_ptr<ViewWidget> owner_{feed_widget_};
   std::unique_ptr<HandControl> control_ =
-      std::make_unique<HandControl>(desk_, feed_, *feed_widget_, window_, [](const QString&, bool) {});
+      std::make_unique<HandControl>(console_, feed_, *feed_widget_, window_, [](const QString&, bool) {});
 };
 
 TEST_F(HandControlTest, TheLeftButtonHeldOnTheFeedLeadsTheNeedle) {
   ASSERT_TRUE(wait_for(HandState::kClutched));
-  const double start_um = desk_.status().tick.tip_um.x;
+  const double start_um = console_.status().tick.tip_um.x;
   mouse(QEvent::MouseButtonPress, {300, 200}, Qt::LeftButton, Qt::LeftButton);
   ASSERT_TRUE(wait_for(HandState::kWorking));
   mouse(QEvent::MouseMove, {250, 200}, Qt::NoButton, Qt::LeftButton);
@@ -165,7 +165,7 @@ TEST_F(HandControlTest, TheLeftButtonHeldOnTheFeedLeadsTheNeedle) {
   EXPECT_TRUE(wait_for([=](const HapticRecord& tick) { return tick.tip_um.x < start_um - 8.0; }));
   mouse(QEvent::MouseButtonRelease, {250, 200}, Qt::LeftButton, Qt::NoButton);
   EXPECT_TRUE(wait_for(HandState::kClutched));
-  EXPECT_NEAR(desk_.status().tick.tip_um.x, start_um - 10.0, 2.0);
+  EXPECT_NEAR(console_.status().tick.tip_um.x, start_um - 10.0, 2.0);
 }
 
 TEST_F(HandControlTest, OtherButtonsAreLeftToTheView) {
@@ -173,7 +173,7 @@ TEST_F(HandControlTest, OtherButtonsAreLeftToTheView) {
   mouse(QEvent::MouseButtonPress, {300, 200}, Qt::RightButton, Qt::RightButton);
   mouse(QEvent::MouseMove, {200, 200}, Qt::NoButton, Qt::RightButton);
   for (int k = 0; k < 10; ++k) control_->tick();
-  EXPECT_EQ(desk_.status().tick.hand_state, HandState::kClutched);
+  EXPECT_EQ(console_.status().tick.hand_state, HandState::kClutched);
 }
 
 TEST_F(HandControlTest, KeysHoldAndLetGo) {
@@ -198,15 +198,15 @@ TEST_F(HandControlTest, EscapeStopsAndOnlyAPurposeReleases) {
   key(QEvent::KeyPress, Qt::Key_Escape);
   control_->show_status();
   EXPECT_TRUE(button(*control_->bar(), "Release stop"));
-  const std::uint64_t ticks = desk_.status().tick_count;
-  ASSERT_TRUE(wait_for([&](const HapticRecord&) { return desk_.status().tick_count > ticks + 5; }));
-  EXPECT_EQ(desk_.status().tick.hand_state, HandState::kStopped);
+  const std::uint64_t ticks = console_.status().tick_count;
+  ASSERT_TRUE(wait_for([&](const HapticRecord&) { return console_.status().tick_count > ticks + 5; }));
+  EXPECT_EQ(console_.status().tick.hand_state, HandState::kStopped);
   key(QEvent::KeyPress, Qt::Key_Escape, Qt::ShiftModifier);
   EXPECT_TRUE(wait_for(HandState::kClutched));
 }
 
 TEST_F(HandControlTest, TheDemonstrationsButtonsAreItsOwn) {
-  desk_.choose(desk_.find_hand("Demonstration").value());
+  console_.choose(console_.find_hand("Demonstration").value());
   control_->show_status();
   EXPECT_FALSE(button(*control_->bar(), "Deposit")->isEnabled());
   EXPECT_TRUE(button(*control_->bar(), "New cell")->isEnabled());

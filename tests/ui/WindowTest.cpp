@@ -7,7 +7,7 @@
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/pipeline/VirtualWorkplace.h"
+#include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/ui/Workstation.h"
 #include "pellucida/visualization/Palette.h"
 #include "pellucida/visualization/VirtualDisplay.h"
@@ -105,16 +105,16 @@ TEST_F(Window, ShowsTheFeedAndSavesItself) {
 
 TEST_F(Window, HasTheHandsBarWithItsStopWhenThereIsAHand) {
   const auto file = std::filesystem::path(testing::TempDir()) / "pellucida_window_hand.png";
-  VirtualWorkplace workplace("injection");
-  auto run = std::make_unique<LiveRun>(workplace.make_microscope(Pace::kWallClock), PipelineOptions{});
-  auto desk = std::make_unique<HandDesk>(*run, workplace.injector(), &workplace.needle());
+  VirtualInjectionSetup setup("injection");
+  auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), PipelineOptions{});
+  auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
   WindowOptions options;
   options.screenshot = file.string();
   options.screenshot_after_s = 2.5;
   options.width_px = 1000;
   options.height_px = 640;
-  options.hand = desk->find_hand("Demonstration").value();
-  EXPECT_EQ(run_workstation(std::move(run), std::move(desk), options), 0);
+  options.hand = console->find_hand("Demonstration").value();
+  EXPECT_EQ(run_workstation(std::move(run), std::move(console), options), 0);
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <set>
 
+#include "DashFilter.h"
+#include "ForceGlyphFilter.h"
+#include "RibbonFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/visualization_vtk/DashFilter.h"
-#include "pellucida/visualization_vtk/ForceGlyphFilter.h"
-#include "pellucida/visualization_vtk/RibbonFilter.h"
 #include "visualization/SyntheticScene.h"
 
 namespace pellucida {

@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/ToolShapes.h"
+#include "ToolShapes.h"
 
 #include <gtest/gtest.h>
 #include <vtkIdList.h>

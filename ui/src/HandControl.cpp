@@ -27,8 +27,9 @@ QStringList to_list(const std::vector<std::string>& names) {
 
 }  // namespace
 
-HandControl::HandControl(HandDesk& desk, FeedView& feed, ViewWidget& feed_widget, QWidget& window, Notify notify)
-    : desk_(desk),
+HandControl::HandControl(OperatorConsole& console, FeedView& feed, ViewWidget& feed_widget, QWidget& window,
+                         Notify notify)
+    : console_(console),
       feed_(feed),
       feed_widget_(feed_widget),
       window_(window),
@@ -41,55 +42,55 @@ HandBar* HandControl::make_bar() {
   HandBar::Actions actions;
   actions.choose_hand = [this](int index) { choose(index); };
   actions.guide = [this](bool on) {
-    desk_.guide(on);
+    console_.guide(on);
     plan_stale_ = true;
   };
-  actions.choose_scale = [this](int index) { desk_.scale(index); };
+  actions.choose_scale = [this](int index) { console_.scale(index); };
   actions.depth_stop = [this](double depth_um) {
-    desk_.depth_stop_um(depth_um);
+    console_.depth_stop_um(depth_um);
     plan_stale_ = true;
   };
-  actions.inject = [this](bool held) { desk_.inject(held); };
-  actions.retract = [this](bool held) { desk_.retract(held); };
-  if (desk_.can_renew()) actions.new_cell = [this] { desk_.new_cell(); };
+  actions.inject = [this](bool held) { console_.inject(held); };
+  actions.retract = [this](bool held) { console_.retract(held); };
+  if (console_.can_renew()) actions.new_cell = [this] { console_.new_cell(); };
   actions.stop = [this](bool on) { emergency_stop(on); };
-  return new HandBar(to_list(desk_.hands()), to_list(HandDesk::scales()), std::move(actions), &window_);
+  return new HandBar(to_list(console_.hands()), to_list(OperatorConsole::scales()), std::move(actions), &window_);
 }
 
 void HandControl::choose(int index) {
   dragged_px_.reset();
   feed_widget_.unsetCursor();
-  desk_.choose(index);
-  if (desk_.is_mouse()) feed_widget_.setCursor(Qt::OpenHandCursor);
+  console_.choose(index);
+  if (console_.is_mouse()) feed_widget_.setCursor(Qt::OpenHandCursor);
   show_status();
 }
 
 bool HandControl::tick() {
-  desk_.update();
+  console_.update();
   // A plan that was made or dropped, or one that the person changed.
-  const bool changed = plan_stale_ || desk_.plan().has_value() != plan_drawn_;
+  const bool changed = plan_stale_ || console_.plan().has_value() != plan_drawn_;
   if (!changed) return false;
-  plan_drawn_ = desk_.plan().has_value();
+  plan_drawn_ = console_.plan().has_value();
   plan_stale_ = false;
-  feed_.set_plan(plan_drawn_ ? std::optional(plan_marks(*desk_.plan(), desk_.depth_stop_um(), desk_.guided()))
+  feed_.set_plan(plan_drawn_ ? std::optional(plan_marks(*console_.plan(), console_.depth_stop_um(), console_.guided()))
                              : std::nullopt);
   return true;
 }
 
 void HandControl::show_status() {
-  std::string doing = desk_.doing();
-  if (doing.empty() && desk_.is_mouse() && !dragged_px_) doing = "Left button held: the needle follows";
-  bar_->show_texts(hand_texts(desk_.status(), doing));
-  bar_->set_choice(desk_.chosen(), desk_.scale());
-  bar_->set_depth_stop_um(desk_.depth_stop_um());
-  bar_->set_manual(!desk_.is_demonstration());
+  std::string doing = console_.doing();
+  if (doing.empty() && console_.is_mouse() && !dragged_px_) doing = "Left button held: the needle follows";
+  bar_->show_texts(hand_texts(console_.status(), doing));
+  bar_->set_choice(console_.chosen(), console_.scale());
+  bar_->set_depth_stop_um(console_.depth_stop_um());
+  bar_->set_manual(!console_.is_demonstration());
 }
 
 bool HandControl::eventFilter(QObject* target, QEvent* event) {
   if (target == &feed_widget_ && take_feed_event(event)) return true;
   if (target == &window_ && event->type() == QEvent::WindowDeactivate) {
     dragged_px_.reset();
-    desk_.release_all();
+    console_.release_all();
   }
   const bool pressed = event->type() == QEvent::KeyPress;
   if (!pressed && event->type() != QEvent::KeyRelease) return false;
@@ -106,11 +107,11 @@ bool HandControl::eventFilter(QObject* target, QEvent* event) {
 bool HandControl::take_key(const QKeyEvent& event, bool pressed) {
   if (event.modifiers() != Qt::NoModifier && pressed) return false;
   if (event.key() != Qt::Key_D && event.key() != Qt::Key_X) return false;
-  if (event.isAutoRepeat() || desk_.is_demonstration()) return true;
+  if (event.isAutoRepeat() || console_.is_demonstration()) return true;
   if (event.key() == Qt::Key_D) {
-    desk_.inject(pressed);
+    console_.inject(pressed);
   } else {
-    desk_.retract(pressed);
+    console_.retract(pressed);
   }
   return true;
 }
@@ -124,7 +125,7 @@ bool HandControl::take_feed_event(QEvent* event) {
       if (!dragged_px_) return false;
       const QPointF place_px = static_cast<const QMouseEvent*>(event)->localPos();
       const QPointF way_px = place_px - *dragged_px_;
-      desk_.move_px(way_px.x(), way_px.y());
+      console_.move_px(way_px.x(), way_px.y());
       dragged_px_ = place_px;
       return true;
     }
@@ -134,14 +135,14 @@ bool HandControl::take_feed_event(QEvent* event) {
       target_pressed_ = false;
       if (dragged_px_) {
         dragged_px_.reset();
-        desk_.grip(false);
+        console_.grip(false);
         feed_widget_.setCursor(Qt::OpenHandCursor);
       }
       return ours;
     }
     case QEvent::Wheel:
       if (!dragged_px_) return false;
-      desk_.turn_wheel(static_cast<const QWheelEvent*>(event)->angleDelta().y() / kNotch);
+      console_.turn_wheel(static_cast<const QWheelEvent*>(event)->angleDelta().y() / kNotch);
       return true;
     default:
       return false;
@@ -155,9 +156,9 @@ bool HandControl::take_press(const QMouseEvent& event) {
     set_target(event.localPos());
     return true;
   }
-  if (!desk_.is_mouse()) return false;
+  if (!console_.is_mouse()) return false;
   dragged_px_ = event.localPos();
-  desk_.grip(true);
+  console_.grip(true);
   feed_widget_.setCursor(Qt::ClosedHandCursor);
   return true;
 }
@@ -169,7 +170,7 @@ void HandControl::set_target(const QPointF& place_px) {
   renderer->SetDisplayPoint(place_px.x() * ratio, (feed_widget_.height() - 1 - place_px.y()) * ratio, 0.0);
   renderer->DisplayToWorld();
   const double* place = renderer->GetWorldPoint();
-  const auto objection = desk_.set_target(place[0] / place[3], place[1] / place[3]);
+  const auto objection = console_.set_target(place[0] / place[3], place[1] / place[3]);
   plan_stale_ = true;
   if (objection) {
     notify_("Target: " + QString::fromStdString(*objection), true);
@@ -179,7 +180,7 @@ void HandControl::set_target(const QPointF& place_px) {
 }
 
 void HandControl::emergency_stop(bool on) {
-  desk_.emergency_stop(on);
+  console_.emergency_stop(on);
   show_status();
 }
 

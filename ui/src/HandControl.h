@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "pellucida/pipeline/HandDesk.h"
+#include "pellucida/operation/OperatorConsole.h"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -15,7 +15,7 @@ class FeedView;
 class HandBar;
 class ViewWidget;
 
-/// Joins the hand's desk with the window: the bar, the mouse on the feed, the keys held, the plan over the feed.
+/// Joins the hand's console with the window: the bar, the mouse on the feed, the keys held, the plan over the feed.
 ///
 /// On the feed: the left button held moves the needle while mouse and keyboard is the hand, the wheel meanwhile moves
 /// it in depth; Ctrl and a click set the target. Keys: D deposits and X retracts while held, Esc stops, Shift+Esc
@@ -26,7 +26,7 @@ class HandControl : public QObject {
   using Notify = std::function<void(const QString&, bool)>;
 
   /// All must outlive the control but the bar, which belongs to `window`.
-  HandControl(HandDesk& desk, FeedView& feed, ViewWidget& feed_widget, QWidget& window, Notify notify);
+  HandControl(OperatorConsole& console, FeedView& feed, ViewWidget& feed_widget, QWidget& window, Notify notify);
 
   HandBar* bar() const noexcept { return bar_; }
   /// From the window's tick. True when the feed has to be drawn again.
@@ -45,7 +45,7 @@ class HandControl : public QObject {
   void set_target(const QPointF& place_px);
   void emergency_stop(bool on);
 
-  HandDesk& desk_;
+  OperatorConsole& console_;
   FeedView& feed_;
   ViewWidget& feed_widget_;
   QWidget& window_;

@@ -60,9 +60,9 @@ void show_phrase(QLabel* label, const Phrase& phrase) {
 
 }  // namespace
 
-MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, WindowOptions options)
+MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, WindowOptions options)
     : run_(std::move(run)),
-      desk_(std::move(desk)),
+      console_(std::move(console)),
       options_(std::move(options)),
       recordings_(options_.session_folder, QDir::homePath().toStdString()) {
   source_->SetExchange(run_->scenes());
@@ -76,7 +76,7 @@ MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> d
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   timer_.start(0);
   run_->start();
-  if (desk_ && options_.hand >= 0) desk_->choose(options_.hand);
+  if (console_ && options_.hand >= 0) console_->choose(options_.hand);
   if (!options_.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(1000.0 * options_.screenshot_after_s), this,
                        [this] { finish_with_screenshot(); });
@@ -86,7 +86,7 @@ MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> d
 MainWindow::~MainWindow() {
   timer_.stop();
   hand_.reset();
-  desk_.reset();
+  console_.reset();
   run_->stop();
   // The widgets show the views: they go first.
   delete takeCentralWidget();
@@ -106,8 +106,8 @@ void MainWindow::build() {
   readouts_ = new ReadoutBar(page);
   column->addWidget(readouts_);
   QWidget* feed_panel = build_feed_panel();
-  if (desk_) {
-    hand_ = std::make_unique<HandControl>(*desk_, feed_, *feed_widget_, *this,
+  if (console_) {
+    hand_ = std::make_unique<HandControl>(*console_, feed_, *feed_widget_, *this,
                                           [this](const QString& text, bool problem) { notify(text, problem); });
     column->addWidget(hand_->bar());
   }

@@ -32,8 +32,8 @@ class ViewWidget;
 /// One timer polls the run; views are rendered only when there is something new.
 class MainWindow : public QMainWindow {
  public:
-  /// `desk`: the hand on that run; nullptr: none.
-  MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, WindowOptions options);
+  /// `console`: the hand on that run; nullptr: none.
+  MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, WindowOptions options);
   ~MainWindow() override;
 
   /// What went wrong with the screenshot that was asked for, if it did.
@@ -65,7 +65,7 @@ class MainWindow : public QMainWindow {
   void render_views();
 
   std::unique_ptr<LiveRun> run_;
-  std::unique_ptr<HandDesk> desk_;
+  std::unique_ptr<OperatorConsole> console_;
   WindowOptions options_;
   vtkNew<StageSource> source_;
   FeedView feed_{source_};

@@ -35,7 +35,8 @@ int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options) 
   return run_workstation(std::move(run), nullptr, options);
 }
 
-int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, const WindowOptions& options) {
+int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console,
+                    const WindowOptions& options) {
   MessageLog::install();
   qInstallMessageHandler(take_qt_message);
   if (!display_answers()) {
@@ -55,7 +56,7 @@ int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk
   QApplication app(argc, argv);
   QApplication::setApplicationName("Pellucida");
   apply_theme(app);
-  MainWindow window(std::move(run), std::move(desk), options);
+  MainWindow window(std::move(run), std::move(console), options);
   window.show();
   const int status = QApplication::exec();
   if (window.screenshot_fault()) std::rethrow_exception(window.screenshot_fault());

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "PhysicalSize.h"
-#include "pellucida/acquisition/FrameSource.h"
 #include "pellucida/acquisition/OpenSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 
 namespace pellucida {
 

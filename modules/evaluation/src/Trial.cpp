@@ -6,11 +6,11 @@
 #include <numbers>
 #include <string>
 
+#include "SimulatedOperator.h"
 #include "TrialMeter.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
-#include "pellucida/evaluation/SimulatedPerson.h"
 #include "pellucida/haptics/HapticServo.h"
 #include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/simulation/SimulatedHand.h"
@@ -54,7 +54,7 @@ Eigen::Vector3d start_of(const InjectionPlan& plan, const Placement& place) {
          place.start_out_um * out;
 }
 
-OperatorPlan plan_of(const InjectionPlan& plan, const SimulatedPerson& person, const TrialOptions& options,
+OperatorPlan plan_of(const InjectionPlan& plan, const SimulatedOperator& person, const TrialOptions& options,
                      double lag_s) {
   OperatorPlan wanted = operator_plan(plan, options.motion_scale_um_per_m, lag_s);
   wanted.inject_s = kExpelled_s;
@@ -105,7 +105,7 @@ double learnt_lag_s(const TrialOptions& options, const TeleoperationMap& map) no
 class Workplace {
  public:
   Workplace(const TrialOptions& options, const SpecimenContact& cell, const InjectionPlan& plan,
-            const SimulatedPerson& person)
+            const SimulatedOperator& person)
       : cell_(cell),
         injector_(injector_at(start_of(plan, placement_of(options.seed))),
                   [this](const InjectorPose& pose) { cell_.advance(pose.tip_um, pose.time_s, pose.deposited_pl); }),
@@ -191,7 +191,7 @@ InjectionPlan trial_plan(const TrialOptions& options, const SpecimenForce& cell)
 TrialOutcome run_trial(const TrialScene& scene, const TrialOptions& options) {
   check(options);
   const SpecimenContact cell = scene.cell(options.seed);
-  SimulatedPerson person = person_of(options.seed, options.modality);
+  SimulatedOperator person = person_of(options.seed, options.modality);
   if (!options.slows_on_force) person.sight_and_skill.slowing_N = 0.0;
   const InjectionPlan plan = trial_plan(options, cell.force());
   const auto workplace = std::make_unique<Workplace>(options, cell, plan, person);

@@ -4,8 +4,8 @@
 #include <stop_token>
 
 #include "pellucida/fem/CurveOutcome.h"
-#include "pellucida/mechanics/AttachmentTerm.h"
-#include "pellucida/mechanics/EquilibriumSolver.h"
+#include "pellucida/membrane/AttachmentTerm.h"
+#include "pellucida/membrane/EquilibriumSolver.h"
 
 namespace pellucida {
 

@@ -1,4 +1,4 @@
-#include "pellucida/fem/NeoHookeanTerm.h"
+#include "NeoHookeanTerm.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

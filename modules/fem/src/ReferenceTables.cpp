@@ -1,4 +1,4 @@
-#include "pellucida/fem/ReferenceTables.h"
+#include "ReferenceTables.h"
 
 #include <cstdio>
 #include <fstream>

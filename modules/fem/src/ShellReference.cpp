@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "GradedSphereMesh.h"
 #include "IndentationPath.h"
+#include "NeoHookeanTerm.h"
 #include "SpecimenGeometry.h"
-#include "pellucida/fem/GradedSphereMesh.h"
-#include "pellucida/fem/NeoHookeanTerm.h"
-#include "pellucida/mechanics/AttachmentTerm.h"
-#include "pellucida/mechanics/HingeTerm.h"
-#include "pellucida/mechanics/VolumeTerm.h"
+#include "pellucida/membrane/AttachmentTerm.h"
+#include "pellucida/membrane/HingeTerm.h"
+#include "pellucida/membrane/VolumeTerm.h"
 
 namespace pellucida {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "AxisymmetricMesh.h"
-#include "pellucida/mechanics/EnergyTerm.h"
+#include "pellucida/membrane/EnergyTerm.h"
 
 namespace pellucida {
 

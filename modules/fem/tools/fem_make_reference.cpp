@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "ReferenceTables.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/fem/ReferenceTables.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "CurveSensitivity.h"
 #include "Workers.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/identification/CurveSensitivity.h"
 
 namespace pellucida {
 namespace {

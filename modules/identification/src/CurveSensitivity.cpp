@@ -1,11 +1,11 @@
-#include "pellucida/identification/CurveSensitivity.h"
+#include "CurveSensitivity.h"
 
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 namespace {

@@ -5,12 +5,12 @@
 #include <ctime>
 #include <numbers>
 
+#include "CurveSensitivity.h"
+#include "MotionConstants.h"
 #include "Workers.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/fem/SolidReference.h"
-#include "pellucida/identification/CurveSensitivity.h"
-#include "pellucida/identification/MotionConstants.h"
 
 namespace pellucida {
 namespace {

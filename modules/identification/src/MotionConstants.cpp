@@ -1,4 +1,4 @@
-#include "pellucida/identification/MotionConstants.h"
+#include "MotionConstants.h"
 
 #include <Eigen/Geometry>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pellucida/mechanics/MembraneModel.h"
+#include "pellucida/membrane/MembraneModel.h"
 
 namespace pellucida {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "Workers.h"
 #include "pellucida/fem/ShellReference.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 namespace {

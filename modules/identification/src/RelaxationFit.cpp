@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 namespace {

@@ -1,4 +1,4 @@
-#include "pellucida/mechanics/CellPlacement.h"
+#include "CellPlacement.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

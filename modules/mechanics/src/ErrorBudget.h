@@ -1,7 +1,7 @@
 #pragma once
-#include "FittedCell.h"
+#include "CellModelCache.h"
+#include "CellPlacement.h"
 #include "RelaxingContact.h"
-#include "pellucida/mechanics/CellPlacement.h"
 #include "pellucida/mechanics/ForceEstimate.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
 
@@ -13,7 +13,7 @@ double usual_mismatch_um(const ShapeAudit& shape, double depth_um);
 /// Everything that one frame's force is known by.
 struct BudgetInput {
   const CellProfile& profile;
-  const FittedCell& cell;
+  const CellModelCache& cell;
   const CellPlacement& placement;
   const CellScale& scale;
   double depth_um = 0.0;

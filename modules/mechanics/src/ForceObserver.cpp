@@ -5,14 +5,14 @@
 #include <numbers>
 #include <optional>
 
+#include "CellModelCache.h"
+#include "CellPlacement.h"
+#include "DepthFilter.h"
 #include "ErrorBudget.h"
-#include "FittedCell.h"
 #include "NodalField.h"
 #include "RelaxingContact.h"
+#include "RevolvedContour.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/mechanics/CellPlacement.h"
-#include "pellucida/mechanics/DepthFilter.h"
-#include "pellucida/mechanics/RevolvedContour.h"
 
 namespace pellucida {
 namespace {
@@ -284,7 +284,7 @@ class ForceObserver::Impl {
   ForceTables tables_;
   std::optional<Palpation> palpation_;
   bool palpated_ = false;  // the palpation was held against this model
-  FittedCell cell_;
+  CellModelCache cell_;
   RelaxingContact relaxing_;
   DepthFilter filter_;
   PunctureMonitor monitor_;

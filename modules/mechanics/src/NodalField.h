@@ -1,6 +1,6 @@
 #pragma once
 #include "pellucida/mechanics/ForceEstimate.h"
-#include "pellucida/mechanics/Indenter.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 

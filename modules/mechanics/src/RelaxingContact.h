@@ -1,6 +1,6 @@
 #pragma once
-#include "pellucida/mechanics/CellProfile.h"
-#include "pellucida/mechanics/Relaxation.h"
+#include "pellucida/membrane/CellProfile.h"
+#include "pellucida/membrane/Relaxation.h"
 
 namespace pellucida {
 

@@ -1,4 +1,4 @@
-#include "pellucida/mechanics/RevolvedContour.h"
+#include "RevolvedContour.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <thread>
 
+#include "Chain.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Ring.h"
 #include "pellucida/core/Stage.h"
-#include "pellucida/pipeline/Chain.h"
 
 namespace pellucida {
 namespace {

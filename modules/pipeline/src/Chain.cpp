@@ -1,4 +1,4 @@
-#include "pellucida/pipeline/Chain.h"
+#include "Chain.h"
 
 #include <string>
 

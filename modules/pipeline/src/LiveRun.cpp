@@ -9,11 +9,11 @@
 #include <mutex>
 #include <thread>
 
+#include "Chain.h"
 #include "Recorder.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Stage.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/pipeline/Chain.h"
 
 namespace pellucida {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pellucida/pipeline/Chain.h"
+#include "Chain.h"
 
 namespace pellucida {
 
@@ -13,7 +13,7 @@ expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
     return true;
   }
   if (const auto* event = std::get_if<Event>(&item)) writer.event(*event);
-  if (const auto* block = std::get_if<HandBlock>(&item)) writer.write_hand(block->paths, block->time_s);
+  if (const auto* block = std::get_if<HapticPathBlock>(&item)) writer.write_hand(block->paths, block->time_s);
   if (const auto* plan = std::get_if<Plan>(&item)) writer.set_plan(plan->json);
   return false;
 }
@@ -53,7 +53,7 @@ void Recorder::event(const Event& event) {
 
 bool Recorder::hand(const Frozen<vtkPolyData>& block, double time_s) {
   std::lock_guard lock(mutex_);
-  return closed_ || queue_.push(HandBlock{block, time_s});
+  return closed_ || queue_.push(HapticPathBlock{block, time_s});
 }
 
 void Recorder::plan(const std::string& plan_json) {

@@ -48,14 +48,14 @@ class Recorder {
     Scene scene;
     bool settled = false;
   };
-  struct HandBlock {
+  struct HapticPathBlock {
     Frozen<vtkPolyData> paths;
     double time_s = 0.0;
   };
   struct Plan {
     std::string json;
   };
-  using Item = std::variant<Scene, Event, HandBlock, Plan>;
+  using Item = std::variant<Scene, Event, HapticPathBlock, Plan>;
   struct WriteStep {
     using Input = Item;
     using Output = bool;  // true for a frame

@@ -1,4 +1,4 @@
-#include "pellucida/reconstruction/Meridian.h"
+#include "Meridian.h"
 
 #include <cmath>
 #include <limits>

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "Meridian.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/reconstruction/Meridian.h"
 
 namespace pellucida {
 namespace {

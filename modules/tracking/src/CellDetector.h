@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "ContourMath.h"
+#include "EdgeProfile.h"
 #include "GrayImage.h"
-#include "pellucida/tracking/ContourMath.h"
-#include "pellucida/tracking/EdgeProfile.h"
 #include "pellucida/tracking/TrackerOptions.h"
 
 namespace pellucida {

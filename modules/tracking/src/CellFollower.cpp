@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 
 namespace pellucida {
 namespace {

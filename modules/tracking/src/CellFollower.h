@@ -5,13 +5,13 @@
 #include "CellDetector.h"
 #include "ContactLogic.h"
 #include "FrameSampler.h"
+#include "GlobalShiftEstimator.h"
 #include "GrayImage.h"
 #include "HolderFinder.h"
 #include "MembraneSnakes.h"
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
 #include "RigidMotion.h"
-#include "SceneShift.h"
 #include "SoftZona.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -94,7 +94,7 @@ class CellFollower {
   MembraneSnakes snakes_;
   SoftZona zona_;
   NeedleTracker needle_;
-  SceneShift scene_;
+  GlobalShiftEstimator scene_;
   RigidMotion rigid_;
   RigidMove motion_;
   Eigen::Vector2d far_side_ = Eigen::Vector2d::Zero();  // centre of the circle through the side away from the needle

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "pellucida/tracking/EdgeProfile.h"
+#include "EdgeProfile.h"
 
 namespace pellucida {
 

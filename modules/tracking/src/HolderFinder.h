@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "ContourMath.h"
 #include "FrameSampler.h"
 #include "ToolFinder.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 
 namespace pellucida {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 
 namespace pellucida {
 namespace {

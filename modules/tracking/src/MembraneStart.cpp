@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ContourMath.h"
 #include "MembraneSnakes.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida {
 namespace {

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "ContourMath.h"
 #include "FrameSampler.h"
 #include "MembraneSnakes.h"
 #include "NeedleModel.h"
@@ -10,7 +11,6 @@
 #include "TipFinder.h"
 #include "ToolFinder.h"
 #include "pellucida/core/Observation.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida {
 

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "pellucida/tracking/EdgeProfile.h"
+#include "EdgeProfile.h"
 
 namespace pellucida {
 

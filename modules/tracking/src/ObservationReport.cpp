@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pellucida/tracking/ContourMath.h"
+#include "ContourMath.h"
 
 namespace pellucida {
 namespace {

@@ -2,8 +2,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "ContourMath.h"
 #include "GrayImage.h"
-#include "pellucida/tracking/ContourMath.h"
 
 namespace pellucida {
 

@@ -2,8 +2,8 @@
 #include <optional>
 #include <string>
 
-#include "pellucida/haptics/InjectionPlan.h"
-#include "pellucida/pipeline/HandRig.h"
+#include "pellucida/operation/TeleoperationRun.h"
+#include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/visualization/PlanMarks.h"
 #include "presenters/StatusPresenter.h"
 

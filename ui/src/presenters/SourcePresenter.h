@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 
 namespace pellucida {
 

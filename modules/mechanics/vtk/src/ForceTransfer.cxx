@@ -1,4 +1,4 @@
-#include "pellucida/mechanics_vtk/ForceTransfer.h"
+#include "ForceTransfer.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

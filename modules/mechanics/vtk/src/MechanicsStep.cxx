@@ -14,10 +14,10 @@
 #include <optional>
 #include <string>
 
+#include "ForceTransfer.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/mechanics/ContactHandOver.h"
+#include "pellucida/mechanics/ContactModelBuilder.h"
 #include "pellucida/mechanics/ForceObserver.h"
-#include "pellucida/mechanics_vtk/ForceTransfer.h"
 
 namespace pellucida {
 namespace {

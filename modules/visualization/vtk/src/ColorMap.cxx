@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/ColorMap.h"
+#include "ColorMap.h"
 
 #include <algorithm>
 #include <array>

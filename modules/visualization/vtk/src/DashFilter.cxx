@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/DashFilter.h"
+#include "DashFilter.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

@@ -18,13 +18,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "DashFilter.h"
+#include "RibbonFilter.h"
+#include "ToolShapes.h"
 #include "pellucida/core_vtk/SceneBlockFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization/Scaling.h"
-#include "pellucida/visualization_vtk/DashFilter.h"
-#include "pellucida/visualization_vtk/RibbonFilter.h"
-#include "pellucida/visualization_vtk/ToolShapes.h"
 
 namespace pellucida {
 namespace {

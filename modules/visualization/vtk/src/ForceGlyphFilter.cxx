@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/ForceGlyphFilter.h"
+#include "ForceGlyphFilter.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformationVector.h>

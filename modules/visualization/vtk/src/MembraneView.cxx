@@ -22,12 +22,12 @@
 #include <array>
 #include <cmath>
 
+#include "ColorMap.h"
+#include "ForceGlyphFilter.h"
+#include "ToolShapes.h"
 #include "pellucida/core_vtk/SceneBlockFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization_vtk/ColorMap.h"
-#include "pellucida/visualization_vtk/ForceGlyphFilter.h"
-#include "pellucida/visualization_vtk/ToolShapes.h"
 
 namespace pellucida {
 namespace {

@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/RibbonFilter.h"
+#include "RibbonFilter.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/ToolShapes.h"
+#include "ToolShapes.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "pellucida/pipeline/HandDesk.h"
+#include "pellucida/operation/OperatorConsole.h"
 #include "pellucida/pipeline/LiveRun.h"
 
 namespace pellucida {
@@ -13,7 +13,7 @@ struct WindowOptions {
   std::string screenshot;           ///< save the window as this PNG file, then leave; empty: stay open
   double screenshot_after_s = 8.0;  ///< time from the window's opening to the screenshot, > 0
   bool repeat = false;              ///< begin anew a moment after the source's end, where it can
-  int hand = -1;                    ///< of the desk's hands, chosen at the start; -1: none
+  int hand = -1;                    ///< of the console's hands, chosen at the start; -1: none
   int width_px = 1400;              ///< size at the start
   int height_px = 900;
 };
@@ -23,7 +23,8 @@ struct WindowOptions {
 /// screenshot can't be written.
 int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options);
 
-/// The same with somebody's hand on the pipette: `desk` belongs to `run`.
-int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<HandDesk> desk, const WindowOptions& options);
+/// The same with somebody's hand on the pipette: `console` belongs to `run`.
+int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console,
+                    const WindowOptions& options);
 
 }  // namespace pellucida

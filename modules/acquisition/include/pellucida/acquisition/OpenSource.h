@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 
 namespace pellucida {
 

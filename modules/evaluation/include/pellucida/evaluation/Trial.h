@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "pellucida/evaluation/ContactCamera.h"
-#include "pellucida/haptics/InjectionPlan.h"
+#include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/simulation/OperatorModel.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/SpecimenContact.h"

@@ -7,8 +7,8 @@
 
 #include "pellucida/fem/CurveOutcome.h"
 #include "pellucida/fem/ShellSpecimen.h"
-#include "pellucida/mechanics/EquilibriumSolver.h"
-#include "pellucida/mechanics/TriangleMesh.h"
+#include "pellucida/membrane/EquilibriumSolver.h"
+#include "pellucida/membrane/TriangleMesh.h"
 
 namespace pellucida {
 

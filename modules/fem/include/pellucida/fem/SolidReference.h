@@ -7,7 +7,7 @@
 
 #include "pellucida/fem/CurveOutcome.h"
 #include "pellucida/fem/ShellSpecimen.h"
-#include "pellucida/mechanics/EquilibriumSolver.h"
+#include "pellucida/membrane/EquilibriumSolver.h"
 
 namespace pellucida {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pellucida/identification/ReferenceCurves.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 

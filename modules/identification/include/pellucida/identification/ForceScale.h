@@ -1,6 +1,6 @@
 #pragma once
 #include "pellucida/identification/MeasuredCurve.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 

@@ -9,7 +9,7 @@
 #include "pellucida/identification/ForceScale.h"
 #include "pellucida/identification/MeasuredCurve.h"
 #include "pellucida/identification/ReferenceCurves.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pellucida/fem/CurveOutcome.h"
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 

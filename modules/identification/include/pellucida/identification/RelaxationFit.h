@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "pellucida/identification/RelaxationRecord.h"
-#include "pellucida/mechanics/CellProfile.h"
-#include "pellucida/mechanics/Relaxation.h"
+#include "pellucida/membrane/CellProfile.h"
+#include "pellucida/membrane/Relaxation.h"
 
 namespace pellucida {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "pellucida/mechanics/ForceCrossCheck.h"
 #include "pellucida/mechanics/ForceInterval.h"
-#include "pellucida/mechanics/ModelOpinions.h"
 #include "pellucida/mechanics/PunctureMonitor.h"
 #include "pellucida/mechanics/ShapeAudit.h"
 
@@ -57,7 +57,7 @@ struct ForceEstimate {
   bool punctured = false;                      ///< the membrane has left the tip: the force is 0
   std::optional<Puncture> puncture;            ///< in the frame that showed it first
   double work_uN_um = 0.0;                     ///< of the needle on the cell in this contact
-  ModelOpinions opinions;                      ///< what other models say
+  ForceCrossCheck opinions;                    ///< what other models say
   double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
   double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
 

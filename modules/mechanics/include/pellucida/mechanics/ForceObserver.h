@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "pellucida/core/Observation.h"
-#include "pellucida/mechanics/CellProfile.h"
 #include "pellucida/mechanics/ForceEstimate.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "pellucida/mechanics/CellProfile.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 

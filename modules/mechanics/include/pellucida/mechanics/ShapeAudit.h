@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pellucida/core/Observation.h"
-#include "pellucida/mechanics/TriangleMesh.h"
+#include "pellucida/membrane/TriangleMesh.h"
 
 namespace pellucida {
 

@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
-#include "pellucida/acquisition/FrameSource.h"
 #include "pellucida/acquisition/OpenSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 
 namespace pellucida {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/pipeline/Distribution.h"
 #include "pellucida/pipeline/PipelineOptions.h"

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/acquisition/FrameSource.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/ContactModel.h"
 #include "pellucida/core/SharedLatest.h"
+#include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 

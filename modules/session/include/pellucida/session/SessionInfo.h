@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "pellucida/acquisition/FrameSource.h"
 #include "pellucida/core/Version.h"
+#include "pellucida/core_vtk/FrameSource.h"
 
 namespace pellucida {
 

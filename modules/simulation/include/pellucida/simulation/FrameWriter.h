@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 
 namespace pellucida {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "pellucida/haptics/InjectionPlan.h"
+#include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/simulation/OperatorModel.h"
 
 namespace pellucida {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string_view>
 
-#include "pellucida/acquisition/FrameSource.h"
+#include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/simulation/NeedleDrive.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/Truth.h"

@@ -4,8 +4,8 @@
 
 #include "pellucida/core/Step.h"
 #include "pellucida/core_vtk/Scene.h"
-#include "pellucida/mechanics/CellProfile.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 
@@ -13,7 +13,7 @@ namespace pellucida {
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
 /// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, and volume_um3 where nothing has yet.
-/// Fills `contact`, the hand's model of the frame (ContactHandOver.h).
+/// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h).
 /// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
 /// `punctured` then, and a tracker's later event of the same puncture is left out); `warning` when the force becomes
 /// less sure, by name; `palpation` when the cell's scale has been learnt; `note` why there is no force.

@@ -1,0 +1,21 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace pellucida {
+
+/// What is known of a source before its first frame.
+struct SourceInfo {
+  std::string name;  ///< file, folder, camera or scenario, as the user wrote it
+  int width_px = 0;
+  int height_px = 0;
+  int bit_depth = 8;                ///< 8 or 16
+  double pixel_size_um = 0.0;       ///< > 0
+  std::string pixel_size_origin;    ///< "option", "metadata", "scenario"
+  double frame_rate_hz = 0.0;       ///< > 0; of a still: 1
+  std::string frame_rate_origin;    ///< "option", "metadata", "scenario", "still"
+  std::optional<long> frame_count;  ///< where known beforehand
+  bool live = false;                ///< a camera: frames come when they come
+};
+
+}  // namespace pellucida

@@ -1,0 +1,57 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "CellPlacement.h"
+#include "pellucida/core/Observation.h"
+#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/membrane/CellProfile.h"
+#include "pellucida/membrane/Indenter.h"
+
+namespace pellucida {
+
+/// The membrane model of the cell that is seen: of its size, pushed and held as it is. One thread at a time.
+class CellModelCache {
+ public:
+  explicit CellModelCache(const CellProfile& profile) : profile_(profile) {}
+
+  /// Takes over size, needle and holder. The model is built anew, at rest, where the size or the needle's offset have
+  /// changed; then true. Precondition: a rest radius above 0.
+  bool fit(const Observation& observation, const CellPlacement& placement);
+  void forget() { indenter_.reset(); }
+  bool exists() const noexcept { return indenter_ != nullptr; }
+
+  // All further ones: only where it exists.
+  Indenter& indenter() noexcept { return *indenter_; }
+  const Indenter& indenter() const noexcept { return *indenter_; }
+  const MembraneModel& model() const noexcept { return indenter_->model(); }
+
+  /// Equilibrium at a depth; after a failure from rest, not from a shape that leads nowhere.
+  IndentationState press(double depth_um);
+  /// At rest.
+  IndentationState release();
+
+  double thickness_um() const noexcept { return thickness_um_; }  ///< as tracked, or the profile's
+  bool thickness_assumed() const noexcept { return thickness_assumed_; }
+  double outer_radius_um() const noexcept { return outer_radius_um_; }
+  double offset_um() const noexcept { return offset_um_; }  ///< of the needle, as the model has it
+  double rest_stiffness_uN_per_um() const noexcept { return rest_stiffness_uN_per_um_; }
+  double deepest_um() const noexcept { return 1.4 * model().setup().mid_radius_um; }  ///< that the model reaches
+
+  /// What a palpation says of this cell's scale, see `update_scale`; nothing where the model finds no force there.
+  /// Leaves it at rest.
+  std::optional<CellScale> scale_after(const Palpation& palpation);
+  /// See `ForceObserver::puncture_risk`. Leaves it at rest.
+  std::vector<PunctureRisk> puncture_risk(double step_um, const CellScale& scale);
+
+ private:
+  const CellProfile& profile_;
+  std::unique_ptr<Indenter> indenter_;
+  bool start_anew_ = false;
+  double thickness_um_ = 0.0, outer_radius_um_ = 0.0, offset_um_ = 0.0;
+  bool thickness_assumed_ = false;
+  double rest_stiffness_uN_per_um_ = 0.0;
+};
+
+}  // namespace pellucida

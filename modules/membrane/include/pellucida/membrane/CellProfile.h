@@ -1,0 +1,102 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pellucida/membrane/Relaxation.h"
+
+namespace pellucida {
+
+/// Constants of the membrane's mass-spring-damper model in one node region, as ratios: what multiplies E h and D.
+struct RegionConstants {
+  double k2_ratio = 0.0;     ///< K2 / (E h), > 0
+  double k1_over_k2 = 0.0;   ///< K1 / K2; no less than -1/(3 e_max^2), or connectors turn soft
+  double hinge_ratio = 0.0;  ///< g: hinge rigidity / D, > 0
+};
+
+/// The error of the model against a reference curve, as it was found when the profile was made.
+struct ProfileError {
+  int configuration = 0;               ///< 1..4, see `setup_for_configuration`
+  std::string reference;               ///< what it was compared with
+  double largest_ratio = 0.0;          ///< largest |model - reference| / reference over the depths compared
+  double largest_of_peak_ratio = 0.0;  ///< largest |model - reference| / force at the deepest point
+  double from_um = 0.0;                ///< depths compared
+  double to_um = 0.0;
+};
+
+/// A curve that the constants were fitted to.
+struct ProfileReference {
+  int configuration = 0;          ///< 1..4
+  double holder_angle_deg = 0.0;  ///< between the axes of needle and holder
+  double offset_um = 0.0;         ///< of the needle beside the cell's centre
+  int node_count = 0;             ///< of the finite-element mesh
+  double to_um = 0.0;             ///< deepest point
+};
+
+/// Everything that turns a shape into a force for one kind of cell: nothing of it is hidden in code. Loaded from JSON.
+struct CellProfile {
+  std::string name;
+  std::string description;
+  std::vector<std::array<std::string, 2>> sources;  ///< (what, where it comes from)
+
+  // Geometry at rest.
+  double mid_radius_um = 0.0;  ///< middle surface of the zona
+  double thickness_um = 0.0;   ///< of the zona
+  double inner_radius_um = 0.0;
+
+  // Material. The two moduli don't agree, see the module's README: the table's is kept for the record, the effective
+  // one works.
+  double young_modulus_kPa = 0.0;            ///< Table I
+  double effective_young_modulus_kPa = 0.0;  ///< configuration 1 passes the puncture point with it
+  double force_scale_relative_sigma = 0.0;   ///< standard deviation of the effective scale over its value
+  double poisson_ratio = 0.5;
+  double puncture_force_uN = 0.0;
+  double puncture_indentation_um = 0.0;
+
+  // Contact. Radii on the outer surface, from the tool's axis. Bond densities as ratios to the modulus, so that the
+  // modulus is the only force scale.
+  double tip_radius_um = 0.0;
+  double tip_bond_per_um = 0.0;  ///< peak density / E, 1/um
+  double holder_ring_um = 0.0;   ///< radius of the ring of contact with the holding pipette
+  double holder_half_width_um = 0.0;
+  double holder_bond_per_um = 0.0;  ///< peak density / E, 1/um
+
+  // Mass-spring-damper constants by region, and the angles (from needle, from holder) where the regions end.
+  RegionConstants tip, body, holder;
+  double tip_angle_rad = 0.0;
+  double holder_angle_rad = 0.0;
+  double volume_stiffness_ratio = 0.0;  ///< kv / E
+  double damping_uN_s_per_um = 0.0;     ///< b of eq. (1); the quasi-static solution doesn't use it
+  double node_mass_kg = 0.0;            ///< m of eq. (2); likewise
+
+  // The mesh the constants hold for.
+  int mesh_frequency = 0;
+  double mesh_grading = 1.0;
+
+  std::vector<ProfileReference> references;  ///< empty where a profile's maker didn't write them down
+  std::vector<ProfileError> errors;
+
+  /// How the force falls while the needle rests; empty: not known, and taken as not at all. The effective modulus is
+  /// that of the push it was measured in, of `relaxation_anchor_ramp_s` from rest (0: a sudden one), in which the arms
+  /// had begun to relax already: a sudden push takes `relaxation_elastic_ratio` >= 1 times the force. 1 without arms.
+  std::vector<RelaxationArm> relaxation_arms;
+  double relaxation_elastic_ratio = 1.0;
+  double relaxation_anchor_ramp_s = 0.0;
+
+  /// E h at the effective modulus, uN/um.
+  double membrane_stiffness_uN_per_um() const noexcept { return 1e-3 * effective_young_modulus_kPa * thickness_um; }
+};
+
+/// A shipped profile by name, or one in a file (its path). Throws UsageError that names the known profiles when there
+/// is neither, InputError (file and key) when the file is broken.
+CellProfile load_profile(std::string_view name_or_file);
+
+/// Reads a profile file. Throws InputError with file and key.
+CellProfile read_profile(const std::filesystem::path& file);
+
+/// The profile as the JSON text of its file (two spaces of indent).
+std::string to_json(const CellProfile& profile);
+
+}  // namespace pellucida

@@ -1,0 +1,76 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "pellucida/membrane/EquilibriumSolver.h"
+#include "pellucida/membrane/MembraneModel.h"
+#include "pellucida/membrane/NormalObservationTerm.h"
+
+namespace pellucida {
+
+/// The membrane's equilibrium at one depth of the needle. Frame C.
+struct IndentationState {
+  double depth_um = 0.0;
+  Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();     ///< of the needle on the cell
+  Eigen::Vector3d holder_force_uN = Eigen::Vector3d::Zero();  ///< of the holder on the cell
+  double push_force_uN = 0.0;        ///< the tip force's part along the push: the force of a force-indentation curve
+  double stiffness_uN_per_um = 0.0;  ///< d push_force / d depth
+  double pressure_Pa = 0.0;
+  double volume_um3 = 0.0;  ///< enclosed by the model's facets
+  SolveReport report;
+};
+
+/// Pushes the needle into the model quasi-statically and keeps the solution from one depth to the next (warm start
+/// along the tangent and its bend; long ways are gone in steps).
+class Indenter {
+ public:
+  Indenter(const CellProfile& profile, const MembraneSetup& setup);
+
+  const MembraneModel& model() const noexcept { return model_; }
+  /// Present positions of the nodes, um (3 x n), frame C.
+  const Eigen::Matrix3Xd& positions_um() const noexcept { return x_um_; }
+  /// How the nodes move for a micrometre of depth (3 x n).
+  const Eigen::Matrix3Xd& depth_tangent() const noexcept { return tangent_; }
+
+  /// Back to rest.
+  void reset();
+  void set_holder(const Eigen::Vector3d& direction) { model_.set_holder(direction); }
+  void set_options(const SolveOptions& options) { options_ = options; }
+
+  /// Equilibrium with the needle `depth_um` deep (>= 0). When a step fails, the state is the last that was reached, and
+  /// its report says so.
+  IndentationState advance_to(double depth_um);
+
+  /// Lays weak observations on the nodes (frame C); they hold until others are given, or `reset`. None: the model
+  /// alone. They pull from the next `advance_to` on, also one to the depth that is reached already.
+  void observe(std::vector<NormalObservationTerm::Observed> observed);
+
+ private:
+  SolveReport step_to(double depth_um);
+
+  MembraneModel model_;
+  NormalObservationTerm observation_;
+  bool observes_ = false;
+  EquilibriumSolver solver_;
+  SolveOptions options_;
+  Eigen::Matrix3Xd x_um_;
+  Eigen::Matrix3Xd tangent_;      // dx/dd
+  Eigen::Matrix3Xd bend_per_um_;  // d2x/dd2, by differences
+  Eigen::Matrix3Xd before_um_;
+  Eigen::Matrix3Xd load_uN_per_um_;  // w_i push
+  double stiffness_uN_per_um_ = 0.0;
+  bool has_tangent_ = false;
+  bool has_bend_ = false;
+  double depth_um_ = 0.0;
+};
+
+/// A force-indentation curve, no video: depths 0, step, 2 step, ... max. Throws UsageError for a step or depth that
+/// isn't above 0 (or a depth that would pass through the cell).
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
+                                          double max_indentation_um, double step_um);
+/// The same in one of the paper's configurations. Throws UsageError also for a number outside 1..4.
+std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
+                                          double step_um);
+
+}  // namespace pellucida

@@ -1,0 +1,138 @@
+#include "pellucida/membrane/Indenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+/// No single step of the needle is longer; farther depths are reached in several.
+constexpr double kLongestStep_um = 2.0;
+/// The tangent's change with depth is taken over no shorter way, and trusted over no longer one.
+constexpr double kShortestBend_um = 0.02;
+constexpr double kLongestBentStep_um = 1.0;
+/// A step that fails is halved down to this.
+constexpr double kShortestStep_um = 0.05;
+/// No single call spends more iterations: from rest to the deepest point takes about a hundred.
+constexpr int kMostIterations = 400;
+
+}  // namespace
+
+Indenter::Indenter(const CellProfile& profile, const MembraneSetup& setup)
+    : model_(profile, setup), solver_(model_.energy()) {
+  reset();
+}
+
+void Indenter::observe(std::vector<NormalObservationTerm::Observed> observed) {
+  if (!observes_) model_.energy().add_term(observation_);
+  observes_ = true;
+  observation_.set(std::move(observed));
+}
+
+void Indenter::reset() {
+  if (observes_) observation_.set({});
+  x_um_ = model_.rest().points_um;
+  depth_um_ = 0.0;
+  tangent_ = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
+  stiffness_uN_per_um_ = 0.0;
+  has_tangent_ = false;
+  has_bend_ = false;
+}
+
+SolveReport Indenter::step_to(double depth_um) {
+  // Start along the tangent, bent as it bent before, and keep the old shape for the case that it leads nowhere.
+  const double step_um = depth_um - depth_um_;
+  before_um_ = x_um_;
+  x_um_ += step_um * tangent_;
+  if (has_bend_ && std::abs(step_um) <= kLongestBentStep_um) x_um_ += (0.5 * step_um * step_um) * bend_per_um_;
+  model_.set_depth(depth_um);
+  SolveReport report = solver_.solve(x_um_, options_);
+  if (report.status != SolveStatus::kConverged) {
+    x_um_ = before_um_;
+    model_.set_depth(depth_um_);
+    return report;
+  }
+  depth_um_ = depth_um;
+
+  // The gradient depends on the depth through the tip's bond alone: H dx/dd = w_i push. The force follows the depth by
+  // sum_i w_i - (w push) . H^-1 (w push).
+  load_uN_per_um_.setZero(3, x_um_.cols());
+  double bond_uN_per_um = 0.0;
+  for (std::size_t k = 0; k < model_.tip().nodes().size(); ++k) {
+    const double weight = model_.tip().weights_uN_per_um()[k];
+    load_uN_per_um_.col(model_.tip().nodes()[k]) = weight * model_.setup().push;
+    bond_uN_per_um += weight;
+  }
+  LinearResponse response =
+      solver_.respond(x_um_, load_uN_per_um_, has_bend_ ? tangent_ + step_um * bend_per_um_ : tangent_);
+  stiffness_uN_per_um_ = bond_uN_per_um - response.compliance;
+  if (has_tangent_ && std::abs(step_um) >= kShortestBend_um) {
+    bend_per_um_ = (response.displacement - tangent_) / step_um;
+    has_bend_ = true;
+  }
+  tangent_.swap(response.displacement);
+  has_tangent_ = true;
+  return report;
+}
+
+IndentationState Indenter::advance_to(double depth_um) {
+  // Long ways in steps; a step that fails is tried shorter.
+  SolveReport total;
+  double step = kLongestStep_um;
+  do {
+    const double way = depth_um - depth_um_;
+    const double target = std::abs(way) <= step ? depth_um : depth_um_ + std::copysign(step, way);
+    const SolveReport report = step_to(target);
+    total.status = report.status;
+    total.iterations += report.iterations;
+    total.conjugate_gradient_iterations += report.conjugate_gradient_iterations;
+    total.factorizations += report.factorizations;
+    total.shifts += report.shifts;
+    total.residual_uN = report.residual_uN;
+    if (total.iterations >= kMostIterations && depth_um_ != depth_um) {
+      total.status = SolveStatus::kIterationBudget;
+      break;
+    }
+    if (report.status != SolveStatus::kConverged) {
+      step = 0.5 * std::min(step, std::abs(way));
+      if (step < kShortestStep_um) break;
+    }
+  } while (depth_um_ != depth_um);
+
+  // The read-out.
+  IndentationState state;
+  state.depth_um = depth_um_;
+  state.tip_force_uN = model_.tip().force_uN(x_um_);
+  state.holder_force_uN = model_.holder().force_uN(x_um_);
+  state.push_force_uN = state.tip_force_uN.dot(model_.setup().push);
+  state.stiffness_uN_per_um = stiffness_uN_per_um_;
+  state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0;  // no -0
+  state.volume_um3 = model_.volume().volume_um3(x_um_);
+  state.report = total;
+  return state;
+}
+
+std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
+                                          double step_um) {
+  return force_curve(profile, setup_for_configuration(profile, configuration), max_indentation_um, step_um);
+}
+
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
+                                          double max_indentation_um, double step_um) {
+  if (!(step_um > 0.0)) throw UsageError("step: it must be above 0 um");
+  if (!(max_indentation_um > 0.0) || max_indentation_um > 1.4 * profile.mid_radius_um) {
+    throw UsageError("maximum indentation: it must be above 0 and at most 1.4 radii of the cell, " +
+                     std::to_string(1.4 * profile.mid_radius_um) + " um");
+  }
+  Indenter indenter(profile, setup);
+  std::vector<IndentationState> curve;
+  const int steps = static_cast<int>(std::floor(max_indentation_um / step_um + 1e-9));
+  for (int k = 0; k <= steps; ++k) curve.push_back(indenter.advance_to(k * step_um));
+  if (max_indentation_um - steps * step_um > 1e-9) curve.push_back(indenter.advance_to(max_indentation_um));
+  return curve;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,139 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pellucida/operation/TeleoperationRun.h"
+#include "pellucida/planning/InjectionPlan.h"
+#include "pellucida/simulation/CommandedNeedle.h"
+#include "pellucida/teleoperation/MouseHand.h"
+#include "pellucida/teleoperation/TeleoperationMap.h"
+
+namespace pellucida {
+
+class ConsoleDevice;
+
+/// What a window needs of the hand on a live run: who holds the pipette, the plan and the guide, the emergency stop.
+/// Makes the plan by itself once the cell is seen, untouched. One thread (the window's) for all calls.
+class OperatorConsole {
+ public:
+  struct Options {
+    HapticLoopOptions loop;
+    double rest_s = 4.0;     ///< between a demonstration's end and the next cell
+    std::uint64_t seed = 1;  ///< of the simulated person
+  };
+
+  /// `needle`: the virtual needle that the manipulator carries; without one the cell is real, there is no demonstration
+  /// and no new cell. All must outlive the console; the run isn't started yet. Nobody holds the pipette until `choose`.
+  OperatorConsole(LiveRun& run, Manipulator& manipulator, CommandedNeedle* needle, const Options& options);
+  OperatorConsole(LiveRun& run, Manipulator& manipulator, CommandedNeedle* needle = nullptr);
+  ~OperatorConsole();
+  OperatorConsole(const OperatorConsole&) = delete;
+  OperatorConsole& operator=(const OperatorConsole&) = delete;
+
+  /// What may be chosen now, UTF-8: the demonstration (a simulated person), mouse and keyboard, devices found.
+  const std::vector<std::string>& hands() const noexcept { return names_; }
+  /// Index of the first hand whose name starts so; nothing when there is none.
+  std::optional<int> find_hand(std::string_view start) const noexcept;
+  int chosen() const noexcept { return chosen_; }  ///< -1: none yet
+  bool is_demonstration() const noexcept;
+  bool is_mouse() const noexcept { return mouse_ != nullptr; }
+
+  /// Another hand takes the pipette: the one before lets go first. A device that can't be opened leaves the pipette
+  /// standing, and the status says why. Throws UsageError for an index out of range.
+  void choose(int index);
+
+  /// How far the tip goes for the hand's way: coarse, fine, finest. Throws UsageError for an index out of range.
+  static const std::vector<std::string>& scales();
+  void scale(int index);
+  int scale() const noexcept { return scale_; }
+
+  /// Keeps the tip on the planned line, or not. The depth stop and the holding pipette count in any case.
+  void guide(bool on);
+  bool guided() const noexcept { return guided_; }
+  /// Behind the entry, um, above 0; from the plan until one is set. Throws UsageError.
+  void depth_stop_um(double depth_um);
+  double depth_stop_um() const noexcept;
+
+  /// Where to deposit, in the image's plane, um. Takes effect at once while the cell is untouched, else with the next
+  /// cell. Returns why not, or that it has to wait; nothing when the plan leads there.
+  std::optional<std::string> set_target(double x_um, double y_um);
+  const std::optional<InjectionPlan>& plan() const noexcept { return plan_; }
+
+  // Held by the person; off again by `release_all`, when the window loses the focus.
+  void inject(bool held) noexcept;
+  void retract(bool held) noexcept;
+  void release_all() noexcept;
+
+  // Mouse and keyboard; nothing for other hands.
+  void grip(bool held) noexcept;  ///< the mouse leads the needle while held
+  void move_px(double dx, double dy) noexcept;
+  void turn_wheel(double notches) noexcept;
+
+  /// The needle goes out along its line, then the cell is a whole one again. Nothing where the cell is real.
+  void new_cell();
+  bool can_renew() const noexcept { return needle_ != nullptr; }
+
+  /// Latched, over a change of hands too, until it's released on purpose.
+  void emergency_stop(bool on) noexcept;
+
+  /// From the window's tick, some ten times a second or more: takes notice of the newest frame.
+  void update();
+
+  HandStatus status();
+  /// What goes on, in a word or two: "approach", "deposit", "new cell"; empty when there is nothing to say.
+  std::string doing() const;
+
+ private:
+  struct Choice {
+    std::function<std::unique_ptr<HapticDevice>()> open;  // empty: the demonstration
+    bool springs_back = false;                            // rate control
+  };
+
+  void add(std::string name, Choice choice);
+  void find_devices();
+  HapticSettings settings() const;
+  void apply_settings();
+  void set_down();
+  void start_rig();
+  void open_device();
+  void look();
+  void make_plan(const ContactModel& contact);
+  void show_person();
+  void renew();
+  void repeat_demonstration();
+  bool tip_is_out();
+  void set_buttons() noexcept;
+
+  LiveRun& run_;
+  Manipulator& manipulator_;
+  CommandedNeedle* needle_;
+  Options options_;
+  std::shared_ptr<LatestValue<ContactModel>> contacts_;
+  std::vector<std::string> names_;
+  std::vector<Choice> choices_;
+
+  int chosen_ = -1, scale_ = 0;
+  bool guided_ = true, stopped_ = false;
+  std::optional<double> depth_stop_um_;
+  std::optional<PlainVector3> target_offset_um_;  // from the cell's centre
+  std::optional<InjectionPlan> plan_;
+  std::string trouble_;  // one line; empty when there is none
+
+  bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false;
+  long frame_index_ = -1;
+  bool broken_ = false;  // the newest frame shows the membrane closed about the shaft
+  int free_count_ = 0;   // frames in a row that show an untouched cell
+  std::uint64_t person_count_ = 0;
+  std::optional<double> ended_s_;
+
+  // In this order: what the rig uses outlives it.
+  std::unique_ptr<ConsoleDevice> device_;
+  MouseHand* mouse_ = nullptr;
+  std::unique_ptr<TeleoperationMap> map_;
+  std::unique_ptr<TeleoperationRun> rig_;
+};
+
+}  // namespace pellucida

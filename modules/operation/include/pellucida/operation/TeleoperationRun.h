@@ -1,0 +1,77 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "pellucida/core/LatestValue.h"
+#include "pellucida/haptics/HapticLoop.h"
+#include "pellucida/haptics/HapticServo.h"
+#include "pellucida/operation/HapticRecorder.h"
+#include "pellucida/pipeline/LiveRun.h"
+#include "pellucida/teleoperation/ManipulatorStage.h"
+
+namespace pellucida {
+
+/// What the hand looks like from outside, at one moment.
+struct HandStatus {
+  HapticRecord tick;         ///< the newest
+  std::string device;        ///< its name
+  double max_force_N = 0.0;  ///< of the device; 0: it gives none
+  std::string real_time;     ///< what the system granted the loop, one line
+  std::uint64_t tick_count = 0;
+  std::uint64_t missed_count = 0;  ///< ticks skipped because they came too late
+  double lateness_p99_us = 0.0;
+  PipetteState pipette;
+  std::optional<std::string> fault;  ///< of the manipulator: one line, while it is lost
+};
+
+/// The newest contact of a run, for the hand: sets the run's sink. Before the run starts.
+std::shared_ptr<LatestValue<ContactModel>> tap_contacts(LiveRun& run);
+
+/// The hand on a live run: device, 1 kHz loop, manipulator, each with its thread, fed by the run's measured frames;
+/// what the hand did goes into the run's events and recording. Public calls come from one controlling thread, the
+/// emergency stop from any.
+class TeleoperationRun {
+ public:
+  struct Options {
+    HapticSettings haptics;
+    HapticLoopOptions loop;
+    ManipulatorStageOptions manipulator;
+  };
+
+  /// All of these must outlive the rig; `contacts` is the run's tap, read by this rig alone. Throws UsageError where
+  /// the device can't hold the settings.
+  TeleoperationRun(LiveRun& run, LatestValue<ContactModel>& contacts, HapticDevice& device, MotionMap& map,
+                   Manipulator& manipulator, const Options& options);
+  ~TeleoperationRun();
+  TeleoperationRun(const TeleoperationRun&) = delete;
+  TeleoperationRun& operator=(const TeleoperationRun&) = delete;
+
+  /// Opens the manipulator and starts the threads. Throws DeviceError when the manipulator isn't there, or the system
+  /// refuses an enforced real-time policy.
+  void start();
+  /// The force fades, the pipette stands, the threads end.
+  void stop();
+
+  /// From the next tick on. Throws as the constructor.
+  void set(const HapticSettings& settings);
+  const HapticSettings& settings() const noexcept { return options_.haptics; }
+
+  void emergency_stop() noexcept { servo_.emergency_stop(); }
+  void release_emergency_stop() noexcept { servo_.release_emergency_stop(); }
+
+  HandStatus status();
+  /// The loop's own figures.
+  const HapticLoop& loop() const noexcept { return loop_; }
+
+ private:
+  LiveRun& run_;
+  Options options_;
+  ManipulatorStage manipulator_;
+  HapticServo servo_;
+  std::unique_ptr<HapticRecorder> recorder_;
+  HapticLoop loop_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,118 @@
+#include "pellucida/membrane/CellProfile.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "pellucida/core/Error.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CellProfileFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("pellucida-profile-" + std::to_string(std::random_device{}()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& text) const {
+    const fs::path file = folder_ / "cell.json";
+    std::ofstream(file) << text;
+    return file;
+  }
+
+  /// The text of the InputError that reading `text` gives.
+  std::string fault(const std::string& text) const {
+    try {
+      read_profile(write(text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  fs::path folder_;
+};
+
+TEST(ShippedProfiles, HoldTableOneAndTheirGeometry) {
+  const CellProfile oocyte = load_profile("mouse-oocyte");
+  EXPECT_EQ(oocyte.name, "mouse-oocyte");
+  EXPECT_DOUBLE_EQ(oocyte.young_modulus_kPa, 17.9);
+  EXPECT_DOUBLE_EQ(oocyte.puncture_force_uN, 7.5);
+  EXPECT_DOUBLE_EQ(oocyte.puncture_indentation_um, 44.0);
+  const CellProfile embryo = load_profile("mouse-embryo");
+  EXPECT_DOUBLE_EQ(embryo.young_modulus_kPa, 42.2);
+  EXPECT_DOUBLE_EQ(embryo.puncture_force_uN, 13.0);
+  EXPECT_DOUBLE_EQ(embryo.puncture_indentation_um, 53.0);
+  for (const auto& profile : {oocyte, embryo}) {
+    EXPECT_DOUBLE_EQ(profile.mid_radius_um, 50.0);
+    EXPECT_DOUBLE_EQ(profile.thickness_um, 5.0);
+    EXPECT_DOUBLE_EQ(profile.inner_radius_um, 47.5);
+    EXPECT_GT(profile.effective_young_modulus_kPa, profile.young_modulus_kPa);
+    EXPECT_FALSE(profile.sources.empty());
+    EXPECT_FALSE(profile.errors.empty());
+  }
+}
+
+TEST(ShippedProfiles, AnUnknownNameIsAUsageErrorThatNamesTheKnown) {
+  try {
+    load_profile("mouse-ocyte");
+    FAIL();
+  } catch (const UsageError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("mouse-ocyte"), std::string::npos);
+    EXPECT_NE(text.find("mouse-embryo, mouse-oocyte"), std::string::npos);
+  }
+}
+
+TEST_F(CellProfileFile, WhatIsWrittenReadsBackTheSame) {
+  const std::string text = to_json(load_profile("mouse-oocyte"));
+  const CellProfile again = load_profile(write(text).string());
+  EXPECT_EQ(to_json(again), text);
+}
+
+TEST_F(CellProfileFile, AMissingKeyIsNamed) {
+  auto json = nlohmann::json::parse(to_json(load_profile("mouse-oocyte")));
+  json["msd"]["body"].erase("k2_ratio");
+  const std::string text = fault(json.dump());
+  EXPECT_NE(text.find("cell.json"), std::string::npos);
+  EXPECT_NE(text.find("msd.body.k2_ratio"), std::string::npos);
+}
+
+TEST_F(CellProfileFile, EveryNumberIsChecked) {
+  const auto good = nlohmann::json::parse(to_json(load_profile("mouse-oocyte")));
+  const std::vector<std::pair<std::string, nlohmann::json>> faults = {{"/geometry/mid_radius_um", -50},
+                                                                      {"/geometry/thickness_um", 80},
+                                                                      {"/geometry/inner_radius_um", 40},
+                                                                      {"/material/young_modulus_kPa", "soft"},
+                                                                      {"/material/poisson_ratio", 0.7},
+                                                                      {"/material/effective_young_modulus_kPa", 0},
+                                                                      {"/contact/tip_radius_um", 0},
+                                                                      {"/msd/tip/hinge_ratio", -1},
+                                                                      {"/mesh/frequency", 0},
+                                                                      {"/schema", "other"},
+                                                                      {"/schema_version", 99},
+                                                                      {"/errors", 3}};
+  for (const auto& [pointer, value] : faults) {
+    auto broken = good;
+    broken[nlohmann::json::json_pointer(pointer)] = value;
+    const std::string text = fault(broken.dump());
+    const std::string key = pointer.substr(pointer.rfind('/') + 1);
+    EXPECT_NE(text.find(key), std::string::npos) << pointer << ": " << text;
+  }
+}
+
+TEST_F(CellProfileFile, AFileThatIsNoJsonIsAnInputError) {
+  EXPECT_NE(fault("not json at all").find("JSON"), std::string::npos);
+  EXPECT_NE(fault("").find("JSON"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pellucida

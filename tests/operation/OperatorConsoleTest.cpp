@@ -1,0 +1,160 @@
+#include "pellucida/operation/OperatorConsole.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/operation/VirtualInjectionSetup.h"
+
+namespace pellucida {
+namespace {
+
+// A console on the virtual microscope, its window's tick in the test's hands.
+class OperatorConsoleTest : public testing::Test {
+ protected:
+  OperatorConsoleTest() { run_.start(); }
+  ~OperatorConsoleTest() override { run_.stop(); }
+
+  // Ticks until the condition holds; a minute and a half is for a machine that is busy with other things.
+  bool tick_until(const std::function<bool()>& condition) {
+    for (int k = 0; k < 4500; ++k) {
+      console_.update();
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+  }
+  bool tick_until_state(HandState state) {
+    return tick_until([&] { return console_.status().tick.hand_state == state; });
+  }
+  void choose(std::string_view name) { console_.choose(console_.find_hand(name).value()); }
+  double tip_x_um() { return console_.status().tick.tip_um.x; }
+
+  VirtualInjectionSetup setup_{"injection"};
+  LiveRun run_{setup_.make_microscope(Pace::kWallClock), {}};
+  OperatorConsole console_{run_, setup_.injector(), &setup_.needle(), {.rest_s = 0.5}};
+};
+
+TEST_F(OperatorConsoleTest, TheDemonstrationPlansTouchesBreaksDepositsAndBeginsAnew) {
+  EXPECT_EQ(console_.status().tick.hand_state, HandState::kWaiting);
+  choose("Demonstration");
+  EXPECT_TRUE(console_.is_demonstration());
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  EXPECT_GT(console_.plan()->depth_um, 20.0);
+  EXPECT_NEAR(console_.depth_stop_um(), console_.plan()->depth_um + console_.plan()->options.overshoot_um, 1e-9);
+  bool touched = false, punctured = false, deposited = false;
+  ASSERT_TRUE(tick_until([&] {
+    const HandStatus status = console_.status();
+    // Measured, whether or not a busy machine let the hand feel it in time.
+    touched = touched || run_.scenes()->peek()->contact.state == CellState::kContact;
+    punctured = punctured || status.tick.contact_state == ContactState::kPunctured;
+    deposited = deposited || (status.tick.buttons & kInject) != 0;
+    return console_.doing().starts_with("Needle out");
+  })) << console_.doing();
+  EXPECT_TRUE(touched);
+  EXPECT_TRUE(punctured);
+  EXPECT_TRUE(deposited);
+  // The next cell gets a plan of its own.
+  ASSERT_TRUE(tick_until([&] { return !console_.plan(); }));
+  EXPECT_TRUE(tick_until([&] { return console_.plan() && console_.doing() == "Approaches"; }));
+  EXPECT_FALSE(console_.status().fault);
+}
+
+TEST_F(OperatorConsoleTest, TheMouseLeadsOnlyWhileItHoldsTheNeedle) {
+  choose("Mouse");
+  ASSERT_TRUE(console_.is_mouse());
+  ASSERT_TRUE(tick_until_state(HandState::kClutched));
+  const double start_um = tip_x_um();
+  console_.move_px(-50.0, 0.0);
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  EXPECT_EQ(tip_x_um(), start_um);
+
+  console_.grip(true);
+  ASSERT_TRUE(tick_until_state(HandState::kWorking));
+  console_.move_px(-50.0, 0.0);
+  EXPECT_TRUE(tick_until([&] { return tip_x_um() < start_um - 5.0; }));
+
+  // The window loses the focus: nothing is held any more.
+  console_.release_all();
+  ASSERT_TRUE(tick_until_state(HandState::kClutched));
+  const double left_um = tip_x_um();
+  console_.retract(true);
+  EXPECT_TRUE(tick_until([&] { return tip_x_um() > left_um + 5.0; }));
+  console_.retract(false);
+  EXPECT_TRUE(tick_until_state(HandState::kClutched));
+}
+
+TEST_F(OperatorConsoleTest, TheGuideGoesAndTheDepthStopStays) {
+  choose("Mouse");
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  console_.guide(false);
+  EXPECT_FALSE(console_.guided());
+  const InjectionPlan plan = *console_.plan();
+  console_.depth_stop_um(12.0);
+  EXPECT_EQ(console_.depth_stop_um(), 12.0);
+  EXPECT_THROW(console_.depth_stop_um(0.0), UsageError);
+  console_.scale(0);
+  console_.grip(true);
+  // Far past the cell: the tip stands 12 um behind the entry.
+  const auto depth_um = [&] {
+    return (console_.status().tick.tip_um.eigen() - plan.entry_um.eigen()).dot(plan.axis.eigen());
+  };
+  ASSERT_TRUE(tick_until([&] {
+    console_.move_px(4.0 * plan.axis.x, 4.0 * plan.axis.y);
+    return (console_.status().tick.fixtures & kStopBit) != 0 && depth_um() > 8.0;
+  }));
+  for (int k = 0; k < 20; ++k) {
+    console_.move_px(4.0 * plan.axis.x, 4.0 * plan.axis.y);
+    console_.update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_LT(depth_um(), 14.0);
+}
+
+TEST_F(OperatorConsoleTest, AnEmergencyStopOutlivesTheHand) {
+  choose("Mouse");
+  console_.grip(true);
+  ASSERT_TRUE(tick_until_state(HandState::kWorking));
+  console_.emergency_stop(true);
+  ASSERT_TRUE(tick_until_state(HandState::kStopped));
+  choose("Mouse");
+  ASSERT_TRUE(tick_until([&] { return console_.status().tick_count > 20; }));
+  EXPECT_EQ(console_.status().tick.hand_state, HandState::kStopped);
+  console_.emergency_stop(false);
+  EXPECT_TRUE(tick_until_state(HandState::kClutched));
+}
+
+TEST_F(OperatorConsoleTest, ATargetOutsideTheCellIsRefusedWithItsReason) {
+  choose("Mouse");
+  EXPECT_TRUE(console_.set_target(0.0, 0.0)) << "no plan yet";
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  const PlainVector3 center_um = console_.plan()->cell.center_um;
+  const auto refused = console_.set_target(center_um.x + 500.0, center_um.y);
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->find("outside"), std::string::npos) << *refused;
+  EXPECT_FALSE(console_.set_target(center_um.x, center_um.y + 8.0));
+  EXPECT_NEAR(console_.plan()->target_um.y, center_um.y + 8.0, 1.0);
+}
+
+TEST_F(OperatorConsoleTest, NumbersOutOfRangeAreRefused) {
+  EXPECT_THROW(console_.choose(-1), UsageError);
+  EXPECT_THROW(console_.choose(99), UsageError);
+  EXPECT_THROW(console_.scale(3), UsageError);
+  EXPECT_FALSE(console_.find_hand("no such hand"));
+}
+
+// A real cell: nobody may demonstrate on it, and it can't be renewed.
+TEST(OperatorConsole, WithoutAVirtualNeedleThereIsNoDemonstration) {
+  VirtualInjectionSetup setup("injection");
+  LiveRun run(setup.make_microscope(Pace::kWallClock), {});
+  const OperatorConsole console(run, setup.injector());
+  EXPECT_FALSE(console.find_hand("Demonstration"));
+  EXPECT_TRUE(console.find_hand("Mouse"));
+  EXPECT_FALSE(console.can_renew());
+}
+
+}  // namespace
+}  // namespace pellucida

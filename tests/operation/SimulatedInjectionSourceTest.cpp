@@ -1,0 +1,85 @@
+#include "pellucida/operation/SimulatedInjectionSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pellucida/pipeline/BatchRun.h"
+
+namespace pellucida {
+namespace {
+
+struct Ran {
+  BatchResult measured;
+  InjectionOutcome outcome;
+  std::optional<InjectionPlan> plan;
+  std::vector<HapticRecord> ticks;
+  std::vector<Event> events;
+};
+
+Ran run(const SimulatedInjectionOptions& options) {
+  SimulatedInjectionSource microscope(options);
+  Ran ran;
+  ran.measured = run_batch(microscope, {}, [&](const Scene& scene) {
+    microscope.see(scene);
+    for (const HapticRecord& tick : microscope.take_records()) ran.ticks.push_back(tick);
+    for (const Event& event : microscope.take_events()) ran.events.push_back(event);
+  });
+  ran.outcome = microscope.outcome();
+  ran.plan = microscope.plan();
+  return ran;
+}
+
+// Approach, indentation, puncture, deposit, removal: the whole way, by what was measured alone.
+TEST(SimulatedInjectionSource, AGuidedInjectionGoesFromEndToEnd) {
+  const Ran ran = run({});
+  ASSERT_TRUE(ran.plan);
+  EXPECT_TRUE(ran.outcome.done);
+  EXPECT_GT(ran.outcome.deposited_pL, 1.0);
+  ASSERT_GT(ran.outcome.puncture_s, 0.0);
+
+  // The force measured before the break against the specimen's own.
+  const double measured_uN = ran.measured.peak->measurement.contact_force_uN;
+  EXPECT_NEAR(measured_uN, ran.outcome.puncture_force_uN, 0.1 * ran.outcome.puncture_force_uN);
+  EXPECT_LT(ran.measured.peak->measurement.time_s, ran.outcome.puncture_s + 1e-9);
+
+  // In the end the needle is out again and the hand feels nothing.
+  EXPECT_EQ(ran.measured.rows.back().state, CellState::kFree);
+  EXPECT_LT(ran.ticks.back().contact_force_uN.eigen().norm(), 1e-9);
+  // The hand felt the push before, and every tick is there.
+  EXPECT_GT(ran.outcome.peak_hand_force_N, 0.1);
+  for (std::size_t k = 1; k < ran.ticks.size(); ++k) {
+    ASSERT_NEAR(ran.ticks[k].time_s - ran.ticks[k - 1].time_s, 1e-3, 1e-9);
+  }
+  EXPECT_TRUE(std::any_of(ran.events.begin(), ran.events.end(),
+                          [](const Event& event) { return event.kind == "limit" && event.detail == "puncture"; }));
+}
+
+TEST(SimulatedInjectionSource, TheSameSeedsGiveTheSameInjection) {
+  SimulatedInjectionOptions options;
+  options.max_duration_s = 3.0;
+  const Ran first = run(options);
+  const Ran second = run(options);
+  ASSERT_EQ(first.ticks.size(), second.ticks.size());
+  ASSERT_FALSE(first.ticks.empty());
+  EXPECT_EQ(first.ticks.back().tip_um.eigen(), second.ticks.back().tip_um.eigen());
+  options.seed = 2;
+  EXPECT_NE(first.ticks.back().tip_um.eigen(), run(options).ticks.back().tip_um.eigen());
+}
+
+TEST(SimulatedInjectionSource, WithoutHapticsNothingIsFelt) {
+  SimulatedInjectionOptions options;
+  options.person.modality = Modality::kSpace;
+  options.max_duration_s = 4.0;
+  const Ran ran = run(options);
+  ASSERT_FALSE(ran.ticks.empty());
+  EXPECT_TRUE(std::any_of(ran.measured.rows.begin(), ran.measured.rows.end(),
+                          [](const Measurement& row) { return row.state == CellState::kContact; }));
+  const auto felt = std::max_element(ran.ticks.begin(), ran.ticks.end(), [](const auto& a, const auto& b) {
+    return a.hand_force_N.eigen().norm() < b.hand_force_N.eigen().norm();
+  });
+  EXPECT_LT(felt->hand_force_N.eigen().norm(), 0.05);
+}
+
+}  // namespace
+}  // namespace pellucida
