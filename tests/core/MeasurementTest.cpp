@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/core/Table.h"
+#include "support/DocsPage.h"
 
 namespace pellucida {
 namespace {
@@ -19,10 +21,18 @@ TEST(Measurement, HeaderIsTheContract) {
             "puncture_probability");
   EXPECT_TRUE(measurement_header().starts_with(measurement_header_start()));
   EXPECT_TRUE(measurement_header_start().ends_with("volume_um3,frame_age_ms"));
-  // The names used to read and to write are those of the header.
-  const auto header = split_csv(measurement_header());
-  ASSERT_EQ(header.size(), 3 + Measurement::kNumberCount);
-  for (std::size_t i = 0; i < Measurement::kNumberCount; ++i) EXPECT_EQ(header[3 + i], measurement_number_names()[i]);
+}
+
+TEST(Measurement, FileFormatPageHasTheColumnsInTheirOrder) {
+  std::string rows;
+  for (const auto& column : measurement_columns()) {
+    rows +=
+        "| `" + std::string(column.name) + "` | " + std::string(column.unit) + " | " + std::string(column.doc) + " |\n";
+  }
+  const std::string section = docs_section("file-format.md", "## measurements.csv");
+  const auto start = section.find("| `confidence` |");
+  ASSERT_NE(start, std::string::npos);
+  EXPECT_EQ(section.substr(start, section.find("\n\n", start) + 1 - start), rows);
 }
 
 TEST(Measurement, RowReadsBackAndEmptyCellsMeanNotMeasured) {

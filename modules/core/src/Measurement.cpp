@@ -1,36 +1,66 @@
 #include "pellucida/core/Measurement.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/core/Table.h"
 
 namespace pellucida {
 namespace {
 
-constexpr std::array<std::string_view, Measurement::kNumberCount> kNumberNames{"confidence",
-                                                                               "cell_x_um",
-                                                                               "cell_y_um",
-                                                                               "axis_deg",
-                                                                               "tip_x_um",
-                                                                               "tip_y_um",
-                                                                               "indentation_um",
-                                                                               "dimple_radius_um",
-                                                                               "contact_force_uN",
-                                                                               "contact_force_lower_uN",
-                                                                               "contact_force_upper_uN",
-                                                                               "pressure_Pa",
-                                                                               "volume_um3",
-                                                                               "frame_age_ms",
-                                                                               "lateral_force_uN",
-                                                                               "stiffness_uN_per_um",
-                                                                               "shape_residual_um",
-                                                                               "asymmetry_um",
-                                                                               "model_spread_percent",
-                                                                               "puncture_probability"};
+using M = Measurement;
+constexpr FieldNeed kFirst = FieldNeed::kRequired;  // in every session
+constexpr FieldRange kAny;
+constexpr Field<M> kColumns[] = {
+    {"confidence", "0..1", &M::confidence, {0, 1}, "of the whole frame", kFirst},
+    {"cell_x_um", "um", &M::cell_x_um, kAny, "centre of the outer membrane at rest, moving with the cell", kFirst},
+    {"cell_y_um", "um", &M::cell_y_um, kAny, "the same, down", kFirst},
+    {"axis_deg", "degrees", &M::axis_deg, kAny, "from the cell's centre to the needle; 0 = +x, positive towards +y",
+     kFirst},
+    {"tip_x_um", "um", &M::tip_x_um, kAny, "the needle's tip", kFirst},
+    {"tip_y_um", "um", &M::tip_y_um, kAny, "the same, down", kFirst},
+    {"indentation_um", "um", &M::indentation_um, kAny,
+     "of the contact point along the axis, the cell's rigid motion removed; at least 0", kFirst},
+    {"dimple_radius_um", "um", &M::dimple_radius_um, kAny, "of the dimple's mouth; 0 without contact", kFirst},
+    {"contact_force_uN", "uN", &M::contact_force_uN, kAny, "needle on cell along its push; 0 when free or punctured",
+     kFirst},
+    {"contact_force_lower_uN", "uN", &M::contact_force_lower_uN, kAny, "lower end of its 95 % interval", kFirst},
+    {"contact_force_upper_uN", "uN", &M::contact_force_upper_uN, kAny, "upper end of its 95 % interval", kFirst},
+    {"pressure_Pa", "Pa", &M::pressure_Pa, kAny, "excess pressure inside the cell", kFirst},
+    {"volume_um3", "um^3", &M::volume_um3, kAny, "enclosed by the outer membrane", kFirst},
+    {"frame_age_ms", "ms", &M::frame_age_ms, kAny, "from the frame's arrival to this row", kFirst},
+    {"lateral_force_uN", "uN", &M::lateral_force_uN, kAny,
+     "needle on cell across its push, solved for; the whole force's magnitude is "
+     "`sqrt(contact_force_uN^2 + lateral_force_uN^2)`"},
+    {"stiffness_uN_per_um", "uN/um", &M::stiffness_uN_per_um, kAny, "tangent stiffness along the push; 0 when free"},
+    {"shape_residual_um", "um", &M::shape_residual_um, kAny,
+     "RMS distance of the tracked contour from the model's section"},
+    {"asymmetry_um", "um", &M::asymmetry_um, kAny,
+     "RMS of what of the contour a surface of revolution about the contact point's axis cannot show"},
+    {"model_spread_percent", "%", &M::model_spread_percent, kAny,
+     "disagreement of the models of the force (this one, point-load formula, finite-element table), standard deviation "
+     "over mean"},
+    {"puncture_probability",
+     "0..1",
+     &M::puncture_probability,
+     {0, 1},
+     "that a force like this punctures; only where the cell was palpated (`--known-force-uN`)"},
+};
+
+double M::*number_of(const Field<M>& column) {
+  return std::get<double M::*>(column.member);
+}
+
+// The header of all columns, or of those in every session.
+std::string header_of(bool all) {
+  std::string header = "frame,time_s,state";
+  for (const auto& column : kColumns)
+    if (all || column.need == kFirst) header += ',' + std::string(column.name);
+  return header;
+}
 
 double parse_number(const std::string& cell, std::string_view name) {
   if (cell.empty()) return Measurement::kNotMeasured;
@@ -44,79 +74,29 @@ double parse_number(const std::string& cell, std::string_view name) {
 
 }  // namespace
 
-std::array<double, Measurement::kNumberCount> Measurement::numbers() const noexcept {
-  return {confidence,
-          cell_x_um,
-          cell_y_um,
-          axis_deg,
-          tip_x_um,
-          tip_y_um,
-          indentation_um,
-          dimple_radius_um,
-          contact_force_uN,
-          contact_force_lower_uN,
-          contact_force_upper_uN,
-          pressure_Pa,
-          volume_um3,
-          frame_age_ms,
-          lateral_force_uN,
-          stiffness_uN_per_um,
-          shape_residual_um,
-          asymmetry_um,
-          model_spread_percent,
-          puncture_probability};
+std::span<const Field<Measurement>> measurement_columns() noexcept {
+  return kColumns;
 }
 
-void Measurement::set_numbers(const std::array<double, kNumberCount>& values) noexcept {
-  double* const targets[] = {&confidence,
-                             &cell_x_um,
-                             &cell_y_um,
-                             &axis_deg,
-                             &tip_x_um,
-                             &tip_y_um,
-                             &indentation_um,
-                             &dimple_radius_um,
-                             &contact_force_uN,
-                             &contact_force_lower_uN,
-                             &contact_force_upper_uN,
-                             &pressure_Pa,
-                             &volume_um3,
-                             &frame_age_ms,
-                             &lateral_force_uN,
-                             &stiffness_uN_per_um,
-                             &shape_residual_um,
-                             &asymmetry_um,
-                             &model_spread_percent,
-                             &puncture_probability};
-  for (std::size_t i = 0; i < kNumberCount; ++i) *targets[i] = values[i];
+std::string_view measurement_header() {
+  static const std::string header = header_of(true);
+  return header;
 }
 
-std::string_view measurement_header() noexcept {
-  return "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,"
-         "contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,frame_age_ms,"
-         "lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
-         "puncture_probability";
-}
-
-std::string_view measurement_header_start() noexcept {
-  constexpr std::string_view kLastOfFirst = "frame_age_ms";
-  const std::string_view header = measurement_header();
-  return header.substr(0, header.find(kLastOfFirst) + kLastOfFirst.size());
-}
-
-const std::array<std::string_view, Measurement::kNumberCount>& measurement_number_names() noexcept {
-  return kNumberNames;
+std::string_view measurement_header_start() {
+  static const std::string header = header_of(false);
+  return header;
 }
 
 std::string to_csv(const Measurement& m) {
   std::string row = std::to_string(m.frame) + ',' + csv_number(m.time_s) + ',' + std::string(to_string(m.state));
-  for (const double value : m.numbers()) row += ',' + csv_number(value);
+  for (const auto& column : kColumns) row += ',' + csv_number(m.*number_of(column));
   return row;
 }
 
 Measurement measurement_from_csv(std::string_view row) {
   const auto cells = split_csv(row);
-  constexpr std::size_t kColumnCount = 3 + Measurement::kFirstNumberCount;
+  static const std::size_t kColumnCount = split_csv(measurement_header_start()).size();
   if (cells.size() < kColumnCount) {
     throw InputError("measurements.csv: a row of " + std::to_string(cells.size()) + " cells; " +
                      std::to_string(kColumnCount) + " are needed");
@@ -127,11 +107,11 @@ Measurement measurement_from_csv(std::string_view row) {
   const auto state = cell_state_from_string(cells[2]);
   if (!state) throw InputError("measurements.csv: \"" + cells[2] + "\" in column state is not a state");
   m.state = *state;
-  std::array<double, Measurement::kNumberCount> values{};
-  values.fill(Measurement::kNotMeasured);
-  const std::size_t count = std::min(values.size(), cells.size() - 3);
-  for (std::size_t i = 0; i < count; ++i) values[i] = parse_number(cells[3 + i], kNumberNames[i]);
-  m.set_numbers(values);
+  for (std::size_t i = 0; i < std::size(kColumns); ++i) {
+    const std::size_t cell = 3 + i;
+    m.*number_of(kColumns[i]) =
+        cell < cells.size() ? parse_number(cells[cell], kColumns[i].name) : Measurement::kNotMeasured;
+  }
   return m;
 }
 
