@@ -22,7 +22,7 @@ HandStatus working() {
 
 TEST(HandPresenter, TellsStateForceAndItsAge) {
   const HandTexts texts = hand_texts(working(), "Inserts");
-  EXPECT_EQ(texts.state.text, "Leads");
+  EXPECT_EQ(texts.state.text, "Engaged");
   EXPECT_EQ(texts.force.text, "0.50 N of 3.3 N");
   EXPECT_NEAR(texts.force_share, 0.5 / 3.3, 1e-9);
   EXPECT_EQ(texts.contact.text, "Contact, 42 ms old");
@@ -36,7 +36,7 @@ TEST(HandPresenter, ADeviceWithoutForceSaysSo) {
   HandStatus status = working();
   status.max_force_N = 0.0;
   const HandTexts texts = hand_texts(status);
-  EXPECT_EQ(texts.force.text, "Seen, not felt");
+  EXPECT_EQ(texts.force.text, "No force feedback");
   EXPECT_EQ(texts.force_share, 0.0);
 }
 
@@ -56,12 +56,12 @@ TEST(HandPresenter, AForceThatIsTooOldOrMissingIsAWarning) {
   status.tick.contact_state = ContactState::kStale;
   status.tick.limits = limit_bit(LimitKind::kContactStale);
   HandTexts texts = hand_texts(status);
-  EXPECT_EQ(texts.contact.text, "Force too old: let go");
+  EXPECT_EQ(texts.contact.text, "Force too old: released");
   EXPECT_EQ(texts.contact.color.css(), palette::kWarning.css());
   EXPECT_EQ(texts.note.text, "") << "said once";
   status.tick.contact_state = ContactState::kInvalid;
   texts = hand_texts(status);
-  EXPECT_EQ(texts.contact.text, "No force seen: let go");
+  EXPECT_EQ(texts.contact.text, "No force measured: released");
   EXPECT_EQ(texts.contact.color.css(), palette::kWarning.css());
 }
 
@@ -71,10 +71,10 @@ TEST(HandPresenter, WhatIsLostSaysWhatToDo) {
   status.tick.limits = limit_bit(LimitKind::kHandLost);
   HandTexts texts = hand_texts(status, "Inserts");
   EXPECT_EQ(texts.state.text, "Held");
-  EXPECT_EQ(texts.note.text, "Device lost: the pipette stands; plug it in, or choose another hand");
+  EXPECT_EQ(texts.note.text, "Device lost, pipette held: plug it in or choose another hand");
   EXPECT_EQ(texts.note.color.css(), palette::kRecord.css());
   status.tick.limits = limit_bit(LimitKind::kPipetteLost);
-  EXPECT_EQ(hand_texts(status).note.text, "Pipette lost: it doesn't report; check its cable and power");
+  EXPECT_EQ(hand_texts(status).note.text, "Manipulator lost: check its cable and power");
   // The manipulator's own reason is better still.
   status.fault = "manipulator /dev/ttyUSB0: no answer";
   EXPECT_EQ(hand_texts(status).note.text, "manipulator /dev/ttyUSB0: no answer");
@@ -97,7 +97,7 @@ TEST(HandPresenter, LimitsAreNamedTheGravestFirst) {
   status.tick.fixtures = kStopBit;
   const HandTexts texts = hand_texts(status, "Inserts");
   EXPECT_EQ(texts.note.text,
-            "Limit: depth stop, force on the cell at its limit, the hand is faster than the pipette may be");
+            "Limit: depth stop, force on the cell at its limit, speed limit of the pipette");
   EXPECT_EQ(texts.note.color.css(), palette::kWarning.css());
 }
 

@@ -79,7 +79,7 @@ bool HandControl::tick() {
 
 void HandControl::show_status() {
   std::string doing = console_.doing();
-  if (doing.empty() && console_.is_mouse() && !dragged_px_) doing = "Left button held: the needle follows";
+  if (doing.empty() && console_.is_mouse() && !dragged_px_) doing = "Hold the left button to move the needle";
   bar_->show_texts(hand_texts(console_.status(), doing));
   bar_->set_choice(console_.chosen(), console_.scale());
   bar_->set_depth_stop_um(console_.depth_stop_um());

@@ -170,15 +170,15 @@ QWidget* MainWindow::build_top_bar() {
   record_->setCheckable(true);
   record_->setIcon(make_icon(Pictogram::kRecord));
   connect(record_, &QPushButton::clicked, this, [this] { toggle_recording(); });
-  pause_ = add_top_button(row, "Pause", "Hold the newest frame (Space)");
+  pause_ = add_top_button(row, "Pause", "Keep the newest frame on screen (Space)");
   pause_->setIcon(make_icon(Pictogram::kPause));
   connect(pause_, &QPushButton::clicked, this, [this] { toggle_pause(); });
   if (run_->can_restart()) {
-    auto* restart = add_top_button(row, "Restart", "Show the source from its first frame again (Home)");
+    auto* restart = add_top_button(row, "Restart", "Start the source again from its first frame (Home)");
     restart->setIcon(make_icon(Pictogram::kRestart));
     connect(restart, &QPushButton::clicked, this, [this] { restart_source(); });
   }
-  auto* note = add_top_button(row, "Note", "Write a remark into the session's events (N)");
+  auto* note = add_top_button(row, "Note", "Add a remark to the session's events (N)");
   note->setIcon(make_icon(Pictogram::kNote));
   connect(note, &QPushButton::clicked, this, [this] { ask_for_note(); });
   auto* picture = add_top_button(row, "Screenshot", "Save the window as a picture (Ctrl+S)");
@@ -231,9 +231,9 @@ QWidget* MainWindow::build_feed_panel() {
     });
   };
   toggle("Contours", "Membranes found in the image (1)", Qt::Key_1, &FeedView::show_contours);
-  toggle("Model", "The mechanical model's own section (2)", Qt::Key_2, &FeedView::show_model_section);
+  toggle("Model", "Section through the mechanical model (2)", Qt::Key_2, &FeedView::show_model_section);
   toggle("Tools", "Needle and holding pipette (3)", Qt::Key_3, &FeedView::show_tools);
-  QToolButton* whole = panel->add_toggle("Whole frame", "The whole picture instead of the cell (W)", false);
+  QToolButton* whole = panel->add_toggle("Whole frame", "The whole image instead of the cell (W)", false);
   whole->setShortcut(Qt::Key_W);
   connect(whole, &QToolButton::toggled, this, [this](bool on) {
     feed_.set_framing(on ? FeedFraming::kFrame : FeedFraming::kCell);
@@ -263,7 +263,7 @@ QWidget* MainWindow::build_membrane_panel() {
     membranes_.show_tools(on);
     membrane_widget_->render();
   });
-  QToolButton* reset = panel->add_button("Reset", "The first point of view again (Home)");
+  QToolButton* reset = panel->add_button("Reset", "Back to the first point of view (Home)");
   reset->setShortcut(Qt::Key_Home);
   connect(reset, &QToolButton::clicked, this, [this] {
     membranes_.reset_camera();
@@ -273,7 +273,7 @@ QWidget* MainWindow::build_membrane_panel() {
 }
 
 void MainWindow::add_coloring_menu(Panel* panel) {
-  QToolButton* button = panel->add_button({}, "What the outer membrane's colour says");
+  QToolButton* button = panel->add_button({}, "What the colour of the outer membrane shows");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
   auto* choice = new QActionGroup(menu);
@@ -444,7 +444,7 @@ void MainWindow::save_picture() {
   const QString file = text_of(recordings_.picture_file(RecordingPresenter::utc_stamp()).string());
   QDir().mkpath(QFileInfo(file).path());
   const bool saved = grab().save(file, "PNG");
-  notify((saved ? "Picture saved: " : "The picture can't be written: ") + file, !saved);
+  notify((saved ? "Screenshot saved: " : "The screenshot can't be written: ") + file, !saved);
 }
 
 void MainWindow::finish_with_screenshot() {

@@ -14,9 +14,9 @@ Phrase state_phrase(HandState state) {
     case HandState::kWaiting:
       return {"Waiting", palette::kTextDim};
     case HandState::kWorking:
-      return {"Leads", palette::kHolder};
+      return {"Engaged", palette::kHolder};
     case HandState::kClutched:
-      return {"Hand off", palette::kTextDim};
+      return {"Disengaged", palette::kTextDim};
     case HandState::kHeld:
       return {"Held", palette::kWarning};
     case HandState::kStopped:
@@ -35,9 +35,9 @@ Phrase contact_phrase(const HapticRecord& tick) {
     case ContactState::kContact:
       return {"Contact, " + age, palette::kText};
     case ContactState::kStale:
-      return {"Force too old: let go", palette::kWarning};
+      return {"Force too old: released", palette::kWarning};
     case ContactState::kInvalid:
-      return {"No force seen: let go", palette::kWarning};
+      return {"No force measured: released", palette::kWarning};
     case ContactState::kPunctured:
       return {"Punctured, " + age, palette::kText};
   }
@@ -48,13 +48,13 @@ bool acts(const HapticRecord& tick, LimitKind kind) {
   return (tick.limits & limit_bit(kind)) != 0U;
 }
 
-// What makes the pipette stand, with the way out.
+// What holds the pipette, and what to do about it.
 const char* loss(const HapticRecord& tick) {
-  if (acts(tick, LimitKind::kHandLost)) return "Device lost: the pipette stands; plug it in, or choose another hand";
-  if (acts(tick, LimitKind::kPipetteLost)) return "Pipette lost: it doesn't report; check its cable and power";
-  if (acts(tick, LimitKind::kHandInvalid)) return "The device gives no numbers: the pipette stands";
-  if (acts(tick, LimitKind::kForceNotFinite)) return "The force could not be computed: none is given";
-  if (tick.hand_state == HandState::kStopped) return "Emergency stop: the pipette stands";
+  if (acts(tick, LimitKind::kHandLost)) return "Device lost, pipette held: plug it in or choose another hand";
+  if (acts(tick, LimitKind::kPipetteLost)) return "Manipulator lost: check its cable and power";
+  if (acts(tick, LimitKind::kHandInvalid)) return "Invalid readings from the device: pipette held";
+  if (acts(tick, LimitKind::kForceNotFinite)) return "The force could not be computed: no force on the hand";
+  if (tick.hand_state == HandState::kStopped) return "Emergency stop: pipette held";
   return nullptr;
 }
 
@@ -62,17 +62,17 @@ struct LimitWords {
   LimitKind kind;
   const char* words;
 };
-// Those a person can do something about, the gravest first; of the others the events and the recording tell.
+// Those the user can act on, the gravest first; the others are in the events and the recording.
 constexpr LimitWords kLimits[] = {
-    {LimitKind::kBlind, "no push while the force isn't known"},
+    {LimitKind::kBlind, "no deeper while the force is unknown"},
     {LimitKind::kForce, "force on the cell at its limit"},
-    {LimitKind::kDepth, "deepest indentation"},
-    {LimitKind::kTravel, "end of the travel"},
+    {LimitKind::kDepth, "depth limit"},
+    {LimitKind::kTravel, "end of travel"},
     {LimitKind::kFollowing, "the pipette lags behind the hand"},
-    {LimitKind::kSpeed, "the hand is faster than the pipette may be"},
-    {LimitKind::kHandForce, "the device's largest force"},
-    {LimitKind::kHandStiffness, "stiffer than the device can show"},
-    {LimitKind::kPassivity, "damped to stay stable"},
+    {LimitKind::kSpeed, "speed limit of the pipette"},
+    {LimitKind::kHandForce, "largest force of the device"},
+    {LimitKind::kHandStiffness, "stiffer than the device can render"},
+    {LimitKind::kPassivity, "damped for stability"},
     {LimitKind::kHandJump, "the hand's reading jumped"},
     {LimitKind::kPipetteJump, "the pipette's report jumped"},
     {LimitKind::kLateTick, "the computer was late"},
@@ -120,7 +120,7 @@ HandTexts hand_texts(const HandStatus& status, const std::string& doing) {
     texts.force = {readout::number(force_N, 2) + " N of " + readout::number(status.max_force_N, 1) + " N",
                    palette::kText};
   } else if (status.tick_count > 0U) {
-    texts.force = {"Seen, not felt", palette::kTextDim};
+    texts.force = {"No force feedback", palette::kTextDim};
   } else {
     texts.force = {"\u2013", palette::kTextDim};
   }

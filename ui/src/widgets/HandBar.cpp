@@ -24,7 +24,7 @@ constexpr double kShallowest_um = 1.0;
 constexpr double kDeepest_um = 200.0;
 constexpr int kArrowMargin_px = 9;
 
-// A choice with the same arrow as the window's other menus. A wheel that passes over it chooses nothing.
+// A choice with the same arrow as the window's other menus. The wheel does not change it.
 class Choice final : public QComboBox {
  public:
   using QComboBox::QComboBox;
@@ -40,7 +40,7 @@ class Choice final : public QComboBox {
   }
 };
 
-// A number that only a wheel meant for it turns.
+// A number that the wheel changes only while the box has the focus.
 class DepthBox final : public QDoubleSpinBox {
  public:
   using QDoubleSpinBox::QDoubleSpinBox;
@@ -62,7 +62,7 @@ HandBar::HandBar(const QStringList& hands, const QStringList& scales, Actions ac
   setObjectName("handBar");
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(76);
-  // What the hand does above, what may be done below; the stop stands beside both.
+  // What the hand does above, what can be done below; the stop beside both.
   auto* bar = new QHBoxLayout(this);
   bar->setContentsMargins(16, 7, 16, 8);
   bar->setSpacing(18);
@@ -73,7 +73,7 @@ HandBar::HandBar(const QStringList& hands, const QStringList& scales, Actions ac
   lines->addLayout(build_controls(hands, scales));
   stop_ = new QPushButton("STOP", this);
   stop_->setObjectName("emergencyStop");
-  stop_->setToolTip("Halt the pipette and let go of the hand at once (Esc); release on purpose: here, or Shift+Esc");
+  stop_->setToolTip("Stop the pipette and release the force on the hand at once (Esc); to release the stop: here, or Shift+Esc");
   stop_->setFocusPolicy(Qt::TabFocus);
   stop_->setFixedSize(132, 54);
   bar->addWidget(stop_);
@@ -95,7 +95,7 @@ QHBoxLayout* HandBar::build_readouts() {
   force_bar_->setRange(0, kForceSteps);
   force_bar_->setTextVisible(false);
   force_bar_->setFixedSize(96, 8);
-  force_bar_->setToolTip("Force on the hand; full: the most the device can give");
+  force_bar_->setToolTip("Force on the hand; full: the largest force of the device");
   row->addWidget(force_bar_);
   force_ = add_text(row, "0.00 N of 0.0 N");
   contact_ = add_text(row, "Punctured, 000 ms old");
@@ -110,9 +110,9 @@ QHBoxLayout* HandBar::build_readouts() {
 QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList& scales) {
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
-  hand_ = add_choice(row, hands, "Who holds the pipette");
+  hand_ = add_choice(row, hands, "What moves the pipette");
   connect(hand_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_hand(index); });
-  scale_ = add_choice(row, scales, "How far the tip goes: 100:1 is 100 \u00b5m for 10 mm of the hand");
+  scale_ = add_choice(row, scales, "Motion of the tip: 100:1 is 100 \u00b5m for 10 mm of the hand");
   connect(scale_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_scale(index); });
   row->addSpacing(8);
 
@@ -129,7 +129,7 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   depth_stop_->setRange(kShallowest_um, kDeepest_um);
   depth_stop_->setDecimals(0);
   depth_stop_->setSuffix(QString::fromUtf8(" \u00b5m"));
-  depth_stop_->setToolTip("The tip goes no deeper than this behind the entry");
+  depth_stop_->setToolTip("The tip goes no deeper than this beyond the entry");
   depth_stop_->setFocusPolicy(Qt::ClickFocus);
   depth_stop_->setKeyboardTracking(false);
   depth_stop_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // wheel, arrow keys, digits
@@ -137,19 +137,19 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   row->addWidget(depth_stop_);
   connect(depth_stop_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
           [this](double depth_um) { actions_.depth_stop(depth_um); });
-  // The window's keys shall work again after a number was typed.
+  // The window's keys work again once a number has been typed.
   connect(depth_stop_, &QDoubleSpinBox::editingFinished, depth_stop_, &QWidget::clearFocus);
 
   row->addStretch(1);
   inject_ = add_button(row, "Deposit", "Deposit while held down (D)");
   connect(inject_, &QPushButton::pressed, this, [this] { actions_.inject(true); });
   connect(inject_, &QPushButton::released, this, [this] { actions_.inject(false); });
-  retract_ = add_button(row, "Retract", "Take the pipette out along its line while held down (X)");
+  retract_ = add_button(row, "Retract", "Take the pipette out along its axis while held down (X)");
   connect(retract_, &QPushButton::pressed, this, [this] { actions_.retract(true); });
   connect(retract_, &QPushButton::released, this, [this] { actions_.retract(false); });
   if (actions_.new_cell) {
     QPushButton* renew =
-        add_button(row, "New cell", "Take the needle out, then a whole cell in the place of this one (C)");
+        add_button(row, "New cell", "Take the needle out, then replace the cell by an intact one (C)");
     renew->setShortcut(Qt::Key_C);
     connect(renew, &QPushButton::clicked, this, [this] { actions_.new_cell(); });
   }
@@ -197,7 +197,7 @@ void HandBar::show_texts(const HandTexts& texts) {
   show_phrase(force_, texts.force);
   show_phrase(contact_, texts.contact);
   show_phrase(note_, texts.note);
-  // A narrow window shows the beginning; the tip has all of it.
+  // A narrow window shows the beginning; the tool tip shows all of it.
   const QString note = QString::fromStdString(texts.note.text);
   note_->setText(note_->fontMetrics().elidedText(note, Qt::ElideRight, note_->width()));
   note_->setToolTip(note);
@@ -217,7 +217,7 @@ void HandBar::set_choice(int hand, int scale) {
 }
 
 void HandBar::set_depth_stop_um(double depth_um) {
-  // Not while somebody types.
+  // Not while the user types.
   if (depth_stop_->hasFocus()) return;
   const QSignalBlocker quiet(depth_stop_);
   depth_stop_->setEnabled(depth_um > 0.0);
