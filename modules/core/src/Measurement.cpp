@@ -15,39 +15,39 @@ using M = Measurement;
 constexpr FieldNeed kFirst = FieldNeed::kRequired;  // in every session
 constexpr FieldRange kAny;
 constexpr Field<M> kColumns[] = {
-    {"confidence", "0..1", &M::confidence, {0, 1}, "of the whole frame", kFirst},
+    {"confidence", "0..1", &M::confidence, {0, 1}, "confidence in the frame as a whole", kFirst},
     {"cell_x_um", "um", &M::cell_x_um, kAny, "centre of the outer membrane at rest, moving with the cell", kFirst},
     {"cell_y_um", "um", &M::cell_y_um, kAny, "the same, down", kFirst},
-    {"axis_deg", "degrees", &M::axis_deg, kAny, "from the cell's centre to the needle; 0 = +x, positive towards +y",
-     kFirst},
+    {"axis_deg", "degrees", &M::axis_deg, kAny,
+     "direction from the cell's centre to the needle; 0 = +x, positive towards +y", kFirst},
     {"tip_x_um", "um", &M::tip_x_um, kAny, "the needle's tip", kFirst},
     {"tip_y_um", "um", &M::tip_y_um, kAny, "the same, down", kFirst},
     {"indentation_um", "um", &M::indentation_um, kAny,
-     "of the contact point along the axis, the cell's rigid motion removed; at least 0", kFirst},
-    {"dimple_radius_um", "um", &M::dimple_radius_um, kAny, "of the dimple's mouth; 0 without contact", kFirst},
-    {"contact_force_uN", "uN", &M::contact_force_uN, kAny, "needle on cell along its push; 0 when free or punctured",
-     kFirst},
+     "displacement of the contact point along the axis, with the cell's rigid motion removed; at least 0", kFirst},
+    {"dimple_radius_um", "um", &M::dimple_radius_um, kAny, "radius of the dimple's mouth; 0 without contact", kFirst},
+    {"contact_force_uN", "uN", &M::contact_force_uN, kAny,
+     "force of the needle on the cell along its push; 0 when free or punctured", kFirst},
     {"contact_force_lower_uN", "uN", &M::contact_force_lower_uN, kAny, "lower end of its 95 % interval", kFirst},
     {"contact_force_upper_uN", "uN", &M::contact_force_upper_uN, kAny, "upper end of its 95 % interval", kFirst},
     {"pressure_Pa", "Pa", &M::pressure_Pa, kAny, "excess pressure inside the cell", kFirst},
-    {"volume_um3", "um^3", &M::volume_um3, kAny, "enclosed by the outer membrane", kFirst},
-    {"frame_age_ms", "ms", &M::frame_age_ms, kAny, "from the frame's arrival to this row", kFirst},
+    {"volume_um3", "um^3", &M::volume_um3, kAny, "volume enclosed by the outer membrane", kFirst},
+    {"frame_age_ms", "ms", &M::frame_age_ms, kAny, "time from the frame's arrival to this row", kFirst},
     {"lateral_force_uN", "uN", &M::lateral_force_uN, kAny,
-     "needle on cell across its push, solved for; the whole force's magnitude is "
+     "force of the needle on the cell across its push, computed from the model; the magnitude of the whole force is "
      "`sqrt(contact_force_uN^2 + lateral_force_uN^2)`"},
     {"stiffness_uN_per_um", "uN/um", &M::stiffness_uN_per_um, kAny, "tangent stiffness along the push; 0 when free"},
     {"shape_residual_um", "um", &M::shape_residual_um, kAny,
      "RMS distance of the tracked contour from the model's section"},
     {"asymmetry_um", "um", &M::asymmetry_um, kAny,
-     "RMS of what of the contour a surface of revolution about the contact point's axis cannot show"},
+     "RMS of the part of the contour that no surface of revolution about the axis through the contact point can show"},
     {"model_spread_percent", "%", &M::model_spread_percent, kAny,
-     "disagreement of the models of the force (this one, point-load formula, finite-element table), standard deviation "
-     "over mean"},
+     "disagreement of three models of the force (this one, the point-load formula, the finite-element table), standard "
+     "deviation over mean"},
     {"puncture_probability",
      "0..1",
      &M::puncture_probability,
      {0, 1},
-     "that a force like this punctures; only where the cell was palpated (`--known-force-uN`)"},
+     "probability that a force like this punctures the membrane; only if the cell was palpated (`--known-force-uN`)"},
 };
 
 double M::*number_of(const Field<M>& column) {
