@@ -103,7 +103,7 @@ TEST_P(OoplasmStill, TheInnermostMembraneEnclosesTheOoplasm) {
 INSTANTIATE_TEST_SUITE_P(Real, OoplasmStill, testing::Values("ooplasm0", "ooplasm1", "ooplasm2"));
 
 // The zona's mask is a ring, drawn by hand as polygons and cut off by the picture's border. `least` is what is reached,
-// less a margin; modules/tracking/README.md says where the rest is lost.
+// less a margin; docs/method.md, 1.7, says where the rest is lost.
 struct ZonaGoal {
   const char* name;
   double least_ring, least_outer, least_hole;

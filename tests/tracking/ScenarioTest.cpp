@@ -1,5 +1,5 @@
 // The tracker against the virtual microscope's truth, scenario by scenario. Limits are the product's promise with a
-// margin; the measured figures stand in modules/tracking/README.md.
+// margin; the measured figures are in docs/method.md, 1.8.
 #include <gtest/gtest.h>
 
 #include "pellucida/core_vtk/SceneData.h"

@@ -10,7 +10,7 @@
 namespace pellucida {
 
 /// Follows both membranes of a cell, the needle and the holding pipette from frame to frame: active contours (snakes),
-/// as in the paper, started by a detection that needs no click. Method and equations: modules/tracking/README.md. Has
+/// as in the paper, started by a detection that needs no click. Method and equations: docs/method.md, section 1. Has
 /// memory: feed it the frames of one sequence in order; `reset` starts anew. One thread at a time.
 class MembraneTracker {
  public:
