@@ -64,6 +64,25 @@ void add_open_haptics(std::vector<DeviceReport>& reports) {
        trouble.empty() ? "the driver's library is there; a device is opened when it is chosen" : trouble});
 }
 
+void add_no_serial_port(const std::string& reason, std::vector<DeviceReport>& reports) {
+  reports.push_back({"serial port", "serial port", false, reason});
+  reports.push_back({"manipulator", "eppendorf", false, "no serial port; see above"});
+}
+
+void add_serial_ports(const std::vector<SerialPortInfo>& ports, std::vector<DeviceReport>& reports) {
+  if (ports.empty()) add_no_serial_port("this machine has none; plug in a USB serial adapter", reports);
+  for (const auto& port : ports) {
+    const bool usable = port.trouble.empty();
+    reports.push_back({"serial port", port.path, usable, usable ? port.description : port.trouble});
+  }
+  for (const auto& port : ports) {
+    const bool usable = port.trouble.empty();
+    reports.push_back({"manipulator", "eppendorf:" + port.path, usable,
+                       usable ? "can be tried; ask whether one is there: pellucida devices --ask " + port.path
+                              : "the port can't be used; see above"});
+  }
+}
+
 }  // namespace
 
 std::vector<DeviceReport> search_hand_devices() {
@@ -77,20 +96,10 @@ std::vector<DeviceReport> search_hand_devices() {
 
 std::vector<DeviceReport> search_manipulators() {
   std::vector<DeviceReport> reports;
-  const auto ports = serial_ports();
-  for (const auto& port : ports) {
-    const bool usable = port.trouble.empty();
-    reports.push_back({"serial port", port.path, usable, usable ? port.description : port.trouble});
-  }
-  if (ports.empty()) {
-    reports.push_back({"serial port", "serial port", false, "this machine has none; plug in a USB serial adapter"});
-    reports.push_back({"manipulator", "eppendorf", false, "no serial port; see above"});
-  }
-  for (const auto& port : ports) {
-    const bool usable = port.trouble.empty();
-    reports.push_back({"manipulator", "eppendorf:" + port.path, usable,
-                       usable ? "can be tried; ask whether one is there: pellucida devices --ask " + port.path
-                              : "the port can't be used; see above"});
+  try {
+    add_serial_ports(serial_ports(), reports);
+  } catch (const DeviceError& error) {
+    add_no_serial_port(error.what(), reports);
   }
   reports.push_back({"manipulator", "simulated", true, "the simulated injector"});
   return reports;

@@ -85,6 +85,12 @@ std::vector<GamepadInfo> gamepads() {
   return found;
 }
 
+std::string gamepad_library_version() {
+  SDL_version version;
+  SDL_GetVersion(&version);
+  return std::to_string(version.major) + '.' + std::to_string(version.minor) + '.' + std::to_string(version.patch);
+}
+
 struct GamepadHand::Sdl : SdlInUse {
   SDL_Joystick* joystick = nullptr;
   SDL_GameController* controller = nullptr;

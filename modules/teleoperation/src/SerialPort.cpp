@@ -62,6 +62,10 @@ std::vector<SerialPortInfo> serial_ports() {
   return found;
 }
 
+std::string serial_port_library_version() {
+  return sp_get_package_version_string();
+}
+
 void SerialPort::Closer::operator()(sp_port* port) const noexcept {
   sp_close(port);
   sp_free_port(port);

@@ -84,6 +84,11 @@ std::string space_mouse_name() {
   return name;
 }
 
+std::string space_mouse_library_version() {
+  // The library does not tell; the build knew.
+  return PELLUCIDA_SPNAV_VERSION;
+}
+
 SpaceMouseHand::SpaceMouseHand(const SpaceMouseOptions& options)
     : PolledHand(specification_for(options)), options_(options) {
   if (const std::string trouble = space_mouse_trouble(); !trouble.empty()) throw DeviceError("SpaceMouse: " + trouble);

@@ -14,8 +14,11 @@ struct GamepadInfo {
   bool has_rumble = false;
 };
 
-/// The gamepads there are. Throws DeviceError when SDL can't look for them.
+/// The gamepads there are. Throws DeviceError when SDL can't look for them, or isn't in this build.
 std::vector<GamepadInfo> gamepads();
+
+/// The version of the SDL in use; empty in a build without it (PELLUCIDA_WITH_SDL2).
+std::string gamepad_library_version();
 
 struct GamepadOptions {
   std::string name;            ///< part of its name; empty: the first one
@@ -31,7 +34,8 @@ struct GamepadOptions {
 /// Unplugged, it is lost; plugged in again (or another one that fits the name), it is back.
 class GamepadHand final : public PolledHand {
  public:
-  /// Throws DeviceError: none there, or none of that name (and which there are); UsageError for a number not above 0.
+  /// Throws DeviceError: none there, or none of that name (and which there are), or no SDL in this build; UsageError
+  /// for a number not above 0.
   explicit GamepadHand(const GamepadOptions& options = {});
   ~GamepadHand() override;
 

@@ -16,14 +16,18 @@ struct SerialPortInfo {
   std::string trouble;      ///< why it can't be used as things stand, and how to mend it; empty: it can be
 };
 
-/// The serial ports there are. Empty when there are none.
+/// The serial ports there are. Empty when there are none. Throws DeviceError when libserialport isn't in this build.
 std::vector<SerialPortInfo> serial_ports();
+
+/// The version of the libserialport in use; empty in a build without it (PELLUCIDA_WITH_SERIALPORT).
+std::string serial_port_library_version();
 
 /// An open serial port, 8 data bits, no parity, 1 stop bit, no flow control, ours alone. Every wait has a deadline. One
 /// thread at a time; never the 1 kHz thread.
 class SerialPort {
  public:
-  /// Throws DeviceError: no such port, no permission (and which group has it), in use, not a serial port.
+  /// Throws DeviceError: no such port, no permission (and which group has it), in use, not a serial port, or no
+  /// libserialport in this build.
   SerialPort(const std::string& path, int baud);
 
   /// All of `bytes` within `timeout_s`. Throws DeviceError when the port is gone, or does not take them in time.

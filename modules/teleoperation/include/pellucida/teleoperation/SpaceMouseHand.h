@@ -16,7 +16,8 @@ struct SpaceMouseOptions {
 /// When the daemon goes, the device is lost; when it returns, it's back. libspnav holds one connection for a program.
 class SpaceMouseHand final : public PolledHand {
  public:
-  /// Throws DeviceError: no daemon (not installed, not running, no permission), or another one is in use.
+  /// Throws DeviceError: no daemon (not installed, not running, no permission), another one is in use, or no libspnav
+  /// in this build.
   explicit SpaceMouseHand(const SpaceMouseOptions& options = {});
   ~SpaceMouseHand() override;
 
@@ -33,5 +34,8 @@ std::string space_mouse_trouble();
 
 /// The name of the device the daemon has, or empty. Connects for a moment.
 std::string space_mouse_name();
+
+/// The version of libspnav that this was built with; empty in a build without it (PELLUCIDA_WITH_SPNAV).
+std::string space_mouse_library_version();
 
 }  // namespace pellucida
