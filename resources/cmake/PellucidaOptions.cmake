@@ -2,19 +2,24 @@
 option(PELLUCIDA_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(PELLUCIDA_CORE_ONLY "Build only the targets without VTK, Qt, OpenCV and ITK" OFF)
 option(PELLUCIDA_FUZZ "Build the fuzzers too; needs clang" OFF)
+option(PELLUCIDA_BUILD_TESTS "Build the tests and benchmarks" ${PROJECT_IS_TOP_LEVEL})
+option(PELLUCIDA_INSTALL "Install rules and the Debian package" ${PROJECT_IS_TOP_LEVEL})
 set(PELLUCIDA_SANITIZE "" CACHE STRING "Sanitizers to compile with, as -fsanitize takes them")
 
+# These hold in this project's folders; a project that adds this one keeps its own.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
-set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
-set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
-
-find_program(CCACHE_PROGRAM ccache)
-if(CCACHE_PROGRAM)
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+# Where things go and who compiles is the outermost project's to say.
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+  set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+  set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/lib")
+  find_program(CCACHE_PROGRAM ccache)
+  if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  endif()
 endif()
 
 add_library(pellucida_build_options INTERFACE)

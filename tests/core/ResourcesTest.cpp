@@ -47,5 +47,42 @@ TEST_F(ResourcesTest, AnUnknownNameListsTheKnownOnes) {
   }
 }
 
+/// The error that the rule ends in.
+std::string fault_of(const char* named, const fs::path& program) {
+  try {
+    return "found " + resource_folder(named, program).string();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST_F(ResourcesTest, AnInstalledProgramFindsThemBesideItself) {
+  const fs::path prefix = folder_ / "prefix";
+  fs::create_directories(prefix / "share" / "pellucida");
+  EXPECT_EQ(resource_folder(nullptr, prefix / "bin" / "pellucida"), prefix / "share" / "pellucida");
+  EXPECT_EQ(resource_folder("", prefix / "bin" / "pellucida"), prefix / "share" / "pellucida");
+}
+
+TEST_F(ResourcesTest, AnInstallationWithoutThemSaysWhereTheyShouldBe) {
+  const fs::path prefix = folder_ / "bare";
+  const std::string fault = fault_of(nullptr, prefix / "bin" / "pellucida");
+  for (const std::string& part : {(prefix / "share" / "pellucida").string(), std::string("install Pellucida again"),
+                                  std::string("PELLUCIDA_RESOURCES")}) {
+    EXPECT_NE(fault.find(part), std::string::npos) << fault;
+  }
+}
+
+TEST_F(ResourcesTest, AVariableThatNamesNoFolderIsAnErrorNotPassedOver) {
+  fs::create_directories(folder_ / "prefix" / "share" / "pellucida");
+  const fs::path missing = folder_ / "missing";
+  const std::string fault = fault_of(missing.c_str(), folder_ / "prefix" / "bin" / "pellucida");
+  EXPECT_NE(fault.find("PELLUCIDA_RESOURCES names " + missing.string()), std::string::npos) << fault;
+}
+
+// This program lies in a build tree.
+TEST(Resources, ABuildTreeHasThoseOfItsSources) {
+  EXPECT_TRUE(fs::equivalent(resource_folder(), fs::path(PELLUCIDA_SOURCE_DIR) / "resources"));
+}
+
 }  // namespace
 }  // namespace pellucida

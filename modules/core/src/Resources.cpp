@@ -9,17 +9,33 @@ namespace pellucida {
 
 namespace fs = std::filesystem;
 
-fs::path resource_folder() {
-  std::vector<fs::path> candidates;
-  if (const char* named = std::getenv("PELLUCIDA_RESOURCES")) candidates.emplace_back(named);
+namespace {
+
+constexpr const char* kVariable = "PELLUCIDA_RESOURCES";
+constexpr const char* kContents = "cell profiles, scenarios, reference curves and devices";
+
+}  // namespace
+
+fs::path resource_folder(const char* named, const fs::path& program) {
   std::error_code code;
-  const fs::path program = fs::read_symlink("/proc/self/exe", code);
-  if (!code) candidates.push_back(program.parent_path().parent_path() / "share" / "pellucida");
-  candidates.emplace_back(PELLUCIDA_SOURCE_RESOURCES);
-  for (const auto& candidate : candidates) {
-    if (fs::is_directory(candidate, code)) return candidate;
+  if (named && *named) {
+    if (fs::is_directory(named, code)) return named;
+    throw InputError(std::string(kVariable) + " names " + named + ", which is no folder; name the one with the " +
+                     kContents + ", or unset it");
   }
-  throw InputError("the program's resources were not found; set PELLUCIDA_RESOURCES to the folder `resources`");
+  if (program.empty()) {
+    throw InputError(std::string("where the program lies can't be read from /proc; set ") + kVariable +
+                     " to the folder with the " + kContents);
+  }
+  const fs::path beside = program.parent_path().parent_path() / "share" / "pellucida";
+  if (fs::is_directory(beside, code)) return beside;
+  throw InputError("the program's " + std::string(kContents) + " are not at " + beside.string() +
+                   "; install Pellucida again, or set " + kVariable + " to the folder that holds them");
+}
+
+fs::path resource_folder() {
+  std::error_code code;
+  return resource_folder(std::getenv(kVariable), fs::read_symlink("/proc/self/exe", code));
 }
 
 std::vector<std::string> list_resources(std::string_view folder, std::string_view extension) {
