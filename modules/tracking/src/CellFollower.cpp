@@ -20,9 +20,6 @@ constexpr double kRigidReach_px = 38.0;
 // trusted.
 constexpr double kAstray_ratio = 0.08;
 constexpr int kAstrayFrames = 3;
-// Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
-// not seen undisturbed; of the shift told by the far side of the cell alone.
-constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
 // An edge that many times as blurred as the membrane's line is wide can't be taken for one.
 constexpr double kShade_ratio = 2.0;
 // Standard deviation of the way from the membrane's apex, seen through a blurred needle, to the tip, px.
@@ -105,49 +102,6 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
     }
   }
   rigid_.learn(frame.image, points, rest_.center, frame.noise);
-}
-
-// How far the tip is past the resting membrane, px.
-double CellFollower::tip_depth() const {
-  const NeedleEstimate& n = needle_.estimate();
-  return (n.tip - rest_.entry_point(center_now(), n.tip, n.direction)).dot(n.direction);
-}
-
-double CellFollower::measure_membrane_depth() const {
-  if (!needle_.valid()) return 0.0;
-  const NeedleEstimate& n = needle_.estimate();
-  const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction);
-  return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
-}
-
-double CellFollower::membrane_sigma() const {
-  if (!needle_.valid()) return 0.0;
-  // The few points beside the axis share what the rigidity ties together: their mean sigma stands for all.
-  const NeedleEstimate& n = needle_.estimate();
-  const SnakeContour& outer = snakes_.outer();
-  double sum = 0.0;
-  int count = 0;
-  for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
-    const Eigen::Vector2d d = outer.points.col(i) - n.tip;
-    const double across = std::abs(n.direction.x() * d.y() - n.direction.y() * d.x());
-    if (across > n.tip_half_width + 4.0 || (outer.points.col(i) - center_now()).dot(n.direction) > 0.0) continue;
-    sum += outer.sigma_px[i];
-    ++count;
-  }
-  return count > 0 ? sum / count : kUnknownSigma_px;
-}
-
-double CellFollower::rest_sigma() const {
-  const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
-  const double rigid = rigid_.valid() ? rigid_.sigma_px(needle_.estimate().direction) : kFarSideSigma_px;
-  return std::hypot(rest, rigid);
-}
-
-double CellFollower::depth_sigma() const {
-  // Where the membrane under the needle is hidden, the tip that wraps it tells its depth.
-  const double tip =
-      needle_.valid() && needle_.estimate().tip_sigma > 0.0 ? needle_.estimate().tip_sigma : kUnknownSigma_px;
-  return std::hypot(std::min(membrane_sigma(), tip), rest_sigma());
 }
 
 void CellFollower::learn_rest() {

@@ -14,21 +14,18 @@ constexpr int kSoftSmoothing = 8;          // times neighbouring profiles of a f
 constexpr double kNeedleMargin = 2.5;      // px: half width of the needle's own dark edge, with its halo
 constexpr double kReferenceSpacing = 2.0;  // px between points at which an edge known to kReferenceSigma weighs 1
 constexpr double kReferenceSigma = 0.4;
-constexpr double kShapeShare = 0.1;    // of the predicted shape's own bending that the snake resists
-constexpr double kUnseenSigma = 40.0;  // px: of an edge not seen
-constexpr double kLeastSigma = 0.02;   // px: no single edge is known better
-constexpr double kMisfitShare = 2.0;   // of what noise does not explain of a profile's misfit, in the place's variance
-constexpr double kLeastThicknessSpread = 0.04;  // of the thickness: a zona is not more even than that
-constexpr double kAlone_px = 0.023;             // sigma of a contour without a second one
-constexpr double kSmoothed = 0.7;  // of the solve's variance that is left after twicing and from frame to frame
-constexpr double kApart = 3.0;     // sigmas between an edge and where the thickness has it, at which its own doubles
-constexpr double kUnlike = 3.0;    // how much surer a profile wholly alike is than one wholly unlike
+constexpr double kShapeShare = 0.1;     // of the predicted shape's own bending that the snake resists
+constexpr double kUnseenSigma = 40.0;   // px: of an edge not seen
+constexpr double kLeastSigma = 0.02;    // px: no single edge is known better
+constexpr double kMisfitShare = 2.0;    // of what noise does not explain of a profile's misfit, in the place's variance
+constexpr double kAlone_px = 0.023;     // sigma of a contour without a second one
+constexpr double kSmoothed = 0.7;       // of the solve's variance that is left after twicing and from frame to frame
+constexpr double kUnlike = 3.0;         // how much surer a profile wholly alike is than one wholly unlike
 constexpr double kBilinearShare = 0.5;  // of a pixel's variance that bilinear samples keep
 constexpr double kSigmaFloor = 0.010;   // px, at a width of 1 px: no point is known better
 constexpr double kNarrow = 0.6;         // of that, of a line that is 1 px wide: too few pixels draw it
 constexpr double kBroad_px = 2.4;       // width from which on that is a fixed share of it
 constexpr double kCrowded = 0.258;      // width over thickness at which the doubt about the centre doubles
-constexpr double kSqueeze = 0.25;       // of the zona's thickness that the tip may take away
 constexpr int kReach = 6;               // samples to both sides of the prediction
 constexpr double kSettled_px = 0.6;     // displacement after which the profiles are not sampled again
 constexpr int kMostRounds = 4;
@@ -75,56 +72,6 @@ bool MembraneSnakes::learn_look(const FrameSampler& image, const SnakeContour& s
   edges_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) edges_[i] = needle && needle->covers(snake.points.col(i), 6.0) ? 0.0 : 1.0;
   return look.edge.learn(profiles_.data(), normals_, edges_, snake.kind, share);
-}
-
-// Distance of each outer point from the inner contour: both run the same way round, so the nearest place moves on
-// steadily.
-void MembraneSnakes::measure_gaps() {
-  const Eigen::Index n = outer_.points.cols(), m = inner_.points.cols();
-  gaps_.resize(n);
-  gap_places_.resize(static_cast<std::size_t>(n));
-  Eigen::Index nearest = 0;
-  const auto distance = [&](Eigen::Index i, Eigen::Index j) {
-    return (outer_.points.col(i) - inner_.points.col(contour::wrap(j, m))).squaredNorm();
-  };
-  for (Eigen::Index j = 1; j < m; ++j)
-    if (distance(0, j) < distance(0, nearest)) nearest = j;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index from = nearest;
-    double best = distance(i, from);
-    for (Eigen::Index j = from - 4; j <= from + 8; ++j) {
-      const double d = distance(i, j);
-      if (d >= best) continue;
-      best = d;
-      nearest = j;
-    }
-    nearest = contour::wrap(nearest, m);
-    gap_places_[static_cast<std::size_t>(i)] = nearest;
-    // To the two chords that meet there.
-    const Eigen::Vector2d p = outer_.points.col(i), a = inner_.points.col(nearest);
-    for (const Eigen::Index k : {nearest - 1, nearest + 1}) {
-      const Eigen::Vector2d chord = inner_.points.col(contour::wrap(k, m)) - a;
-      const double t = std::clamp(chord.dot(p - a) / std::max(chord.squaredNorm(), 1e-12), 0.0, 1.0);
-      best = std::min(best, (p - a - t * chord).squaredNorm());
-    }
-    gaps_[i] = std::sqrt(best);
-  }
-}
-
-void MembraneSnakes::learn_thickness(const NeedleZone* needle, double share) {
-  measure_gaps();
-  sorted_.clear();
-  for (Eigen::Index i = 0; i < gaps_.size(); ++i)
-    if (!needle || !needle->covers(outer_.points.col(i), 6.0)) sorted_.push_back(gaps_[i]);
-  if (sorted_.empty()) return;
-  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-  std::nth_element(sorted_.begin(), middle, sorted_.end());
-  const double thickness = *middle;
-  for (double& gap : sorted_) gap = std::abs(gap - thickness);
-  const auto spread = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() * 3 / 4);
-  std::nth_element(sorted_.begin(), spread, sorted_.end());
-  thickness_ += share * (thickness - thickness_);
-  thickness_sigma_ += share * (std::max(*spread, kLeastThicknessSpread * thickness) - thickness_sigma_);
 }
 
 // Where both contours of a strip of normals roughly are, with no hint but the band.
@@ -230,30 +177,6 @@ void MembraneSnakes::localise(const FrameSampler& image, double noise, bool is_o
   }
   snake.score = seen > 0 ? score / seen : 0.0;
   look.loose_ratio = seen > 0 ? static_cast<double>(loose) / seen : 1.0;
-}
-
-// The zona's thickness says where the outer membrane is when the inner one is seen and it itself is not.
-void MembraneSnakes::use_thickness(const NeedleZone* needle) {
-  measure_gaps();
-  const Eigen::Index n = outer_.points.cols(), m = inner_.points.cols();
-  const auto match = static_cast<double>(m) / static_cast<double>(inner_.sigma_px.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto place = static_cast<Eigen::Index>(gap_places_[static_cast<std::size_t>(i)] / match);
-    // Under the tip a zona may be squeezed.
-    double squeezed = 0.0;
-    if (needle && needle->touching) {
-      const double t = (outer_.points.col(i) - needle->tip).norm() / (3.0 * needle->tip_half_width + 8.0);
-      if (t < 4.0) squeezed = kSqueeze * thickness_ * std::exp(-0.5 * t * t);
-    }
-    const double sigma = std::hypot(std::hypot(thickness_sigma_, squeezed),
-                                    inner_.sigma_px[std::min(place, inner_.sigma_px.size() - 1)]);
-    // An edge that lies elsewhere than the thickness allows is another body's.
-    const double expected = thickness_ - gaps_[i], apart = (edges_[i] - expected) / (kApart * (sigma + sigmas_[i]));
-    const double own = sigmas_[i] * (1.0 + apart * apart);
-    const double a = 1.0 / (own * own), b = 1.0 / (sigma * sigma);
-    edges_[i] = (a * edges_[i] + b * expected) / (a + b);
-    sigmas_[i] = 1.0 / std::sqrt(a + b);
-  }
 }
 
 // Near the needle: softer where the dimple is sharp, blind where the shaft hides the membrane, and under the tip the
