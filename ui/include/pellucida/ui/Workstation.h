@@ -7,13 +7,13 @@
 
 namespace pellucida {
 
-/// What may be chosen about the window.
+/// Options of the window.
 struct WindowOptions {
   std::string session_folder;       ///< where Record writes; empty: a new folder in ~/Pellucida each time
-  std::string screenshot;           ///< save the window as this PNG file, then leave; empty: stay open
+  std::string screenshot;           ///< save the window as this PNG file, then close; empty: stay open
   double screenshot_after_s = 8.0;  ///< time from the window's opening to the screenshot, > 0
-  bool repeat = false;              ///< begin anew a moment after the source's end, where it can
-  int hand = -1;                    ///< of the console's hands, chosen at the start; -1: none
+  bool repeat = false;              ///< restart the source a moment after its end, if it can
+  int hand = -1;                    ///< index of the console's hand at the start; -1: none
   int width_px = 1400;              ///< size at the start
   int height_px = 900;
 };
@@ -23,7 +23,7 @@ struct WindowOptions {
 /// screenshot can't be written.
 int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options);
 
-/// The same with somebody's hand on the pipette: `console` belongs to `run`.
+/// The same with a hand on the pipette: `console` belongs to `run`.
 int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console,
                     const WindowOptions& options);
 

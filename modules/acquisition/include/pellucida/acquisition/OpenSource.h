@@ -7,7 +7,7 @@
 
 namespace pellucida {
 
-/// What the user says about an input; wins over the file's own metadata.
+/// What the user states about an input; overrides the file's own metadata.
 struct SourceOptions {
   std::optional<double> pixel_size_um;  ///< `--pixel-size-um`, 0.001..100
   std::optional<double> frame_rate_hz;  ///< `--fps`, 0.001..100000
@@ -21,11 +21,11 @@ struct SourceOptions {
 /// by luminance (Rec. 601); 16 bit stays 16 bit.
 ///
 /// Errors, in the order of the checks:
-/// - InputError: missing, empty, of no format known here, broken, or holding pixels that are neither 8 nor 16 bit
+/// - InputError: missing, empty, of an unknown format, damaged, or with pixels that are neither 8 nor 16 bit
 /// integers;
 /// - DeviceError: the camera isn't there or may not be opened, or this build has no such kind of source;
 /// - UsageError: an option out of range, or a pixel size or frame rate that neither option nor metadata gives.
-/// Any frame the source gives later has the size and depth of the first: another one is an InputError of `next()`.
+/// Every later frame has the size and depth of the first; any other is an InputError of `next()`.
 std::unique_ptr<FrameSource> open_source(const std::string& input, const SourceOptions& options);
 
 }  // namespace pellucida

@@ -4,7 +4,7 @@
 
 namespace pellucida {
 
-/// Where time comes from. Seconds, monotonic, 0 at the session's start. Safe to read from any thread.
+/// A source of time: seconds, monotonic, 0 at the session's start. Safe to read from any thread.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -22,7 +22,7 @@ class SteadyClock final : public Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Follows the stamps of a recording: time is the stamp of the newest frame handed out. Never goes back.
+/// Follows the stamps of a recording: time is the stamp of the newest frame delivered. Never goes back.
 class RecordedClock final : public Clock {
  public:
   double now_s() const noexcept override { return now_s_.load(std::memory_order_acquire); }
@@ -38,7 +38,7 @@ class RecordedClock final : public Clock {
   std::atomic<double> now_s_{0.0};
 };
 
-/// A clock a test turns by hand.
+/// A clock that a test sets.
 class ManualClock final : public Clock {
  public:
   double now_s() const noexcept override { return now_s_.load(std::memory_order_acquire); }

@@ -6,9 +6,9 @@
 
 namespace pellucida {
 
-/// What the newest measured frame says of the contact, for the 1 kHz thread: the force on the needle and how it changes
-/// with the tip's motion, about the place where the tip was seen. Trivially copyable: it goes through `LatestValue`.
-/// Frame W, um, uN, s.
+/// The contact as measured in the newest frame, for the 1 kHz thread: the force on the needle and how it changes with
+/// the tip's motion, about the place where the tip was seen. Trivially copyable: it goes through `LatestValue`. Frame
+/// W, um, uN, s.
 struct ContactModel {
   double time_s = 0.0;    ///< when the frame arrived, on the run's clock: the force's age counts from it
   long frame_index = -1;  ///< -1: no frame yet
@@ -17,7 +17,7 @@ struct ContactModel {
   double confidence = 0.0;  ///< of the frame, 0..1
 
   PlainVector3 tip_um;    ///< where the tip was in that frame
-  PlainVector3 push;      ///< unit vector: the way the needle pushes, from the shaft to the tip
+  PlainVector3 push;      ///< unit vector of the needle's push, from the shaft to the tip
   PlainVector3 force_uN;  ///< of the cell on the needle (against the push): what a hand at the needle would feel
   double force_sigma_uN = 0.0;
   double stiffness_uN_per_um = 0.0;  ///< tangent stiffness along the push, >= 0

@@ -15,7 +15,7 @@ enum class ExitCode : int {
   kDeviceMissing = 6,
 };
 
-/// Base of every exception thrown on purpose. The text is one line: what, where, how to mend it.
+/// Base of every exception thrown on purpose. The text is one line: what, where, how to correct it.
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string& text) : std::runtime_error(text), code_(code) {}
@@ -37,19 +37,19 @@ class InputError : public Error {
   explicit InputError(const std::string& text) : Error(ExitCode::kInputUnreadable, text) {}
 };
 
-/// The input was read, but no frame gave a measurement.
+/// The input was read, but no frame could be measured.
 class NothingMeasuredError : public Error {
  public:
   explicit NothingMeasuredError(const std::string& text) : Error(ExitCode::kNothingMeasured, text) {}
 };
 
-/// An output that can't be written (disk full, no permission). What was written before stays valid.
+/// An output that can't be written (disk full, no permission). Everything written before remains valid.
 class OutputError : public Error {
  public:
   explicit OutputError(const std::string& text) : Error(ExitCode::kOutputUnwritable, text) {}
 };
 
-/// A camera, manipulator, haptic device or display that isn't there.
+/// A camera, manipulator, haptic device or display that is missing.
 class DeviceError : public Error {
  public:
   explicit DeviceError(const std::string& text) : Error(ExitCode::kDeviceMissing, text) {}

@@ -3,8 +3,8 @@
 
 namespace pellucida {
 
-/// Something that happened in a session: a row of `events.csv` (`time_s,kind,detail`).
-/// Kinds: contact, release, puncture, lost, found, dropped, gap, limit, note, started, stopped.
+/// An event of a session: a row of `events.csv` (`time_s,kind,detail`). Kinds: contact, release, puncture, lost, found,
+/// dropped, gap, limit, note, warning, palpation, started, stopped.
 struct Event {
   double time_s = 0.0;
   std::string kind;

@@ -26,8 +26,8 @@ constexpr FieldRange above(double low, double high = std::numeric_limits<double>
 
 enum class FieldNeed : std::uint8_t { kOptional, kRequired };
 
-/// One member of the struct S, told once: reader, writer, range check, help text and the page in `docs` follow from a
-/// table of these. The default of an optional field is what `S{}` holds.
+/// One member of the struct S, described once: reader, writer, range check, help text and the page in `docs` follow
+/// from a table of these. The default of an optional field is what `S{}` holds.
 template <class S>
 struct Field {
   std::string_view name;
@@ -73,7 +73,7 @@ class FieldList {
 
   /// The field of that key; null when there is none.
   const FieldPlace* find(std::string_view key) const noexcept;
-  /// What may stand in a group, each once, comma separated: "image, cell, tools".
+  /// The names in a group, each once, comma separated: "image, cell, tools".
   std::string names_in(std::string_view group) const;
 
   auto begin() const noexcept { return places_.begin(); }

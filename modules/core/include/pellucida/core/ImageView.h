@@ -6,8 +6,8 @@ namespace pellucida {
 
 enum class PixelFormat { kGray8, kGray16 };
 
-/// A grey image somebody else owns, row 0 at the top (world frame W: x right, y down, origin at the centre of the
-/// top-left pixel). Pixel (column, row) lies at (column, row) * pixel_size_um.
+/// A grey image owned elsewhere, row 0 at the top (world frame W: x right, y down, origin at the centre of the top-left
+/// pixel). Pixel (column, row) lies at (column, row) * pixel_size_um.
 struct ImageView {
   const void* data = nullptr;  ///< first byte of row 0; uint8_t or uint16_t by `format`
   PixelFormat format = PixelFormat::kGray8;

@@ -49,7 +49,7 @@ std::span<const Field<Measurement>> measurement_columns() noexcept;
 
 /// The header line of `measurements.csv` (a contract), without line end.
 std::string_view measurement_header();
-/// How the header of every session begins, also of an earlier version's.
+/// The beginning of the header common to the sessions of all versions.
 std::string_view measurement_header_start();
 /// One row, comma separated, shortest digits that read back to the same number to 9 significant figures, no line end.
 std::string to_csv(const Measurement& m);
@@ -57,7 +57,7 @@ std::string to_csv(const Measurement& m);
 /// Throws InputError when a cell is not what its column holds; the text names the column.
 Measurement measurement_from_csv(std::string_view row);
 
-/// The part of a row that the tracker alone knows.
+/// The part of a row that comes from the tracker alone.
 Measurement measurement_from(const Observation& observation);
 
 }  // namespace pellucida

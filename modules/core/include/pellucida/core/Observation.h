@@ -30,13 +30,13 @@ struct MembraneContour {
   Eigen::VectorXd confidence;  ///< (n) in 0..1
 };
 
-/// What told where the needle's tip is; one or more of these, combined with |.
+/// The evidence used to locate the needle's tip; one or more of these, combined with |.
 enum NeedleEvidence : unsigned {
   kNoNeedleEvidence = 0,
   kShaftEdges = 1,       ///< both edges of the shaft: the axis
   kTipEnd = 2,           ///< the place where the edges end
   kKnownCone = 4,        ///< the shaft's width, on the cone learnt while the tip was in the clear
-  kCommandedMotion = 8,  ///< the motion the manipulator was commanded
+  kCommandedMotion = 8,  ///< the motion commanded to the manipulator
   kDimple = 16           ///< the membrane's apex under the tip
 };
 constexpr NeedleEvidence operator|(NeedleEvidence a, NeedleEvidence b) noexcept {
@@ -48,11 +48,12 @@ std::string to_string(NeedleEvidence evidence);
 /// The injection needle (micropipette) in the image plane.
 struct NeedlePose {
   Eigen::Vector2d tip_um = Eigen::Vector2d::Zero();
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit vector from the shaft to the tip: the way it pushes
-  double tip_radius_um = 0.0;                            ///< half the width at the tip
-  double confidence = 0.0;                               ///< 0..1
+  Eigen::Vector2d direction =
+      Eigen::Vector2d::UnitX();                 ///< unit vector from the shaft to the tip: the direction of its push
+  double tip_radius_um = 0.0;                   ///< half the width at the tip
+  double confidence = 0.0;                      ///< 0..1
   double tip_sigma_um = 0.0;                    ///< standard deviation of the tip along `direction`; 0: unknown
-  NeedleEvidence evidence = kNoNeedleEvidence;  ///< what told where the tip is
+  NeedleEvidence evidence = kNoNeedleEvidence;  ///< how the tip was located
   Contour_um outline_um;                        ///< open polyline; its first point is the tip
 };
 
@@ -65,7 +66,7 @@ struct HolderPose {
   Contour_um outline_um;                                 ///< open polyline
 };
 
-/// All that one frame says about cell and tools: what a tracker measures, and what the virtual microscope knows as
+/// Everything one frame shows of cell and tools: what a tracker measures, and what the virtual microscope knows as
 /// truth. Lengths in um in frame W.
 struct Observation {
   double time_s = 0.0;  ///< since the session began
@@ -78,13 +79,13 @@ struct Observation {
   std::optional<NeedlePose> needle;
   std::optional<HolderPose> holder;
 
-  // Valid when `outer` is there.
+  // Valid when `outer` is set.
   Eigen::Vector2d center_um = Eigen::Vector2d::Zero();  ///< centre of the outer membrane at rest, moving with the cell
   double rotation_rad = 0.0;          ///< rigid rotation of cell and holder since the cell was found, +x towards +y
   double rest_outer_radius_um = 0.0;  ///< radius of the outer membrane at rest
   double rest_inner_radius_um = 0.0;  ///< of the inner one; 0 when it was not seen at rest
 
-  // Valid when `outer` and `needle` are there.
+  // Valid when `outer` and `needle` are set.
   Eigen::Vector2d axis = Eigen::Vector2d::UnitX();  ///< unit vector from the cell centre to the needle
   double indentation_um = 0.0;        ///< contact point's displacement along the axis, rigid motion removed; >= 0
   double indentation_sigma_um = 0.0;  ///< its standard deviation; 0 when not estimated

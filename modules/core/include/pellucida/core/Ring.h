@@ -10,8 +10,8 @@
 
 namespace pellucida {
 
-/// Ordered, bounded, counted exchange for a consumer that must see everything (the recorder). When it is full the
-/// newest item is refused and counted: the caller reports that as an event, never as silence. Any number of threads.
+/// Ordered, bounded, counted exchange for a consumer that must receive everything (the recorder). When it is full the
+/// newest item is refused and counted, and the caller reports that as an event. Any number of threads.
 template <class T>
 class Ring {
  public:
@@ -32,8 +32,8 @@ class Ring {
     return true;
   }
 
-  /// Waits for room instead of refusing: for a batch, where nothing may be lost and nobody waits. False when `stop` is
-  /// requested or the ring is closed; the item is then not taken, and not counted.
+  /// Waits for room instead of refusing: for a batch, where nothing may be lost. False when `stop` is requested or the
+  /// ring is closed; the item is then not taken, and not counted.
   bool push_wait(T value, std::stop_token stop = {}) {
     {
       std::unique_lock lock(mutex_);
@@ -59,7 +59,7 @@ class Ring {
     return item;
   }
 
-  /// No more items are taken; what is inside can still be read.
+  /// No more items are accepted; those inside can still be read.
   void close() {
     {
       std::lock_guard lock(mutex_);

@@ -15,7 +15,7 @@ namespace pellucida {
 template <class T>
 class SharedLatest {
  public:
-  /// Puts `value` in place. Returns the value it replaced if nobody had taken that one by `wait`.
+  /// Puts `value` in place. Returns the value it replaced if that one had not been taken by `wait`.
   std::optional<T> publish(T value) {
     std::optional<T> old;
     bool unread = false;
@@ -38,7 +38,7 @@ class SharedLatest {
     return value_;
   }
 
-  /// Number of values published so far: a cheap way to see that there is something new.
+  /// Number of values published so far: a cheap check for something new.
   std::uint64_t sequence() const {
     std::lock_guard lock(mutex_);
     return sequence_;
@@ -63,7 +63,7 @@ class SharedLatest {
     changed_.notify_all();
   }
 
-  /// Values replaced before anyone took them.
+  /// Values replaced before they were taken.
   std::uint64_t overwritten_count() const {
     std::lock_guard lock(mutex_);
     return overwritten_count_;

@@ -4,7 +4,7 @@
 
 namespace pellucida {
 
-/// What is known of a source before its first frame.
+/// What is known about a source before its first frame.
 struct SourceInfo {
   std::string name;  ///< file, folder, camera or scenario, as the user wrote it
   int width_px = 0;
@@ -15,7 +15,7 @@ struct SourceInfo {
   double frame_rate_hz = 0.0;       ///< > 0; of a still: 1
   std::string frame_rate_origin;    ///< "option", "metadata", "scenario", "still"
   std::optional<long> frame_count;  ///< where known beforehand
-  bool live = false;                ///< a camera: frames come when they come
+  bool live = false;                ///< a camera: frames arrive at their own time
 };
 
 }  // namespace pellucida

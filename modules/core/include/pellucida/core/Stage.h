@@ -15,25 +15,26 @@
 
 namespace pellucida {
 
-/// What a stage did so far.
+/// The work of a stage so far.
 struct StageCounts {
   std::uint64_t done_count = 0;    ///< items turned into an output
-  std::uint64_t failed_count = 0;  ///< items the step gave no output for
+  std::uint64_t failed_count = 0;  ///< items for which the step had no output
   double last_step_s = 0.0;        ///< how long the newest item took
   double total_step_s = 0.0;       ///< all items together
   std::string last_failure;        ///< reason of the newest failure
 };
 
-/// Gives any step a thread: takes items from `In` (SharedLatest: newest wins; Ring: all in order), runs the step, hands
-/// each output to `sink`. Stops when asked to, or when the input is closed and empty. An exception of the step ends the
-/// stage and is kept for `rethrow`. Step, input and clock must outlive the stage.
+/// Gives any step a thread: takes items from `In` (SharedLatest: newest wins; Ring: all in order), runs the step,
+/// passes each output to `sink`. Stops on request, or when the input is closed and empty. An exception of the step ends
+/// the stage and is kept for `rethrow`. Step, input and clock must outlive the stage.
 template <Step S, class In>
 class Stage {
  public:
   using Sink = std::function<void(typename S::Output)>;
   using FailureSink = std::function<void(const typename S::Input&, const StepFailure&)>;
 
-  /// `failed` (may be empty) gets the items the step has no output for. Both sinks are called on the stage's thread.
+  /// `failed` (may be empty) receives the items for which the step has no output. Both sinks are called on the stage's
+  /// thread.
   Stage(S& step, In& input, Sink sink, const Clock& clock, FailureSink failed = {})
       : step_(step), input_(input), sink_(std::move(sink)), failed_(std::move(failed)), clock_(clock) {}
   ~Stage() { stop(); }
@@ -44,14 +45,14 @@ class Stage {
     thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
   }
 
-  /// Asks the thread to end and waits for it; items still waiting in the input are left there.
+  /// Requests the thread to end and waits for it; items still waiting in the input remain there.
   void stop() {
     if (!thread_.joinable()) return;
     thread_.request_stop();
     thread_.join();
   }
 
-  /// Waits until the input is closed and empty and all of it was processed.
+  /// Waits until the input is closed and all of it has been processed.
   void join() {
     if (thread_.joinable()) thread_.join();
   }

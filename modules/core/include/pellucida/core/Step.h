@@ -6,7 +6,7 @@
 
 namespace pellucida {
 
-/// Why a step gave no output for one item. Not an exception: the next item may well work.
+/// Why a step has no output for one item. Not an exception: the next item may succeed.
 struct StepFailure {
   std::string reason;
 };

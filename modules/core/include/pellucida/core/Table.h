@@ -10,10 +10,10 @@ namespace pellucida {
 /// A numeric CSV file: one header line, then rows of numbers; an empty cell reads as NaN.
 class Table {
  public:
-  /// Throws InputError (file, line, column) when the file can't be read or a cell is no number.
+  /// Throws InputError (file, line, column) when the file can't be read or a cell is not a number.
   static Table read(const std::filesystem::path& file);
 
-  /// Values of a column, one a row. Throws InputError when there is no such column.
+  /// Values of a column, one per row. Throws InputError when there is no such column.
   Eigen::VectorXd column(std::string_view name) const;
   bool has(std::string_view name) const noexcept;
   Eigen::Index rows() const noexcept { return values_.rows(); }

@@ -4,7 +4,7 @@
 
 namespace pellucida {
 
-/// An empty folder in the system's temporary place (TMPDIR) that goes away, with all in it, with its owner.
+/// An empty folder in the system's temporary directory (TMPDIR), removed with its contents when its owner is destroyed.
 class TemporaryFolder {
  public:
   /// Throws OutputError when no folder can be made there.

@@ -9,31 +9,31 @@
 
 namespace pellucida {
 
-/// Eq. (4) on the connectors of eq. (1), springs and dampers both, written for the machine: between one and a half and
-/// two nanoseconds a spring a step.
+/// Eq. (4) on the connectors of eq. (1), springs and dampers both, vectorised: between one and a half and two
+/// nanoseconds per spring and step.
 ///
 ///   v += (sum_j f_ij + external) dt / m,   x += v dt
 ///
 /// Structure of arrays in single precision; displacements from rest are summed with compensation, so that small steps
-/// aren't lost. The nodes are renumbered in rings, so that connectors of like direction run along with the nodes: eight
-/// connectors whose nodes are consecutive on both sides are one group, read and written without a gather or a branch.
-/// Groups follow one another by stretches of nodes that fit the first cache, and by direction in each, so that no group
-/// waits for what the one before has just written.
-/// A group lacks some of its eight where the mesh is irregular (see `lane_use_ratio`). Any closed triangulation will
-/// do. Compiled for SSE2 and AVX2, chosen as the program starts; both give the same bits. A step allocates nothing.
+/// are not lost. The nodes are renumbered in rings, so that connectors of like direction run along with the nodes:
+/// eight connectors whose nodes are consecutive on both sides are one group, read and written without a gather or a
+/// branch. Groups follow one another by stretches of nodes that fit the first cache, and by direction in each, so that
+/// no group waits for what the one before has just written. A group lacks some of its eight where the mesh is irregular
+/// (see `lane_use_ratio`). Any closed triangulation is accepted. Compiled for SSE2 and AVX2, selected when the program
+/// starts; both give the same bits. A step allocates nothing.
 class ExplicitSprings {
  public:
   /// The connectors of `springs`, on `rest` (3 x n). `node_mass_kg` > 0, `damping_uN_s_per_um` >= 0.
   ExplicitSprings(const TriangleMesh& rest, const SpringTerm& springs, double node_mass_kg, double damping_uN_s_per_um);
 
-  /// What else pulls on each node, uN (3 x n): hinges, pressure, tools. Stays until set again; zero at first.
+  /// Other forces on each node, uN (3 x n): hinges, pressure, tools. Kept until set again; zero at first.
   void set_external_force(const Eigen::Matrix3Xd& force_uN);
 
   /// Overwrites positions and velocities.
   void set_state(const MotionState& state);
   MotionState state() const;
 
-  /// `count` steps of `dt_s`. Whether that is stable is the caller's to know: dt below 2 sqrt(m / k_max).
+  /// `count` steps of `dt_s`. The caller ensures stability: dt below 2 sqrt(m / k_max).
   void step(double dt_s, int count = 1);
 
   /// The connectors' forces at the present state, uN (3 x n).

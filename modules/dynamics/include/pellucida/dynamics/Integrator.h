@@ -15,7 +15,7 @@ struct MotionState {
   Eigen::Matrix3Xd v_um_per_s;  ///< (3 x n)
 };
 
-/// What moves: M x'' + B(x) x' + grad U(x) = 0, eq. (2) of the paper. The same mass on every node, as in the paper, and
+/// The system: M x'' + B(x) x' + grad U(x) = 0, eq. (2) of the paper. The same mass on every node, as in the paper, and
 /// the dampers of eq. (1) along the connectors. Units: kg um/s^2 = uN.
 struct Dynamics {
   EnergySum& energy;                 ///< all forces that have a potential: springs, hinges, pressure, tools
@@ -28,12 +28,12 @@ struct Dynamics {
 };
 
 /// One time step of the dynamics. An integrator refers to the terms that the Dynamics' energy has as it is made; they
-/// must outlive it. The implicit ones bind them to a solver of their own: no other may work on them meanwhile.
+/// must outlive it. The implicit ones bind them to a solver of their own; no other solver may use them meanwhile.
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string_view name() const noexcept = 0;
-  /// Moves `state` on by `dt_s` > 0. False when that wasn't possible (see each class); `state` is as before then.
+  /// Advances `state` by `dt_s` > 0. False when that was not possible (see each class); `state` is then unchanged.
   virtual bool step(MotionState& state, double dt_s) = 0;
 };
 
@@ -42,8 +42,8 @@ class Integrator {
 std::unique_ptr<Integrator> make_symplectic_euler(const Dynamics& dynamics);
 
 /// Implicit Euler: v' = v + F(x', v') dt / m, x' = x + v' dt, as the minimum of U + m/(2 dt^2) |x' - x - v dt|^2 + the
-/// dampers' share, the connectors' directions for damping being those of x. Order 1, stable at any step, takes energy
-/// out. False when the solver doesn't converge.
+/// dampers' share, the connectors' directions for damping being those of x. Order 1, stable at any step, dissipates
+/// energy. False when the solver doesn't converge.
 std::unique_ptr<Integrator> make_implicit_euler(const Dynamics& dynamics);
 
 /// The linear acceleration method (Newmark, beta = 1/6, gamma = 1/2), implicit: the acceleration varies linearly over a

@@ -9,10 +9,10 @@
 
 namespace pellucida {
 
-/// What tracking and mechanics make of a frame, as far as the hand can tell. The errors are those of the default
-/// virtual microscope in docs/method.md, Validation: indentation 0.10 um RMS, force within 3 % of the peak, tip 0.11 px
-/// of 0.825 um. The delay is a little above its time from frame to force (median 18 ms, 99 % 47 ms) with a camera's
-/// own.
+/// The result of tracking and mechanics for a frame, as far as the hand is concerned. The errors are those of the
+/// default virtual microscope in docs/method.md, Validation: indentation 0.10 um RMS, force within 3 % of the peak, tip
+/// 0.11 px of 0.825 um. The delay is a little above its time from frame to force (median 18 ms, 99 % 47 ms) with a
+/// camera's own.
 struct ContactCameraOptions {
   double frame_rate_hz = 30.0;         ///< above 0
   double delay_s = 0.04;               ///< from the exposure to the measured force; 0 to 15 frames
@@ -22,17 +22,17 @@ struct ContactCameraOptions {
   std::uint64_t seed = 1;
 };
 
-/// The vision chain in short, for thousands of trials: looks at the specimen at the frame rate and hands out contact
-/// models a delay later, with the errors that vision has. How deep the tip lies out of the image plane is taken as the
-/// manipulator knows it, without error. No substitute for the chain where the chain itself is judged: it never loses
-/// the cell. Deterministic by its seed; allocates nothing after construction.
+/// The vision chain without images, for thousands of trials: samples the specimen at the frame rate and delivers
+/// contact models after a delay, with the errors of vision. The tip's distance from the image plane is taken from the
+/// manipulator, without error. Not a substitute for the chain where the chain itself is assessed: it never loses the
+/// cell. Deterministic by its seed; allocates nothing after construction.
 class ContactCamera {
  public:
   /// `cell`: the resting cell and its needle's direction. Throws UsageError for a rate, delay or sigma out of range.
   ContactCamera(const ContactCameraOptions& options, const SpecimenForce& cell);
 
-  /// Time goes on to `now_s` (never back) with the specimen as it is; true when a measured frame lands, which is
-  /// `newest` then. A frame is exposed at the first call at or after its time.
+  /// Advances to `now_s` (never back) with the specimen as it is; true when a measured frame arrives, which is then
+  /// `newest`. A frame is exposed at the first call at or after its time.
   bool look(const SpecimenMoment& moment, double now_s) noexcept;
   const ContactModel& newest() const noexcept { return newest_; }
 

@@ -12,7 +12,7 @@ struct Estimate {
 };
 
 /// Median, mean and its percentile bootstrap interval (2000 resamples, seeded: Efron and Tibshirani, An Introduction to
-/// the Bootstrap, 1993, chapter 13). Values that are NaN are left out.
+/// the Bootstrap, 1993, chapter 13). NaN values are ignored.
 Estimate estimate(std::vector<double> values, std::uint64_t seed = 1);
 
 /// A share of successes with Wilson's 95 % score interval (J. Am. Stat. Assoc. 22, 1927).

@@ -9,10 +9,10 @@
 
 namespace pellucida {
 
-/// One trial of a SIMULATED operator: what the modality gives, and what counts as done.
+/// One trial of a SIMULATED operator: what the modality provides, and what counts as success.
 struct TrialOptions {
   Modality modality = Modality::kFlatImage;
-  std::uint64_t seed = 1;  ///< of person, cell, placement and noise; the same for all modalities of a pair
+  std::uint64_t seed = 1;  ///< of operator, cell, placement and noise; the same for all modalities of a pair
 
   double motion_scale_um_per_m = 1e4;  ///< 10 um of the tip for 1 mm of the hand
   double force_scale_N_per_uN = 0.05;  ///< with haptics: 0.4 N at the hand when a cell gives way at 7.5 uN
@@ -27,7 +27,7 @@ struct TrialOptions {
   ContactCameraOptions camera;         ///< its seed is the trial's
 };
 
-/// What came of it. Numbers that were not reached are NaN.
+/// The outcome. Numbers that were not reached are NaN.
 struct TrialOutcome {
   Modality modality = Modality::kFlatImage;
   std::uint64_t seed = 0;
@@ -55,7 +55,7 @@ struct TrialOutcome {
   std::uint32_t limits = 0;                   ///< mask of `limit_bit(LimitKind)` that acted at any time
 };
 
-/// The cell that trials are made on, read once: each trial has its own seed, place and angle.
+/// The cell of the trials, read once: each trial has its own seed, position and angle.
 class TrialScene {
  public:
   /// Cell, tools and puncture of a scenario. Throws as VirtualSpecimen; UsageError where nothing can be punctured.
@@ -68,8 +68,8 @@ class TrialScene {
   SpecimenForce force_;
 };
 
-/// Straight through the cell's centre along the needle, as `plan_injection` makes it; target: the centre. Throws
-/// UsageError where there is no path.
+/// Straight through the cell's centre along the needle, as made by `plan_injection`; target: the centre. Throws
+/// UsageError if there is no path.
 InjectionPlan trial_plan(const TrialOptions& options, const SpecimenForce& cell);
 
 /// One trial in simulated time, at 1 kHz: operator and arm -> HapticServo -> TeleoperationMap -> SimulatedInjector

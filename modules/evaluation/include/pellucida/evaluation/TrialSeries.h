@@ -16,9 +16,9 @@ struct SeriesOptions {
   int jobs = 0;            ///< threads; 0: one a core
 };
 
-/// The outcomes by modality in the order given, then by seed: the same whatever the number of threads. `progress` hears
-/// how many of all are done, from any of the threads, one at a time. Throws what `run_trial` throws; UsageError for
-/// numbers out of range.
+/// The outcomes by modality in the order given, then by seed: the same whatever the number of threads. `progress` is
+/// called with the number done and the total, from any of the threads, one at a time. Throws what `run_trial` throws;
+/// UsageError for numbers out of range.
 std::vector<TrialOutcome> run_series(const TrialScene& scene, const SeriesOptions& options,
                                      const std::function<void(long done, long all)>& progress = {});
 

@@ -15,14 +15,14 @@ namespace pellucida {
 /// How the solution is found.
 struct ShellOptions {
   /// Factor on all edge lengths. 1 is the reference: about 1,350 nodes, edges of 0.28 of the tip's radius under the
-  /// tip. 1.4 is coarse and twice as quick, 0.6 fine; what they err by is in the module's README. 0.2 to 3.
+  /// tip. 1.4 is coarse and twice as fast, 0.6 fine; their errors are in docs/method.md, 3.5. 0.2 to 3.
   double edge_length_ratio = 1.0;
   int max_iterations = 40;  ///< of Newton's method for one equilibrium
 };
 
 /// The shell at one depth. Frame N.
 struct ShellStep {
-  double indentation_um = 0.0;                                ///< way of the tip
+  double indentation_um = 0.0;                                ///< displacement of the tip
   Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();     ///< of the tip on the shell
   Eigen::Vector3d holder_force_uN = Eigen::Vector3d::Zero();  ///< of the holder on the shell; the tip's, reversed
   double axial_force_uN = 0.0;       ///< the tip's part along the push: the force of a force-indentation curve
@@ -38,7 +38,7 @@ struct ShellStep {
 struct ShellCurve {
   CurveOutcome outcome = CurveOutcome::kComplete;
   std::vector<ShellStep> steps;  ///< converged ones only, the first at depth 0
-  /// When it did not converge: the depth that failed, and the solver's last word on it.
+  /// When it did not converge: the depth that failed, and the solver's last report on it.
   double failed_indentation_um = 0.0;
   SolveReport failure;
 
@@ -65,7 +65,7 @@ struct ShellSection {
 /// One thread at a time; several objects may run in several threads.
 class ShellReference {
  public:
-  /// Throws UsageError when a number is outside its range, or tip and holder would bear on the same place.
+  /// Throws UsageError when a number is outside its range, or tip and holder would overlap.
   ShellReference(const ShellSpecimen& specimen, const ShellContact& contact, const ShellOptions& options = {});
   ~ShellReference();
   ShellReference(ShellReference&&) noexcept;
@@ -75,9 +75,9 @@ class ShellReference {
   const ShellContact& contact() const noexcept;
   const TriangleMesh& rest() const noexcept;  ///< the middle surface at rest, its plane y = 0 a mirror
 
-  /// The curve at 0, step, 2 step, ... and the largest depth itself, from rest. `progress` hears of every step as soon
-  /// as it has converged, `share` being the part of the way gone, 0 to 1; `cancel` is asked before every solution (tens
-  /// of milliseconds). Throws UsageError unless 0 < step <= max <= 1.4 R.
+  /// The curve at 0, step, 2 step, ... and the largest depth itself, from rest. `progress` is called for every step as
+  /// soon as it has converged, with `share`, the part of the depth reached, 0 to 1; `cancel` is checked before every
+  /// solution (tens of milliseconds). Throws UsageError unless 0 < step <= max <= 1.4 R.
   ShellCurve run(double max_indentation_um, double step_um,
                  const std::function<void(const ShellStep& step, double share)>& progress = {},
                  const std::stop_token& cancel = {});

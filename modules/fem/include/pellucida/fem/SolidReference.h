@@ -37,8 +37,8 @@ struct SolidCurve {
   SolveReport failure;
 };
 
-/// The same specimen as ShellReference, as a solid of revolution instead of a thin shell: what thin-shell theory gets
-/// wrong at a given thickness is the difference of the two. Nine-node elements with a linear discontinuous pressure,
+/// The same specimen as ShellReference, as a solid of revolution instead of a thin shell: the error of thin-shell
+/// theory at a given thickness is the difference of the two. Nine-node elements with a linear discontinuous pressure,
 /// incompressible to one part in a thousand. Configuration 1 only. At nu = 1/2 the material is the same as the shell's;
 /// below it is mu/2 (I1 - 3 - 2 ln J) + lambda/2 (J - 1)^2, equal to the shell's at small strain only.
 class SolidReference {

@@ -9,39 +9,38 @@
 
 namespace pellucida {
 
-/// What protects the cell and the pipette. Trivially copyable.
+/// The limits that protect the cell and the pipette. Trivially copyable.
 struct CellLimits {
   double max_depth_um = 60.0;  ///< indentation; in contact only
-  double soft_depth_um = 5.0;  ///< before it the push gets slower, as far behind it the pipette is taken back
+  double soft_depth_um = 5.0;  ///< the push slows this far before it, and the pipette is drawn back this far beyond
   double max_force_uN = 20.0;  ///< of the cell on the needle
-  double slow_ratio = 0.8;     ///< part of the largest force from which the push gets slower; held at it ...
-  double retract_ratio = 1.2;  ///< ... and taken back above that multiple of it
+  double slow_ratio = 0.8;     ///< share of the largest force from which the push slows; held at it ...
+  double retract_ratio = 1.2;  ///< ... and drawn back above this multiple of it
   double retract_speed_um_per_s = 50.0;
 
   double max_speed_um_per_s = 2000.0;         ///< of the tip
   double max_contact_speed_um_per_s = 500.0;  ///< of the tip along the push in contact
   PlainVector3 lower_um{-1e4, -1e4, -1e4};    ///< the box the tip may be in
   PlainVector3 upper_um{1e4, 1e4, 1e4};
-  double max_lag_um =
-      60.0;  ///< the manipulator may stay this far behind; the tip gets slower beyond, and stands at twice
+  double max_lag_um = 60.0;  ///< the manipulator may lag by this much; beyond, the tip slows, and it stops at twice
 
-  double blind_age_s = 0.25;  ///< no deeper when the newest usable frame is older; back is free. Infinite: never
+  double blind_age_s = 0.25;  ///< no deeper when the newest usable frame is older (infinity: never)
 
-  /// No deeper for so long after the membrane gave way; back is free. The arm that leaned on it falls forward
+  /// No deeper for this long after the membrane gave way; drawing back is free. The arm that leaned on it falls forward
   /// meanwhile, without the pipette.
   double puncture_hold_s = 0.4;
 
-  double max_hand_speed_m_per_s = 5.0;          ///< faster is a jump of the reading
+  double max_hand_speed_m_per_s = 5.0;          ///< anything faster is a jump of the reading
   double max_pipette_speed_um_per_s = 20000.0;  ///< the same for the manipulator's reports
-  double pipette_age_limit_s = 0.5;             ///< without a report for so long the manipulator counts as lost
-  double late_tick_s = 0.02;                    ///< a tick later than this ties the motion anew
+  double pipette_age_limit_s = 0.5;             ///< without a report for this long the manipulator counts as lost
+  double late_tick_s = 0.02;                    ///< a tick later than this re-anchors the motion
 };
 static_assert(std::is_trivially_copyable_v<CellLimits>);
 
-/// What the guards look at in a tick. Frame W.
+/// Input of the guards in a tick. Frame W.
 struct GuardInput {
   Eigen::Vector3d wanted_um = Eigen::Vector3d::Zero();  ///< where hand and fixtures want the tip
-  Eigen::Vector3d push = Eigen::Vector3d::Zero();       ///< the way the needle pushes; zero: not known
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();       ///< direction of the needle's push; zero: unknown
   bool in_contact = false;
   double contact_force_uN = 0.0;
   double depth_um = 0.0;
@@ -52,32 +51,31 @@ struct GuardInput {
 enum class GuardMode : std::uint8_t { kFollow, kSlow, kHold, kRetract };
 
 struct GuardOutput {
-  Eigen::Vector3d tip_um = Eigen::Vector3d::Zero();  ///< the proxy: where the pipette shall be
+  Eigen::Vector3d tip_um = Eigen::Vector3d::Zero();  ///< the proxy: where the pipette should be
   Eigen::Vector3d velocity_um_per_s = Eigen::Vector3d::Zero();
   GuardMode mode = GuardMode::kFollow;
   std::uint32_t limits = 0;  ///< mask of those that acted
 };
 
-/// Leads the pipette's proxy after the hand, within the limits: first slower, then standing, then taken back against
-/// the push. The proxy moves at most `max_speed_um_per_s` times dt a tick whatever happens, so its motion is
-/// continuous. Drawing back is never limited by depth or force. The 1 kHz thread only; nothing allocates, locks or
-/// throws.
+/// Moves the pipette's proxy after the hand, within the limits: first slowed, then held, then drawn back against the
+/// push. The proxy moves at most `max_speed_um_per_s` times dt a tick whatever happens, so its motion is continuous.
+/// Drawing back is never limited by depth or force. The 1 kHz thread only; nothing allocates, locks or throws.
 class CellGuards {
  public:
   explicit CellGuards(const CellLimits& limits = {}) noexcept : limits_(limits) {}
   void set(const CellLimits& limits) noexcept { limits_ = limits; }
   const CellLimits& limits() const noexcept { return limits_; }
 
-  /// Puts the proxy there: at the start, and where the pipette is after it was out of our hands.
+  /// Sets the proxy: at the start, and to the pipette's position after a time without control.
   void place(const Eigen::Vector3d& tip_um) noexcept;
   const Eigen::Vector3d& tip_um() const noexcept { return tip_um_; }
 
   GuardOutput follow(const GuardInput& input) noexcept;
 
-  /// The proxy stands.
+  /// The proxy does not move.
   GuardOutput hold() const noexcept;
 
-  /// Takes the pipette back along the push with the retraction speed.
+  /// Draws the pipette back along the push at the retraction speed.
   GuardOutput retract(const GuardInput& input) noexcept;
 
  private:
@@ -89,7 +87,7 @@ class CellGuards {
   bool retracting_ = false;
 };
 
-/// Lets through only reports a manipulator can make.
+/// Accepts only reports a manipulator can make.
 class PipetteGuard {
  public:
   enum class Report { kGood, kUnknown, kJump };

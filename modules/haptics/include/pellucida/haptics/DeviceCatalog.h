@@ -9,7 +9,7 @@
 
 namespace pellucida {
 
-/// What is wrong with a specification, as "key is value; ..." ; nothing when it can be used. A device without force
+/// The fault of a specification, as "key is value; ..." ; nothing when it can be used. A device without force
 /// (`max_force_N` 0) must have no stiffness and no damping; one with force needs both limits.
 std::optional<std::string> fault_of(const DeviceSpecification& specification);
 

@@ -7,8 +7,8 @@
 
 namespace pellucida {
 
-/// How a fixture feels. A violation of p um is answered as by a spring of c(p) um, at the hand: c = p^2 / (2 w) up to
-/// the width w and p - w/2 beyond, so force and slope set in from zero (C1).
+/// How a fixture feels. A violation of p um is answered like a spring stretched by c(p) um, at the hand: c = p^2 / (2
+/// w) up to the width w and p - w/2 beyond, so that force and slope start from zero (C1).
 struct FixtureFeel {
   double stiffness_N_per_m = 200.0;  ///< at the hand
   double damping_N_s_per_m = 0.5;    ///< at the hand, against motion into or along the violation's normal
@@ -16,10 +16,10 @@ struct FixtureFeel {
   bool operator==(const FixtureFeel&) const = default;
 };
 
-// All lengths um, frame W. A fixture gives the way the tip should go: zero where it's satisfied.
+// All lengths um, frame W. A fixture gives the displacement the tip should make: zero where it is satisfied.
 
 /// Keeps the tip on the planned line inside the cell, on the way in and on the way out: within `radius_um` of the line;
-/// before the entry the tube opens like a trumpet, and only the cone leads.
+/// before the entry the tube flares, and only the cone guides.
 struct RectilinearGuide {
   bool enabled = false;
   PlainVector3 entry_um;
@@ -44,7 +44,7 @@ struct ApproachCone {
   bool operator==(const ApproachCone&) const = default;
 };
 
-/// Not deeper than `depth_um` behind the entry along the axis.
+/// No deeper than `depth_um` beyond the entry along the axis.
 struct DepthStop {
   bool enabled = false;
   PlainVector3 entry_um;
@@ -76,7 +76,7 @@ struct HolderBody {
   bool operator==(const HolderBody&) const = default;
 };
 
-/// Where a fixture would have the tip: the way from `tip_um` there, already softened (c of `FixtureFeel`). Each is
+/// The displacement from `tip_um` to where the fixture wants the tip, already softened (c of `FixtureFeel`). Each is
 /// finite and continuous in the tip for any finite tip.
 Eigen::Vector3d correction_um(const RectilinearGuide& guide, const Eigen::Vector3d& tip_um) noexcept;
 Eigen::Vector3d correction_um(const ApproachCone& cone, const Eigen::Vector3d& tip_um) noexcept;
@@ -87,7 +87,7 @@ Eigen::Vector3d correction_um(const HolderBody& holder, const Eigen::Vector3d& t
 /// Which fixtures acted, in a mask.
 enum FixtureBit : std::uint32_t { kGuideBit = 1, kConeBit = 2, kStopBit = 4, kCellBit = 8, kHolderBit = 16 };
 
-/// All fixtures of a plan, as they're handed to the 1 kHz thread. Trivially copyable.
+/// All fixtures of a plan, as passed to the 1 kHz thread. Trivially copyable.
 struct FixtureSet {
   RectilinearGuide guide;
   ApproachCone cone;
@@ -99,18 +99,18 @@ struct FixtureSet {
 };
 static_assert(std::is_trivially_copyable_v<FixtureSet>);
 
-/// What a set does to one place of the tip.
+/// The effect of a set at one position of the tip.
 struct FixtureResult {
   Eigen::Vector3d allowed_um = Eigen::Vector3d::Zero();  ///< where the pipette may be
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();     ///< on the hand, frame W
   std::uint32_t acting = 0;                              ///< mask of `FixtureBit`
 };
 
-/// The fixtures one after another: guide, cone, depth stop, cell body, holder. Each sees the place the ones before
-/// left, so two that want the same don't push twice and two at odds don't fight; the later has the last word about
-/// where the pipette may be: protection before guidance. The force is the sum of each one's spring on its own
-/// correction, damped, limited to `max_force_N`. As in the virtual coupling, what part of the hand's motion is
-/// corrected away doesn't move the pipette, so the stiffness felt is never above the stiffest of fixtures and cell.
+/// The fixtures one after another: guide, cone, depth stop, cell body, holder. Each acts on the position left by those
+/// before, so two that want the same do not push twice and two that contradict do not fight; the later decides where
+/// the pipette may be: protection before guidance. The force is the sum of each one's spring on its own correction,
+/// damped, limited to `max_force_N`. As in the virtual coupling, the part of the hand's motion that is corrected away
+/// does not move the pipette, so the stiffness felt never exceeds that of the stiffest fixture or cell.
 ///
 /// `part` (0..1) fades all of them; `velocity_um_per_s` is the wanted tip's, `scale_um_per_m` turns um into m of the
 /// hand.

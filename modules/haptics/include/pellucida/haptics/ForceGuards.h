@@ -3,9 +3,9 @@
 
 namespace pellucida {
 
-/// What stands between any computed force and the device, in this order, each a function of its own. Hand side, N.
+/// The guards between any computed force and the device, in this order, each a function of its own. Hand side, N.
 
-/// True when all three numbers are finite. Asked before a filter's memory is touched, and again before the write.
+/// True when all three numbers are finite. Checked before a filter's memory is changed, and again before the write.
 bool is_finite(const Eigen::Vector3d& v) noexcept;
 
 /// One step of a first-order low-pass of cut-off `cutoff_Hz` (above 0) by backward Euler: its delay at low frequency is

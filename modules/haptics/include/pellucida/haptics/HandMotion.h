@@ -9,14 +9,14 @@ namespace pellucida {
 
 /// Speed from positions by the first-order adaptive window (Janabi-Sharifi, Hayward, Chen 2000, IEEE Trans. Control
 /// Systems Technology 8(6)): of the last 16 positions, the longest run that one straight line explains to within the
-/// resolution. Quick motion is told at once, slow motion without the noise of the encoder's steps.
+/// resolution. Fast motion is reported at once, slow motion without the noise of the encoder's steps.
 class HandVelocity {
  public:
   /// `resolution_m` >= 0; 0: 1e-5 m.
   explicit HandVelocity(double resolution_m) noexcept;
   void clear() noexcept { count_ = 0; }
 
-  /// The speed at this reading, m/s; zero for the first. `time_s` must grow; a reading that isn't later changes
+  /// The speed at this reading, m/s; zero for the first. `time_s` must grow; a reading that is not later changes
   /// nothing.
   Eigen::Vector3d update(double time_s, const Eigen::Vector3d& position_m) noexcept;
 
@@ -34,11 +34,12 @@ class HandVelocity {
   std::size_t count_ = 0;
 };
 
-/// What a reading is, before anything believes it.
+/// The check of a reading before it is used.
 enum class HandReading { kGood, kNotFinite, kJump };
 
-/// Lets through only readings a hand can make: finite, and not farther from the one before than `max_speed_m_per_s` and
-/// a millimetre allow. After a jump the new place counts. The 1 kHz thread only; nothing allocates or throws.
+/// Accepts only readings a hand can make: finite, and no further from the previous one than `max_speed_m_per_s` and a
+/// millimetre allow. After a jump the new position is the reference. The 1 kHz thread only; nothing allocates or
+/// throws.
 class HandGuard {
  public:
   HandReading check(const HandSample& sample, double dt_s, double max_speed_m_per_s) noexcept;

@@ -7,12 +7,12 @@
 
 namespace pellucida {
 
-/// What a device for the hand can do, as data: the limits every force is held to. Hand side: m, N, s.
+/// The limits of an input device, as data; every force is kept within them. Hand side: m, N, s.
 struct DeviceSpecification {
   std::string name;
-  double max_force_N = 0.0;  ///< peak; 0: the device gives no force (mouse, keyboard)
+  double max_force_N = 0.0;  ///< peak; 0: no force (mouse, keyboard)
   double max_continuous_force_N = 0.0;
-  double max_stiffness_N_per_m = 0.0;  ///< of a virtual wall that stays stable
+  double max_stiffness_N_per_m = 0.0;  ///< of a virtual wall that remains stable
   double max_damping_N_s_per_m = 0.0;
   double physical_damping_N_s_per_m = 0.0;  ///< b of the bound b > K T / 2 + |B|; 0: not known
   double workspace_radius_m = 0.0;
@@ -26,12 +26,12 @@ struct HandSample {
   double time_s = 0.0;  ///< on the run's clock
   PlainVector3 position_m;
   PlainVector3 velocity_m_per_s;  ///< valid when `velocity_known`
-  bool velocity_known = false;    ///< else it's estimated from the positions
+  bool velocity_known = false;    ///< otherwise it is estimated from the positions
   std::uint32_t buttons = 0;      ///< bit mask of `HandButton`
 };
 static_assert(std::is_trivially_copyable_v<HandSample>);
 
-/// What the buttons of any device mean.
+/// Meaning of the buttons of any device.
 enum HandButton : std::uint32_t {
   kClutch = 1,    ///< while held, the pipette stays and the hand may be moved back
   kInject = 2,    ///< deposit while held
@@ -39,14 +39,16 @@ enum HandButton : std::uint32_t {
   kEmergency = 8  ///< stop everything; always wins
 };
 
-/// A device the hand holds. `read` and `write` are called by the 1 kHz thread alone, once a tick each: they neither
-/// allocate, lock, log nor throw, and return at once. Opening and closing happen elsewhere (constructor, destructor).
+/// An input device held by the hand. `read` and `write` are called by the 1 kHz thread alone, once a tick each: they
+/// neither allocate, lock, log nor throw, and return at once. Opening and closing happen elsewhere (constructor,
+/// destructor).
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
   virtual const DeviceSpecification& specification() const noexcept = 0;
 
-  /// The hand now; false when the device is lost (the loop then releases and says so). `now_s`: the run's clock.
+  /// The hand now; false when the device is lost (the loop then releases the force and reports it). `now_s`: the run's
+  /// clock.
   virtual bool read(double now_s, HandSample& sample) noexcept = 0;
 
   /// The force on the hand, frame H, N: finite and within the specification. False when the device is lost.

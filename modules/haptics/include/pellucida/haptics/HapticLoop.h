@@ -15,12 +15,12 @@ namespace pellucida {
 struct HapticLoopOptions {
   double period_s = 1e-3;
   RealTimePolicy policy = RealTimePolicy::kIgnore;
-  int priority = 80;        ///< of SCHED_FIFO, 1..99; 0: don't ask for it
+  int priority = 80;        ///< of SCHED_FIFO, 1..99; 0: not requested
   bool lock_memory = true;  ///< of the whole process
 };
 
-/// The 1 kHz thread: turns a `HapticServo` at absolute deadlines. A deadline that has passed by more than a period is
-/// skipped and counted, never made up for in a burst. Before it ends the force goes to zero within its release time.
+/// The 1 kHz thread: runs a `HapticServo` at absolute deadlines. A deadline missed by more than a period is skipped and
+/// counted, never made up in a burst. Before the loop ends, the force goes to zero within its release time.
 class HapticLoop {
  public:
   /// Servo and clock (the run's) must outlive the loop. Throws UsageError for a period or priority out of range.
@@ -29,11 +29,11 @@ class HapticLoop {
   HapticLoop(const HapticLoop&) = delete;
   HapticLoop& operator=(const HapticLoop&) = delete;
 
-  /// Starts the thread. With `kEnforce`, throws DeviceError where priority or locked memory are refused. Not when
-  /// running.
+  /// Starts the thread. With `kEnforce`, throws DeviceError if priority or locked memory are refused. Not to be called
+  /// while running.
   void start();
 
-  /// Ends the thread: the force fades, zero is written. Nothing when it doesn't run.
+  /// Ends the thread: the force fades, zero is written. No effect when not running.
   void stop();
 
   bool running() const noexcept { return thread_.joinable(); }

@@ -8,8 +8,8 @@
 
 namespace pellucida {
 
-/// Where a tick gets its news and leaves its command: slots that belong to the stages on the other side and outlive the
-/// servo. The servo is the only reader of the first two and the only writer of the third.
+/// Input and output slots of a tick: they belong to the stages on the other side and outlive the servo. The servo is
+/// the only reader of the first two and the only writer of the third.
 struct HapticPorts {
   LatestValue<ContactModel>& contact;
   LatestValue<PipetteState>& pipette;
@@ -17,11 +17,11 @@ struct HapticPorts {
 };
 
 /// One turn of the loop with everything it touches: device, exchanges, the step. Order of a turn: read, newest contact
-/// model, compute, guards (in the step), write, ring record, counters. Whoever turns it gives the time: the loop's
-/// thread, or a test without one.
+/// model, compute, guards (in the step), write, ring record, counters. The caller supplies the time: the loop's thread,
+/// or a test without one.
 class HapticServo {
  public:
-  /// Records that can wait for whoever drains them: 8 s.
+  /// Records that can wait to be drained: 8 s.
   static constexpr std::size_t kRecordCapacity = 8192;
   static constexpr std::size_t kEventCapacity = 1024;
 
@@ -37,13 +37,13 @@ class HapticServo {
   /// Writes zero to the device. The turning thread only.
   void release() noexcept;
 
-  /// One other thread: new settings, from the next turn on. Throws UsageError saying what is wrong, and with which
-  /// scaling it would hold.
+  /// One other thread: new settings, from the next turn on. Throws UsageError stating what is wrong, and which scaling
+  /// would be accepted.
   void set(const HapticSettings& settings);
 
   /// Any thread, at any time: stops everything; latched. Wins over a release of the same moment.
   void emergency_stop() noexcept { stop_.store(true, std::memory_order_release); }
-  /// Any thread: on purpose only.
+  /// Any thread: only at the user's explicit request.
   void release_emergency_stop() noexcept { release_.store(true, std::memory_order_release); }
 
   /// One other thread each drains these.

@@ -13,18 +13,18 @@
 
 namespace pellucida {
 
-/// What a tick starts from.
+/// Input of a tick.
 struct HapticInput {
   double now_s = 0.0;      ///< the run's clock
   double dt_s = 0.0;       ///< since the last tick; 0 at the first
-  bool hand_read = false;  ///< the device gave a reading
+  bool hand_read = false;  ///< the device delivered a reading
   HandSample hand;
   bool stop_requested = false;     ///< emergency stop, from anywhere; wins over the release
-  bool release_requested = false;  ///< of the emergency stop, on purpose
+  bool release_requested = false;  ///< of the emergency stop, at the user's request
   bool let_go = false;             ///< the loop is about to end: pipette held, force released
 };
 
-/// What a tick ends in.
+/// Output of a tick.
 struct HapticOutput {
   PlainVector3 force_N;  ///< for the device: frame H, finite, within its limits
   PipetteCommand command;
@@ -38,7 +38,7 @@ struct HapticOutput {
 ///
 /// The force on the hand, frame W, with the scales S_f (N/uN) and S_p (um/m):
 ///     F = g (S_f f_contact + F_fixtures + F_link) - alpha v
-/// g fades in when the hand takes the pipette and out on clutch, loss and stop; alpha is the passivity controller's.
+/// g fades in when the hand engages and out on clutch, loss and stop; alpha is the passivity controller's.
 ///
 /// One thread at a time. Deterministic. No call allocates, locks, logs or throws.
 class HapticStep {
@@ -56,7 +56,7 @@ class HapticStep {
   const HapticSettings& settings() const noexcept { return settings_; }
 
  private:
-  // What a tick found out on its way.
+  // Intermediate results of a tick.
   struct Tick {
     Eigen::Vector3d hand_m = Eigen::Vector3d::Zero();
     Eigen::Vector3d hand_velocity_m_per_s = Eigen::Vector3d::Zero();
@@ -111,13 +111,13 @@ class HapticStep {
   bool tied_ = false;    ///< the map is tied to hand and proxy
   bool placed_ = false;  ///< the proxy is where the pipette is
   bool was_clutched_ = false;
-  bool held_ = false;  ///< the pipette stands because the contact isn't known, or the membrane has just given way
+  bool held_ = false;  ///< pipette held because the contact is unknown, or the membrane has just given way
   double punctured_s_ = -std::numeric_limits<double>::infinity();  ///< when it was seen to
-  bool worked_ = false;                                            ///< the hand has led the pipette once
+  bool worked_ = false;                                            ///< the pipette has followed the hand before
   Eigen::Vector3d push_ = Eigen::Vector3d::Zero();
   ContactForce contact_;
   double force_scale_N_per_uN_ = 0.0;
-  Eigen::Vector3d leading_force_N_ = Eigen::Vector3d::Zero();  ///< fixtures and link, as last led; frame W
+  Eigen::Vector3d leading_force_N_ = Eigen::Vector3d::Zero();  ///< fixtures and link, when last engaged; frame W
   Ramp work_, fixture_part_;
   Eigen::Vector3d filtered_N_ = Eigen::Vector3d::Zero();  ///< frame H
   Eigen::Vector3d written_N_ = Eigen::Vector3d::Zero();   ///< frame H

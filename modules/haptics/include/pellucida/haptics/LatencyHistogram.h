@@ -13,10 +13,10 @@ class LatencyHistogram {
   /// The writer's thread only. A negative duration counts as 0.
   void add_ns(std::int64_t duration_ns) noexcept;
 
-  /// The writer's thread only, or any while nobody writes.
+  /// The writer's thread only, or any while there is no writing.
   void clear() noexcept;
 
-  /// Takes another's durations in. While nobody writes to either.
+  /// Adds another's durations. Only while neither is being written.
   void add(const LatencyHistogram& other) noexcept;
 
   std::uint64_t count() const noexcept { return count_.load(std::memory_order_relaxed); }

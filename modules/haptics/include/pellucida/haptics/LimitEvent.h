@@ -5,33 +5,33 @@
 
 namespace pellucida {
 
-/// What acted between hand and pipette.
+/// A limit that acts between hand and pipette.
 enum class LimitKind : std::uint8_t {
-  kDepth,           ///< the tip would go deeper than allowed: slowed, held, taken back
+  kDepth,           ///< the tip would go deeper than allowed: slowed, held, drawn back
   kForce,           ///< the force on the cell came near its limit
   kSpeed,           ///< the hand moves faster than the pipette may
   kTravel,          ///< the edge of the box the tip may be in
-  kFollowing,       ///< the manipulator stays behind what it was told
+  kFollowing,       ///< the manipulator lags behind its commands
   kHandForce,       ///< the device's largest force
-  kHandStiffness,   ///< the contact would be stiffer at the hand than the device holds: the force is scaled down
+  kHandStiffness,   ///< the contact would be stiffer than the device can render: the force is scaled down
   kHandSlope,       ///< the force on the hand changed as fast as it may
   kPassivity,       ///< energy came out of the device: damping was added
   kPuncture,        ///< the membrane gave way: the hand's force is released
   kContactStale,    ///< the newest frame is too old: the force is damped to zero
-  kContactInvalid,  ///< the newest frame gave no usable numbers: the force is damped to zero
-  kHandJump,        ///< a reading of the hand that no hand can do: the motion is tied anew
-  kHandInvalid,     ///< a reading of the hand that isn't finite
-  kHandLost,        ///< the device gives no readings: pipette held, force released
-  kPipetteJump,     ///< a report of the manipulator that no manipulator can do
-  kPipetteLost,     ///< the manipulator doesn't report: pipette held, force released
-  kLateTick,        ///< a tick came so late that the motion is tied anew
-  kForceNotFinite,  ///< the computed force wasn't finite: zero was written
+  kContactInvalid,  ///< the newest frame has no usable numbers: the force is damped to zero
+  kHandJump,        ///< a reading no hand can make: the motion is re-anchored
+  kHandInvalid,     ///< a reading of the hand that is not finite
+  kHandLost,        ///< no readings from the device: pipette held, force released
+  kPipetteJump,     ///< a report no manipulator can make
+  kPipetteLost,     ///< no reports from the manipulator: pipette held, force released
+  kLateTick,        ///< a tick so late that the motion is re-anchored
+  kForceNotFinite,  ///< the computed force was not finite: zero was written
   kEmergencyStop,   ///< everything is stopped until released
-  kBlind,           ///< the hand would push on though the contact isn't known: the pipette stands
+  kBlind,           ///< the hand would push on while the contact is unknown: pipette held
   kCount
 };
 
-/// "depth", "force", "speed", ...: the words of `events.csv`.
+/// "depth", "force", "speed", ...: as written to `events.csv`.
 std::string_view to_string(LimitKind kind) noexcept;
 
 /// A limit that began or ceased to act. Trivially copyable: it goes through `SpscRing`.

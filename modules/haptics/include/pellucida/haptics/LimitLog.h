@@ -7,8 +7,8 @@
 
 namespace pellucida {
 
-/// Turns "this limit acts in this tick" into events: one when it begins, one when it hasn't acted for 0.1 s, so that
-/// what flickers at 1 kHz is one event. Nothing allocates or throws.
+/// Turns "this limit acts in this tick" into events: one when it begins, one when it hasn't acted for 0.1 s, so that a
+/// limit that flickers at 1 kHz is one event. Nothing allocates or throws.
 class LimitLog {
  public:
   static constexpr std::size_t kKindCount = static_cast<std::size_t>(LimitKind::kCount);
@@ -19,7 +19,7 @@ class LimitLog {
     std::size_t count = 0;
   };
 
-  /// What the limit compares, for its event.
+  /// Records what the limit compares, for its event.
   void note(LimitKind kind, double value, double limit) noexcept;
 
   /// The limits that act at `now_s`, as a mask; call once a tick.

@@ -8,10 +8,11 @@ namespace pellucida {
 struct TipTarget {
   PlainVector3 tip_um;
   PlainVector3 velocity_um_per_s;
-  bool clutched = false;  ///< the hand is off: the target stands still, and no force shall be felt
+  bool clutched = false;  ///< disengaged: the target does not move, and no force is felt
 
-  /// How far the target would be ahead without the map's smoothing filters, um; zero for a map without. The pipette
-  /// gets the smooth motion, but the hand must feel where it is itself: a force that lags makes any contact swing.
+  /// How far ahead the target would be without the map's smoothing filters, um; zero for a map without filters. The
+  /// pipette receives the smoothed motion, but the hand must feel its own position: a force that lags makes any contact
+  /// oscillate.
   PlainVector3 ahead_um;
 };
 
@@ -21,13 +22,13 @@ class MotionMap {
  public:
   virtual ~MotionMap() = default;
 
-  /// Ties the hand as it is to the tip as it is: the next target is exactly `tip_um`.
+  /// Anchors the hand's position to the tip's: the next target is exactly `tip_um`.
   virtual void engage(const HandSample& hand, const PlainVector3& tip_um) noexcept = 0;
 
   /// The target of this tick; `dt_s` since the last one.
   virtual TipTarget update(const HandSample& hand, double dt_s) noexcept = 0;
 
-  /// Tip motion for a hand motion, um/m (above 0): what turns uN/um at the cell into N/m at the hand.
+  /// Tip motion for a hand motion, um/m (above 0): it converts uN/um at the cell into N/m at the hand.
   virtual double scale_um_per_m() const noexcept = 0;
 
   /// A force of the map's own on the hand, frame H, N: the return to the centre of a rate control.

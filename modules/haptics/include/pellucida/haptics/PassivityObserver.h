@@ -10,12 +10,12 @@ namespace pellucida {
 /// Automation 18(1)). The force is held constant from one reading to the next, so the energy the hand has put into the
 /// device is exactly
 ///     E_n = E_{n-1} - F_{n-1} . (x_n - x_{n-1}) + b |x_n - x_{n-1}|^2 / dt,
-/// the last term being what the device's own friction takes: b as specified, or K_max T / 2, which is what naming a
-/// largest stiffness K_max for the period T claims. While E >= 0 nothing generates energy. Once it falls below, a
-/// damper -alpha v with alpha = -E / (dt |v|^2), at most the device's largest damping, takes it back.
+/// the last term being the energy dissipated by the device's own friction: b as specified, or K_max T / 2, which is
+/// implied by a stated largest stiffness K_max for the period T. While E >= 0 nothing generates energy. Once it falls
+/// below, a damper -alpha v with alpha = -E / (dt |v|^2), at most the device's largest damping, dissipates it.
 ///
-/// What was put in long ago must not pay for activity now: E is kept below the energy that a spring a tenth as stiff as
-/// the device holds stores at the device's largest force.
+/// Energy put in long ago must not allow activity now: E is kept below the energy that a spring of a tenth of the
+/// device's largest stiffness stores at the device's largest force.
 ///
 /// The 1 kHz thread only. Nothing allocates, locks or throws.
 class PassivityObserver {
@@ -28,7 +28,7 @@ class PassivityObserver {
   /// The reading of this tick, with the force written after the last one. Frame H.
   void observe(const Eigen::Vector3d& hand_m, const Eigen::Vector3d& last_force_N, double dt_s) noexcept;
 
-  /// The damper's force for this tick: none while the margin isn't negative; it comes and goes within 10 ms. Once a
+  /// The damper's force for this tick: none unless the margin is negative; it sets in and fades within 10 ms. Once per
   /// tick. Frame H, N.
   Eigen::Vector3d damping_force_N(const Eigen::Vector3d& velocity_m_per_s, double dt_s) noexcept;
 

@@ -6,14 +6,14 @@
 
 namespace pellucida {
 
-/// What the hand asks of the injection pipette in one tick. Frame W, um. Trivially copyable.
+/// The command to the injection pipette in one tick. Frame W, um. Trivially copyable.
 struct PipetteCommand {
   double time_s = 0.0;  ///< on the run's clock
-  PlainVector3 tip_um;  ///< where the tip shall be
+  PlainVector3 tip_um;  ///< where the tip should be
   PlainVector3 velocity_um_per_s;
-  double max_speed_um_per_s = 0.0;  ///< not faster than this; 0: stand still
+  double max_speed_um_per_s = 0.0;  ///< speed limit; 0: stop
   bool inject = false;              ///< deposit
-  bool stop = false;                ///< emergency stop: halt at once and stay until it's released
+  bool stop = false;                ///< emergency stop: halt at once and stay until released
 };
 static_assert(std::is_trivially_copyable_v<PipetteCommand>);
 

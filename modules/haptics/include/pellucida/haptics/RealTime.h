@@ -5,9 +5,9 @@
 
 namespace pellucida {
 
-/// What happens where the system doesn't grant what a 1 kHz thread should have.
+/// Behaviour if the system does not grant what a 1 kHz thread needs.
 enum class RealTimePolicy {
-  kIgnore,  ///< run without, and say so
+  kIgnore,  ///< run without, and report it
   kEnforce  ///< don't start
 };
 
@@ -16,7 +16,7 @@ struct RealTimeOutcome {
   bool fifo = false;
   int fifo_priority = 0;
   bool memory_locked = false;
-  std::string refused;  ///< empty when all was granted: else what, why and how to allow it
+  std::string refused;  ///< empty when all was granted; otherwise what, why and how to allow it
 
   /// One line: "SCHED_FIFO 80, memory locked", or what is missing.
   std::string text() const;
@@ -29,7 +29,7 @@ void raise_priority(pthread_t thread, int priority, RealTimeOutcome& outcome);
 /// where the system limits locked memory: then every later allocation could fail.
 void lock_memory(RealTimeOutcome& outcome);
 
-/// While it lives the processors don't fall into a sleep that takes long to wake from (Linux's power management
+/// While it exists, the processors do not enter sleep states that take long to wake from (Linux's power management
 /// quality of service), where the system allows: waking from it is most of a timer's lateness on an idle machine.
 class QuickWakeRequest {
  public:
@@ -48,7 +48,7 @@ class QuickWakeRequest {
 /// itself for a thread of normal priority.
 void sharpen_timers() noexcept;
 
-/// Touches the calling thread's stack, so that no page of it comes in the middle of a tick.
+/// Touches the calling thread's stack, so that no page fault occurs in a tick.
 void prefault_stack() noexcept;
 
 }  // namespace pellucida

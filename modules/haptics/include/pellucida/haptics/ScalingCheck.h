@@ -6,7 +6,7 @@
 
 namespace pellucida {
 
-/// What a cell may ask of the hand: the defaults are a mouse oocyte at puncture (force 7.5 uN at 44 um, growing with
+/// The demands of a cell on the hand: the defaults are a mouse oocyte at puncture (force 7.5 uN at 44 um, growing with
 /// the third power of depth).
 struct CellStrength {
   double max_force_uN = 7.5;
@@ -25,15 +25,15 @@ struct ScalingRequest {
 
 /// Why a scaling is refused.
 enum class ScalingFault {
-  kNoForce,     ///< the device gives no force
-  kOutOfRange,  ///< a number isn't finite, or isn't above 0
+  kNoForce,     ///< the device has no force output
+  kOutOfRange,  ///< a number is not finite, or not above 0
   kForce,       ///< the cell's force would be above the device's largest
-  kStiffness,   ///< the cell would be stiffer at the hand than the device holds
+  kStiffness,   ///< the cell would be stiffer at the hand than the device can render
   kDamping,     ///< the same for damping
-  kPassivity    ///< b > K (T/2 + delay) + |B| doesn't hold
+  kPassivity    ///< b > K (T/2 + delay) + |B| is violated
 };
 
-/// What the cell is at the hand under an accepted scaling.
+/// The cell at the hand under an accepted scaling.
 struct ScalingFigures {
   double force_N = 0.0;
   double stiffness_N_per_m = 0.0;
@@ -43,20 +43,20 @@ struct ScalingFigures {
 
 struct ScalingRefusal {
   ScalingFault fault = ScalingFault::kOutOfRange;
-  double value = 0.0;                         ///< what was asked, in N, N/m or N s/m
-  double limit = 0.0;                         ///< what the device holds
-  double nearest_force_scale_N_per_uN = 0.0;  ///< the largest the device holds with that motion scale; 0: none
+  double value = 0.0;                         ///< the value requested, in N, N/m or N s/m
+  double limit = 0.0;                         ///< the device's limit
+  double nearest_force_scale_N_per_uN = 0.0;  ///< the largest accepted with that motion scale; 0: none
 };
 
-/// One line: what, how much, and what would do.
+/// One line: what, how much, and what would be accepted.
 std::string to_string(const ScalingRefusal& refusal);
 
-/// What a device holds of a scaling: with S_f, S_p the scales of force (N/uN) and motion (um/m), force, stiffness and
-/// damping of the cell at the hand are F S_f, k S_f S_p and b S_f S_p; each must be within the device's limit, and
+/// Whether a device can render a scaling: with S_f, S_p the scales of force (N/uN) and motion (um/m), force, stiffness
+/// and damping of the cell at the hand are F S_f, k S_f S_p and b S_f S_p; each must be within the device's limit, and
 /// where the device's own damping b is known,
 ///     b > K (T/2 + delay) + |B|
 /// (Colgate and Schenkel 1997, J. Robotic Systems 14; the delay adds to the half period of the sampling). The largest
-/// stiffness a maker names is such a bound already. No allocation, no exception.
+/// stiffness stated by a maker is such a bound already. No allocation, no exception.
 expected<ScalingFigures, ScalingRefusal> check_scaling(const DeviceSpecification& device,
                                                        const ScalingRequest& request) noexcept;
 

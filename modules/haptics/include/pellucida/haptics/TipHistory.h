@@ -5,13 +5,13 @@
 
 namespace pellucida {
 
-/// Where the tip was during the last second or so, one place a tick: a frame tells of a tip that has moved on since.
+/// Positions of the tip during the last second or so, one per tick: a frame shows a tip that has moved on since.
 /// Nothing allocates or throws.
 class TipHistory {
  public:
   void clear() noexcept { count_ = 0; }
 
-  /// `time_s` must not be before the newest; such a place is ignored.
+  /// `time_s` must not precede the newest; such a position is ignored.
   void add(double time_s, const Eigen::Vector3d& tip_um) noexcept {
     if (count_ > 0 && time_s < newest().time_s) return;
     places_[count_++ & (kCapacity - 1)] = {time_s, tip_um.x(), tip_um.y(), tip_um.z()};
@@ -19,7 +19,7 @@ class TipHistory {
 
   bool empty() const noexcept { return count_ == 0; }
 
-  /// The tip at `time_s`, interpolated; the oldest or newest place known for a time outside. Zero while empty.
+  /// The tip at `time_s`, interpolated; the oldest or newest known position for a time outside. Zero while empty.
   Eigen::Vector3d at(double time_s) const noexcept {
     if (count_ == 0) return Eigen::Vector3d::Zero();
     const std::size_t oldest = count_ > kCapacity ? count_ - kCapacity : 0;

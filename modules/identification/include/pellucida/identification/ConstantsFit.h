@@ -19,7 +19,7 @@ struct FitOptions {
   double anchor_um = 0.0;
   /// The scale itself, model over reference at the anchor, stays within about this share of 1.
   double scale_tolerance_ratio = 0.02;
-  /// Largest connector strain the constants must bear without turning soft: k1/k2 >= -1 / (3 e^2).
+  /// Largest connector strain at which the constants must not turn soft: k1/k2 >= -1 / (3 e^2).
   double largest_strain = 1.0;
   int max_iterations = 12;  ///< of each of the three rounds
   int threads = 0;          ///< 0: as many as the machine has cores
@@ -36,10 +36,10 @@ void set_starting_constants(CellProfile& profile);
 
 /// Fits the nine constants of `profile` (K2, K1, g by region; the rest of it stays) to the curves: first least squares
 /// of the errors in their units; then, unless all are well within them, the sums of their fourth and of their eighth
-/// powers, which press down the largest. Levenberg and Marquardt (Ceres) on log K2, K1/K2 (bounded), log g, with the
+/// powers, which push down the largest. Levenberg and Marquardt (Ceres) on log K2, K1/K2 (bounded), log g, with the
 /// exact Jacobian of CurveSensitivity; a weak pull to the starting constants decides what the curves leave open.
-/// `progress` hears of every evaluation: how many there were and the worst error so far. Same input, same constants.
-/// Throws UsageError when there is no curve or the model doesn't bear the starting constants.
+/// `progress` is called at every evaluation with their number and the worst error so far. Same input, same constants.
+/// Throws UsageError when there is no curve or the model is not stable with the starting constants.
 FitReport fit_constants(CellProfile& profile, const std::vector<ReferenceCurve>& curves, const FitOptions& options,
                         const std::function<void(int evaluations, double worst_unit)>& progress = {},
                         const std::stop_token& cancel = {});

@@ -19,7 +19,7 @@ CellProfile table_one_oocyte();
 struct IdentificationRequest {
   /// Geometry, Young's modulus, Poisson's ratio, puncture point, tools, the mesh's frequency, name and sources. What
   /// identification finds (constants, regions, grading, effective modulus and its uncertainty, m, b, errors) is
-  /// overwritten; constants it has already are where the fit starts.
+  /// overwritten; constants already present are the start of the fit.
   CellProfile cell = table_one_oocyte();
   std::optional<MeasuredCurve> measured;    ///< anchors the force scale; without it the puncture point does
   double assumed_scale_sigma_ratio = 0.05;  ///< of the scale, where one point alone anchors it
@@ -47,14 +47,14 @@ struct Identification {
 };
 
 /// Runs the finite-element reference in the four configurations, fits the nine constants to its curves, and sets the
-/// force scale to the anchor. The same request gives the same profile. `progress` hears what is done now and how far
-/// it is, 0 to 1, from any thread, one call at a time. Throws UsageError for a geometry or a number outside its range,
-/// NothingMeasuredError when no usable curve or constants came out, Error (our fault) on a cancellation.
+/// force scale to the anchor. The same request gives the same profile. `progress` is called with the current stage and
+/// its share done, 0 to 1, from any thread, one call at a time. Throws UsageError for a geometry or a number outside
+/// its range, NothingMeasuredError when no usable curve or constants resulted, Error (internal error) on cancellation.
 Identification identify(const IdentificationRequest& request,
                         const std::function<void(std::string_view stage, double share)>& progress = {},
                         const std::stop_token& cancel = {});
 
-/// What an identification with the defaults costs, for the benchmark.
+/// The cost of an identification with the defaults, for the benchmark.
 struct IdentificationTimes {
   double wall_s = 0.0;
   double processor_s = 0.0;  ///< of all threads

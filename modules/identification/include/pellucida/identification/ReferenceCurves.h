@@ -29,9 +29,9 @@ struct ReferenceOptions {
 };
 
 /// The paper's four configurations by the finite-element shell, of the profile's geometry and bonds at its effective
-/// modulus; each in a thread. `progress` hears how far they are together, 0 to 1, from any of the threads, one call at
-/// a time. A curve that ends early, and all of them after a cancellation, hold what was reached. Throws UsageError for
-/// a geometry that the shell doesn't take.
+/// modulus; each in a thread. `progress` is called with their joint share done, 0 to 1, from any of the threads, one
+/// call at a time. A curve that ends early, and all of them after a cancellation, hold what was reached. Throws
+/// UsageError for a geometry the shell does not accept.
 std::vector<ReferenceCurve> compute_reference_curves(const CellProfile& profile, const ReferenceOptions& options,
                                                      const std::function<void(double share)>& progress = {},
                                                      const std::stop_token& cancel = {});
@@ -42,7 +42,7 @@ ReferenceCurve compute_reference_curve(const CellProfile& profile, double holder
                                        const std::function<void(double share)>& progress = {},
                                        const std::stop_token& cancel = {});
 
-/// How far the model is from a reference.
+/// The difference between the model and a reference.
 struct CurveError {
   double largest_ratio = 0.0;          ///< largest |model - reference| / reference from `from_um` on
   double largest_of_peak_ratio = 0.0;  ///< largest |model - reference| over the reference's last force, everywhere

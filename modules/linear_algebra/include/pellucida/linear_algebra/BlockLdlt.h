@@ -8,7 +8,7 @@ namespace pellucida {
 
 /// Factorisation S = L D L^T of a symmetric BlockMatrix, D diagonal of either sign. Multifrontal: runs of nodes with
 /// the same pattern are eliminated together in dense fronts. The order of elimination (nested dissection or minimum
-/// degree, whichever takes fewer operations) and all places are worked out once. About 10 n log n blocks and, on a
+/// degree, whichever needs fewer operations) and all positions are determined once. About 10 n log n blocks and, on a
 /// surface of n nodes, 27 n^1.5 (measured: 60 to 90) thousand operations; nothing is allocated after the first
 /// factorisation.
 class BlockLdlt {

@@ -23,8 +23,8 @@ class BlockMatrix {
   int node_count() const noexcept { return static_cast<int>(column_starts_.size()) - 1; }
   int block_count() const noexcept { return static_cast<int>(block_rows_.size()); }
 
-  /// The slot of block (row, column). Throws Error (our fault) unless the pair was named at construction, or
-  /// row == column.
+  /// The slot of block (row, column). Throws Error (internal error) unless the pair was named at construction, or row
+  /// == column.
   BlockSlot slot(int row, int column) const;
 
   void set_zero() { values_.setZero(); }

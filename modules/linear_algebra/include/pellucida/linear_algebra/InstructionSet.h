@@ -2,13 +2,13 @@
 
 namespace pellucida {
 
-/// What the hot loops are compiled for besides the plain x86-64 (or whatever the machine is).
+/// The instruction sets the hot loops are compiled for, besides plain x86-64 (or the machine's own).
 enum class InstructionSet { kPlain, kAvx2, kAvx512 };
 
 /// The best this machine has, but no better than the limit.
 InstructionSet instruction_set() noexcept;
 
-/// Sets the limit for the whole program: to compare, results are the same to the last bit.
+/// Sets the limit for the whole program, for comparisons; results are the same to the last bit.
 void limit_instruction_set(InstructionSet best) noexcept;
 
 }  // namespace pellucida

@@ -8,7 +8,7 @@
 
 namespace pellucida {
 
-/// The force as other models tell it, beside the estimate, for who analyses; the estimate never depends on them.
+/// The force according to other models, beside the estimate, for analysts; the estimate never depends on them.
 struct ForceCrossCheck {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -29,7 +29,7 @@ std::optional<double> point_load_force_uN(double young_modulus_kPa, double poiss
 /// rows; lengths scale with the cell's radius (a force with its square).
 class ForceTables {
  public:
-  /// Those of `cell`; none where none are shipped. Throws InputError when a table is broken.
+  /// Those of `cell`; none if none are shipped. Throws InputError when a table is damaged.
   explicit ForceTables(std::string_view cell);
 
   /// Nothing outside the tables. `size_ratio` > 0: the cell's radius over the table's.
@@ -43,7 +43,7 @@ class ForceTables {
   std::vector<Table> tables_;  // by rising angle
 };
 
-/// Standard deviation over mean, %, of `estimate_uN` and those that have an opinion; nothing with fewer than two.
+/// Standard deviation over mean, %, of `estimate_uN` and the models that give a force; nothing with fewer than two.
 double spread_percent(double estimate_uN, const ForceCrossCheck& opinions) noexcept;
 
 }  // namespace pellucida

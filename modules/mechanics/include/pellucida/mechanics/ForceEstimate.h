@@ -11,18 +11,18 @@
 
 namespace pellucida {
 
-/// What a person should know before believing a force; one or more of these, combined with |.
+/// Reasons to distrust a force; one or more of these, combined with |.
 enum ForceWarning : unsigned {
   kNoForceWarning = 0,
-  kShapeMismatch = 1,   ///< the contour isn't the model's: wrong configuration, a tool elsewhere, a wrinkled cell
-  kNeedleSlip = 2,      ///< the needle isn't where it was when the contact began, or the membrane doesn't follow it
+  kShapeMismatch = 1,   ///< the contour is not the model's: wrong configuration, a tool elsewhere, a wrinkled cell
+  kNeedleSlip = 2,      ///< the needle has left its line since the contact began, or the membrane does not follow it
   kNotOfRevolution = 4  ///< left and right of the contour differ by more than the model explains
 };
 /// "mismatch", "slip", "asymmetry", joined by "+"; empty for none.
 std::string to_string(ForceWarning warnings);
 
-/// What the model says of one frame. Numbers that could not be had are NaN; the arrays are empty when there is no model
-/// shape (no cell seen). No other number is ever NaN.
+/// The model's result for one frame. Numbers that could not be measured are NaN; the arrays are empty when there is no
+/// model shape (no cell seen). No other number is ever NaN.
 struct ForceEstimate {
   static constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -36,12 +36,12 @@ struct ForceEstimate {
   Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();  ///< whole force of the needle on the cell, frame W
   double pressure_Pa = kNotMeasured;                       ///< excess pressure in the cell
   double volume_um3 = kNotMeasured;  ///< enclosed by the zona's outer surface, as the model has it
-  /// Tangent stiffness and damping felt along the push by a hand that moves the needle. Where the profile has
+  /// Tangent stiffness and damping along the push, as felt by a hand that moves the needle. If the profile has
   /// relaxation arms these are their spring and damper at `ForceOptions::hand_frequency_Hz`, see
   /// `Relaxation::storage_ratio`, beside the model's own dampers.
   double stiffness_uN_per_um = kNotMeasured;
   double damping_uN_s_per_um = kNotMeasured;
-  /// With relaxation arms: how fast the force falls while the needle rests (negative while it does), and what is left
+  /// With relaxation arms: how fast the force falls while the needle rests (negative while it does), and what remains
   /// of it in the end. Without: 0 and the force.
   double force_rate_uN_per_s = kNotMeasured;
   double relaxed_force_uN = kNotMeasured;
@@ -50,14 +50,14 @@ struct ForceEstimate {
 
   double time_s = 0.0;              ///< of the frame this was seen in
   long frame_index = 0;             ///< likewise
-  ForceErrors errors;               ///< what the interval is made of
+  ForceErrors errors;               ///< the parts of the interval
   ShapeAudit shape;                 ///< the contour against the model
   double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
   ForceWarning warnings = kNoForceWarning;
   bool punctured = false;                      ///< the membrane has left the tip: the force is 0
-  std::optional<Puncture> puncture;            ///< in the frame that showed it first
+  std::optional<Puncture> puncture;            ///< in the first frame that shows it
   double work_uN_um = 0.0;                     ///< of the needle on the cell in this contact
-  ForceCrossCheck opinions;                    ///< what other models say
+  ForceCrossCheck opinions;                    ///< the force according to other models
   double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
   double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
 

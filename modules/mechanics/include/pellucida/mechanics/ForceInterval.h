@@ -4,12 +4,12 @@
 
 namespace pellucida {
 
-/// What makes a force uncertain. Relative parts are standard deviations of its logarithm, absolute ones of itself, uN.
+/// The uncertainties of a force. Relative parts are standard deviations of its logarithm, absolute ones of itself, uN.
 struct ForceErrors {
   double depth_uN = 0.0;        ///< noise and bias of the depth times the tangent stiffness
   double shape_uN = 0.0;        ///< the contour's residual beyond what is usual, times the tangent stiffness
-  double relaxation_uN = 0.0;   ///< what the arms' own spread makes of the force, where the membrane relaxes
-  double model_uN = 0.0;        ///< error that the profile admits to, below the depths it was compared at
+  double relaxation_uN = 0.0;   ///< from the spread of the arms, where the membrane relaxes
+  double model_uN = 0.0;        ///< the profile's stated error, below the depths it was compared at
   double model_ratio = 0.0;     ///< the same at those depths
   double scale_ratio = 0.0;     ///< of the profile's scale, or of this cell's after a palpation
   double geometry_ratio = 0.0;  ///< radius and holder at rest
@@ -25,8 +25,8 @@ struct ForceInterval {
   double sigma_uN = 0.0;  ///< half the interval's width over 1.96
 };
 
-/// The 95 % interval about `force_uN` >= 0. The relative errors multiply (log-normal), so that the interval reaches
-/// farther up than down; the absolute ones add; both are independent:
+/// The 95 % interval about `force_uN` >= 0. The relative errors multiply (log-normal), so that the interval extends
+/// further up than down; the absolute ones add; both are independent:
 ///   upper = F + sqrt((F (exp(z r) - 1))^2 + (z a)^2),  lower = F - sqrt((F (1 - exp(-z r)))^2 + (z a)^2),  z = 1.96,
 /// lower at least 0.
 ForceInterval interval_95(double force_uN, const ForceErrors& errors) noexcept;

@@ -11,23 +11,23 @@ namespace pellucida {
 
 /// What may be chosen about the estimate.
 struct ForceOptions {
-  /// Weight omega of the contour in the equilibrium, as a ratio to E h, 1/um^2: 0, the depth alone (default); the most
-  /// that makes sense is 1e-5 (the module's README says why it's 0).
+  /// Weight omega of the contour in the equilibrium, as a ratio to E h, 1/um^2: 0, the depth alone (default); the
+  /// largest sensible value is 1e-5 (docs/method.md, 3.8, explains the 0).
   double observation_ratio = 0.0;
-  /// Also read the springs with every node laid on the contour: biased, for teaching only.
+  /// Also read the springs with every node placed on the contour: biased, for teaching only.
   bool naive_readout = false;
-  /// What stiffness and damping are told for, where the profile has relaxation arms; above 0. A hand moves at about 1
-  /// Hz.
+  /// The frequency for which stiffness and damping are given, if the profile has relaxation arms; above 0. A hand moves
+  /// at about 1 Hz.
   double hand_frequency_Hz = 1.0;
 };
 
 /// Force from the tracked shape. Each frame: the contact point from the needle's line and the resting outline, which
-/// gives the cell's frame and the push (a needle beside the centre pushes askew); the holder where it was tracked; the
-/// filtered indentation, taken as the needle's depth; then the mass-spring-damper membrane in equilibrium with the
-/// needle that deep, started from the last frame's shape; then the exact read-out of the tip's bond. The rest of the
-/// contour audits the result: it widens the interval and warns. Where the profile has relaxation arms the force, and
-/// with it everything on the nodes, is what they leave of it since the contact began (`Relaxation`). One thread at a
-/// time; not real-time safe (allocates).
+/// gives the cell's frame and the push (a needle beside the centre pushes at an angle); the holder where it was
+/// tracked; the filtered indentation, taken as the needle's depth; then the mass-spring-damper membrane in equilibrium
+/// with the needle that deep, started from the last frame's shape; then the exact read-out of the tip's bond. The rest
+/// of the contour audits the result: it widens the interval and raises warnings. Where the profile has relaxation arms
+/// the force, and with it everything on the nodes, is what remains of it since the contact began (`Relaxation`). One
+/// thread at a time; not real-time safe (allocates).
 class ForceObserver {
  public:
   explicit ForceObserver(CellProfile profile, ForceOptions options = {});
@@ -37,16 +37,16 @@ class ForceObserver {
 
   const CellProfile& profile() const noexcept;
 
-  /// Takes this cell's own stiffness into account, from the next frame on: no longer the profile's. Throws UsageError
-  /// unless it is above 0 with a sigma of 0 or above.
+  /// Uses this cell's own stiffness instead of the profile's, from the next frame on. Throws UsageError unless it is
+  /// above 0 with a sigma of 0 or above.
   void set_scale(const CellScale& scale);
 
-  /// Learns this cell's scale from a palpation: what the model of this cell, as it is seen and held, says at that depth
-  /// against what was measured. It counts from the next frame on that shows the cell. Throws as `validate`.
+  /// Learns this cell's scale from a palpation: the model of this cell, as seen and held, at that depth, against the
+  /// measured value. It takes effect from the next frame that shows the cell. Throws as `validate`.
   void set_palpation(const Palpation& palpation);
 
-  /// What a further push into the cell seen last would risk: depths `step_um`, 2 `step_um`, ... to 1.3 times the
-  /// profile's puncture indentation. Empty before a cell was seen. Leaves the model at rest: not for between two frames
+  /// The risk of a further push into the cell seen last: depths `step_um`, 2 `step_um`, ... to 1.3 times the profile's
+  /// puncture indentation. Empty before a cell was seen. Leaves the model at rest: not to be called between two frames
   /// in contact. Throws UsageError unless the step is above 0.
   std::vector<PunctureRisk> puncture_risk(double step_um);
 
@@ -55,7 +55,7 @@ class ForceObserver {
 
   /// States `free` and `punctured` give a force of 0 and the shape at rest; `no_cell` and `lost` give nothing;
   /// `contact` gives the force at the observed indentation, or nothing with the reason when needle or numbers are
-  /// missing; or 0 where the membrane is seen to have left the tip in this frame (`punctured`).
+  /// missing; or 0 where the membrane has left the tip in this frame (`punctured`).
   ForceEstimate process(const Observation& observation);
 
   /// Forgets the cell.

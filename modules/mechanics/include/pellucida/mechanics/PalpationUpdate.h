@@ -3,15 +3,15 @@
 
 namespace pellucida {
 
-/// This cell's own stiffness against the profile's: all forces go with it. Log-normal: ln(ratio) is normal about
+/// This cell's own stiffness relative to the profile's: all forces scale with it. Log-normal: ln(ratio) is normal about
 /// ln(`ratio`) with `relative_sigma`.
 struct CellScale {
   double ratio = 1.0;           ///< > 0, the median
   double relative_sigma = 0.0;  ///< >= 0
 };
 
-/// What was measured otherwise, before: the cell pushed a little by a probe that knows its force, or whose force rises
-/// with the depth by a known stiffness. Exactly one of the two is above 0.
+/// An independent measurement made beforehand: a small push of known force, or of a known rise of the force with depth.
+/// Exactly one of the two is above 0.
 struct Palpation {
   double known_force_uN = 0.0;             ///< along the push
   double known_stiffness_uN_per_um = 0.0;  ///< tangent stiffness there
@@ -20,17 +20,17 @@ struct Palpation {
   double relative_sigma = 0.05;            ///< of the known force or stiffness; > 0
 };
 
-/// Throws UsageError unless the numbers are what `Palpation` says.
+/// Throws UsageError unless the numbers are as `Palpation` states.
 void validate(const Palpation& palpation);
 
-/// How far single cells of one type and stage stray from their type: standard deviation over mean of the zona's modulus
-/// in mouse eggs, from 0.26 (four cells) over 0.46 (germinal vesicle, pronucleus) to 0.63 (metaphase II), measured with
-/// a micro tactile sensor. It's what a palpation learns about; the profile's own sigma is that of the type's mean.
+/// Spread of single cells of one type and stage: standard deviation over mean of the zona's modulus in mouse eggs, from
+/// 0.26 (four cells) over 0.46 (germinal vesicle, pronucleus) to 0.63 (metaphase II), measured with a micro tactile
+/// sensor. A palpation reduces it; the profile's own sigma is that of the type's mean.
 constexpr double kCellSpread_ratio = 0.46;
-/// How far puncture forces stray about the profile's (Table I gives one number and no spread): assumed.
+/// Spread of puncture forces about the profile's (Table I gives one number and no spread): assumed.
 constexpr double kPunctureSpread_ratio = 0.3;
 
-/// What is known of a cell's scale before it was touched: the profile's, and the spread between cells.
+/// The scale of a cell before it is touched: the profile's, and the spread between cells.
 CellScale scale_before(const CellProfile& profile) noexcept;
 
 /// Bayes' rule for the log-normal scale. With s = ln(ratio), the palpation measures y = ln(known / model) with the

@@ -13,10 +13,10 @@ struct Puncture {
 };
 
 /// Watches a contact for the moment when the membrane leaves the tip behind. A frame is a puncture when the membrane
-/// has come back, against the depth before, by more than `4 sigma` and 2 um while the tip, which pushed it, has not:
-/// it stands in the cell, more than 4 sigma and 2 um past the membrane. A tracker that keeps the contour on the tip
-/// shows no such way; then the rest of the contour tells: from one frame to the next it leaves the model's shape by 1
-/// um and more, outwards in the dimple. That state ends when the tip has left the cell, or is on the membrane again for
+/// has come back, against the depth before, by more than `4 sigma` and 2 um while the tip, which pushed it, has not: it
+/// is in the cell, more than 4 sigma and 2 um past the membrane. A tracker that keeps the contour on the tip shows no
+/// such distance; then the rest of the contour reveals it: from one frame to the next it leaves the model's shape by 1
+/// um or more, outwards in the dimple. That state ends when the tip has left the cell, or is on the membrane again for
 /// three frames. One thread at a time.
 class PunctureMonitor {
  public:
@@ -32,20 +32,21 @@ class PunctureMonitor {
   bool is_through(const Depths& now) noexcept;
 
   /// Whether the contour's shape shows it in this frame: `residual_um` and `dimple_residual_um` of `ShapeAudit` (NaN:
-  /// not seen, says nothing), `usual_um` what the residual may be. Ask once a frame in contact, after the model is
-  /// solved for it and before `add`.
+  /// not seen, no evidence), `usual_um` the usual residual. Ask once per frame in contact, after the model is solved
+  /// for it and before `add`.
   bool has_sprung_back(double residual_um, double dimple_residual_um, double usual_um) noexcept;
 
   /// A frame in contact with its force: work, peak. Not for frames that are through.
   void add(double depth_um, double force_uN) noexcept;
 
-  /// The puncture that has just begun, with what it took; nothing when it was told already, or there was no contact.
+  /// The puncture that has just begun, with its force, depth and work; nothing if it was reported already, or there was
+  /// no contact.
   std::optional<Puncture> take_puncture(double time_s) noexcept;
 
   /// Work of the needle on the cell so far, uN um.
   double work_uN_um() const noexcept { return work_uN_um_; }
 
-  /// The needle is off the cell: a new contact begins from nothing.
+  /// The needle has left the cell: a new contact starts from zero.
   void release() noexcept;
 
  private:

@@ -20,7 +20,7 @@ struct NeedleContact {
 /// nearest to the line. Precondition: `needle`, a rest radius above 0.
 NeedleContact needle_contact(const Observation& observation);
 
-/// What the contour says besides its depth, in the section that the image shows.
+/// What the contour shows besides its depth, in the section visible in the image.
 struct ShapeAudit {
   static constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -46,8 +46,8 @@ class ShapeAuditor {
   void set_model(const TriangleMesh& rest);
 
   /// Of one frame. `x_um` (3 x n) the model's nodes in frame C; `rotation_WC`, `center_um` place it in W;
-  /// `thickness_um` between the contours at rest. Not measured where fewer than half of the section's nodes see a
-  /// contour.
+  /// `thickness_um` between the contours at rest. Not measured when fewer than half of the section's nodes have a
+  /// contour near them.
   ShapeAudit audit(const Observation& observation, const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3d& rotation_WC,
                    const Eigen::Vector3d& center_um, double thickness_um);
 

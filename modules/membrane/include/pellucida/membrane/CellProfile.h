@@ -16,7 +16,7 @@ struct RegionConstants {
   double hinge_ratio = 0.0;  ///< g: hinge rigidity / D, > 0
 };
 
-/// The error of the model against a reference curve, as it was found when the profile was made.
+/// The error of the model against a reference curve, as found when the profile was made.
 struct ProfileError {
   int configuration = 0;               ///< 1..4, see `setup_for_configuration`
   std::string reference;               ///< what it was compared with
@@ -35,7 +35,7 @@ struct ProfileReference {
   double to_um = 0.0;             ///< deepest point
 };
 
-/// Everything that turns a shape into a force for one kind of cell: nothing of it is hidden in code. Loaded from JSON.
+/// Everything that turns a shape into a force for one kind of cell; no such number is hidden in code. Loaded from JSON.
 struct CellProfile {
   std::string name;
   std::string description;
@@ -46,10 +46,10 @@ struct CellProfile {
   double thickness_um = 0.0;   ///< of the zona
   double inner_radius_um = 0.0;
 
-  // Material. The two moduli don't agree, see the module's README: the table's is kept for the record, the effective
-  // one works.
+  // Material. The two moduli do not agree (docs/method.md, 3.7): the table's is kept for the record, the effective one
+  // is used.
   double young_modulus_kPa = 0.0;            ///< Table I
-  double effective_young_modulus_kPa = 0.0;  ///< configuration 1 passes the puncture point with it
+  double effective_young_modulus_kPa = 0.0;  ///< with it, configuration 1 passes the puncture point
   double force_scale_relative_sigma = 0.0;   ///< standard deviation of the effective scale over its value
   double poisson_ratio = 0.5;
   double puncture_force_uN = 0.0;
@@ -75,12 +75,12 @@ struct CellProfile {
   int mesh_frequency = 0;
   double mesh_grading = 1.0;
 
-  std::vector<ProfileReference> references;  ///< empty where a profile's maker didn't write them down
+  std::vector<ProfileReference> references;  ///< empty if the profile's author did not record them
   std::vector<ProfileError> errors;
 
-  /// How the force falls while the needle rests; empty: not known, and taken as not at all. The effective modulus is
-  /// that of the push it was measured in, of `relaxation_anchor_ramp_s` from rest (0: a sudden one), in which the arms
-  /// had begun to relax already: a sudden push takes `relaxation_elastic_ratio` >= 1 times the force. 1 without arms.
+  /// How the force falls while the needle rests; empty: unknown, and taken as no decay. The effective modulus is that
+  /// of the push it was measured in, of `relaxation_anchor_ramp_s` from rest (0: a sudden one), during which the arms
+  /// were already relaxing: a sudden push takes `relaxation_elastic_ratio` >= 1 times the force. 1 without arms.
   std::vector<RelaxationArm> relaxation_arms;
   double relaxation_elastic_ratio = 1.0;
   double relaxation_anchor_ramp_s = 0.0;
@@ -90,7 +90,7 @@ struct CellProfile {
 };
 
 /// A shipped profile by name, or one in a file (its path). Throws UsageError that names the known profiles when there
-/// is neither, InputError (file and key) when the file is broken.
+/// is neither, InputError (file and key) when the file is damaged.
 CellProfile load_profile(std::string_view name_or_file);
 
 /// Reads a profile file. Throws InputError with file and key.

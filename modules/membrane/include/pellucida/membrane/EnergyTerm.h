@@ -37,14 +37,14 @@ class EnergyTerm {
 /// change their constants between two solutions.
 class EnergySum {
  public:
-  /// `force_scale_uN_per_um` > 0 (E h, say): what a node's residual force is measured by.
+  /// `force_scale_uN_per_um` > 0 (E h, say): the scale of a node's residual force.
   EnergySum(int node_count, double force_scale_uN_per_um);
 
   /// Adds a term. Once a solver is made for the sum, the term may couple only nodes that are coupled already.
   void add_term(EnergyTerm& term);
-  /// Takes a term out again.
+  /// Removes a term.
   void remove_term(const EnergyTerm& term);
-  /// Binds `term`, one of this sum, again: after it came to act on other nodes.
+  /// Binds `term`, one of this sum, again, after it has started to act on other nodes.
   void rebind(EnergyTerm& term);
 
   int node_count() const noexcept { return node_count_; }
@@ -53,7 +53,7 @@ class EnergySum {
   /// Every pair of nodes that some term couples.
   std::vector<std::pair<int, int>> coupled_nodes() const;
 
-  /// Binds all terms, also those added later, to `matrix`, which must outlive the sum's use; null lets go of it.
+  /// Binds all terms, also those added later, to `matrix`, which must outlive the sum's use; null releases it.
   void bind(const BlockMatrix* matrix);
 
   /// Energy, uN um; adds gradient and the sparse part of the Hessian where asked for.

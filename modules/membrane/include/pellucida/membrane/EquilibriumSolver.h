@@ -24,7 +24,7 @@ struct SolveOptions {
   int max_iterations = 40;
   double tolerance_um = 2e-6;  ///< converged when every node's residual force is below this times E h
   double max_step_um = 4.0;    ///< no node moves farther in one iteration
-  /// No iteration begins later than this after the start. What a result holds then depends on the machine's speed.
+  /// No iteration begins later than this after the start. The result then depends on the machine's speed.
   double time_budget_s = std::numeric_limits<double>::infinity();
 };
 
@@ -33,11 +33,11 @@ struct SolveReport {
   int iterations = 0;                     ///< linear systems solved
   int conjugate_gradient_iterations = 0;  ///< spent on them
   int factorizations = 0;                 ///< of those, with a factorisation made anew
-  int shifts = 0;                         ///< times the Hessian wasn't positive definite and was shifted
+  int shifts = 0;                         ///< times the Hessian was not positive definite and was shifted
   double residual_uN = 0.0;               ///< largest residual force on a node
 };
 
-/// How the equilibrium answers a small load b on the nodes.
+/// The response of the equilibrium to a small load b on the nodes.
 struct LinearResponse {
   Eigen::Matrix3Xd displacement;  ///< y = H^-1 b (3 x n)
   double compliance = 0.0;        ///< b . H^-1 b; its error is the square of the displacement's
@@ -50,7 +50,7 @@ struct LinearResponse {
 /// next for as long as it shrinks the residual fourfold an iteration. One thread at a time.
 class EquilibriumSolver {
  public:
-  /// Lays down the pattern of what the sum's terms couple now and binds them to it. `energy` must outlive the solver;
+  /// Lays down the pattern of the nodes the sum's terms couple and binds them to it. `energy` must outlive the solver;
   /// one solver at a time works on a sum.
   explicit EquilibriumSolver(EnergySum& energy);
   ~EquilibriumSolver();
@@ -61,7 +61,7 @@ class EquilibriumSolver {
   /// energy than before.
   SolveReport solve(Eigen::Matrix3Xd& x_um, const SolveOptions& options);
 
-  /// The answer to `load` (3 x n) with the Hessian at `x_um`, by conjugate gradients preconditioned with the kept
+  /// The response to `load` (3 x n) with the Hessian at `x_um`, by conjugate gradients preconditioned with the kept
   /// factorisation, to a relative residual of 3e-4; starts from `guess`. Where the Hessian turns out not to be positive
   /// definite, the shifted one is used.
   LinearResponse respond(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& load, const Eigen::Matrix3Xd& guess);
@@ -69,7 +69,7 @@ class EquilibriumSolver {
   Eigen::Matrix3Xd apply_inverse_hessian(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& b,
                                          const Eigen::Matrix3Xd& guess);
 
-  /// How the force of `tool`, a term of the sum, on the membrane follows the tool's displacement: dF/du at the
+  /// The change of the force of `tool`, a term of the sum, on the membrane with the tool's displacement: dF/du at the
   /// equilibrium `x_um`, uN/um (3 x 3). Along a direction d: d . (dF/du) d.
   Eigen::Matrix3d tool_stiffness_uN_per_um(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_um);
 

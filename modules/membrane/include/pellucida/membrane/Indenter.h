@@ -22,7 +22,7 @@ struct IndentationState {
 };
 
 /// Pushes the needle into the model quasi-statically and keeps the solution from one depth to the next (warm start
-/// along the tangent and its bend; long ways are gone in steps).
+/// along the tangent and its curvature; long distances in steps).
 class Indenter {
  public:
   Indenter(const CellProfile& profile, const MembraneSetup& setup);
@@ -30,7 +30,7 @@ class Indenter {
   const MembraneModel& model() const noexcept { return model_; }
   /// Present positions of the nodes, um (3 x n), frame C.
   const Eigen::Matrix3Xd& positions_um() const noexcept { return x_um_; }
-  /// How the nodes move for a micrometre of depth (3 x n).
+  /// Motion of the nodes per micrometre of depth (3 x n).
   const Eigen::Matrix3Xd& depth_tangent() const noexcept { return tangent_; }
 
   /// Back to rest.
@@ -38,11 +38,11 @@ class Indenter {
   void set_holder(const Eigen::Vector3d& direction) { model_.set_holder(direction); }
   void set_options(const SolveOptions& options) { options_ = options; }
 
-  /// Equilibrium with the needle `depth_um` deep (>= 0). When a step fails, the state is the last that was reached, and
-  /// its report says so.
+  /// Equilibrium with the needle `depth_um` deep (>= 0). When a step fails, the state is the last one reached, and its
+  /// report says so.
   IndentationState advance_to(double depth_um);
 
-  /// Lays weak observations on the nodes (frame C); they hold until others are given, or `reset`. None: the model
+  /// Sets weak observations on the nodes (frame C); they remain until others are given, or `reset`. None: the model
   /// alone. They pull from the next `advance_to` on, also one to the depth that is reached already.
   void observe(std::vector<NormalObservationTerm::Observed> observed);
 

@@ -16,19 +16,18 @@ namespace pellucida {
 struct MembraneSetup {
   double mid_radius_um = 0.0;
   double thickness_um = 0.0;
-  Eigen::Vector3d push = -Eigen::Vector3d::UnitZ();    ///< unit, the way the needle pushes
+  Eigen::Vector3d push = -Eigen::Vector3d::UnitZ();    ///< unit, direction of the needle's push
   Eigen::Vector3d holder = -Eigen::Vector3d::UnitZ();  ///< unit, from the centre to the holder
 };
 
 /// A needle whose axis makes the angle `holder_angle_rad` with the holder's (0: opposite it, pi/2: across it) and runs
 /// `offset_um` beside the cell's centre, towards the side a turned holder lies on where above 0. The contact point is
 /// where the axis meets the outer surface. Throws UsageError unless the angle is in 0..pi/2 and the offset within 0.8
-/// of the outer radius, or when tip and holder would bear on the same place.
+/// of the outer radius, or when tip and holder would overlap.
 MembraneSetup setup_for_needle(const CellProfile& profile, double holder_angle_rad, double offset_um);
 
-/// The paper's four tested configurations, seen in the cell frame. Throws UsageError for a number outside 1..4.
-/// 1 needle opposite the holder; 2 at 45 degrees; 3 at 90 degrees; 4 parallel to the holder's axis, `offset_um` beside
-/// it.
+/// The paper's four tested configurations, in the cell frame. Throws UsageError for a number outside 1..4. 1 needle
+/// opposite the holder; 2 at 45 degrees; 3 at 90 degrees; 4 parallel to the holder's axis, `offset_um` beside it.
 MembraneSetup setup_for_configuration(const CellProfile& profile, int configuration, double offset_um = 10.0);
 
 /// How much each node belongs to each region, 0 to 1, summing to 1: the tip's over the holder's over the body, with

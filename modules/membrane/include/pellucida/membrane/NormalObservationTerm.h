@@ -6,10 +6,10 @@
 
 namespace pellucida {
 
-/// What a camera says of the surface, weakly: U = 1/2 sum omega_i A_i (n_i . (x_i - y_i))^2, y_i the observed place of
-/// node i, n_i the unit normal there, A_i the area the node stands for. Only the component along the normal counts: a
-/// contour tells nothing of where along itself a point has come from. Keep omega below about 1e-6 uN/um^3 for
-/// E h = 0.09 uN/um (it scales with E h): more drags the force with every error of shape.
+/// What a camera shows of the surface, as weak evidence: U = 1/2 sum omega_i A_i (n_i . (x_i - y_i))^2, y_i the
+/// observed place of node i, n_i the unit normal there, A_i the area the node represents. Only the component along the
+/// normal counts: a contour carries no information on where along itself a point came from. Keep omega below about 1e-6
+/// uN/um^3 for E h = 0.09 uN/um (it scales with E h): more pulls the force with every error of shape.
 class NormalObservationTerm final : public EnergyTerm {
  public:
   /// One node's observation.
@@ -21,8 +21,8 @@ class NormalObservationTerm final : public EnergyTerm {
     double weight_uN_per_um3 = 0.0;                      ///< omega, >= 0
   };
 
-  /// Lays down what is observed, any number of times, with or without a solver bound. Throws Error (our fault) when a
-  /// node isn't one of the matrix bound, or a normal isn't of unit length.
+  /// Sets the observations, any number of times, with or without a solver bound. Throws Error (internal error) when a
+  /// node is not one of the bound matrix, or a normal is not of unit length.
   void set(std::vector<Observed> observed);
   const std::vector<Observed>& observed() const noexcept { return observed_; }
 

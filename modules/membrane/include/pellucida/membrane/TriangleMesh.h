@@ -18,14 +18,14 @@ struct TrianglePair {
   int d = 0;  ///< the vertex opposite the edge in the triangle that runs b -> a
 };
 
-/// One pair for each edge, sorted by (a, b) with a < b. Throws Error (our fault) when the surface isn't closed, i.e.
-/// when some edge doesn't belong to exactly two triangles that run along it in opposite ways.
+/// One pair for each edge, sorted by (a, b) with a < b. Throws Error (internal error) when the surface is not closed,
+/// i.e. when some edge does not belong to exactly two triangles that traverse it in opposite directions.
 std::vector<TrianglePair> triangle_pairs(const Eigen::Matrix3Xi& triangles);
 
 /// Area of each triangle, um^2 (m).
 Eigen::VectorXd triangle_areas_um2(const Eigen::Matrix3Xd& points_um, const Eigen::Matrix3Xi& triangles);
 
-/// A third of the area of the triangles round each node, um^2 (n).
+/// A third of the area of the triangles around each node, um^2 (n).
 Eigen::VectorXd node_areas_um2(const Eigen::Matrix3Xd& points_um, const Eigen::Matrix3Xi& triangles);
 
 /// Enclosed volume, um^3; positive for an outward orientation.

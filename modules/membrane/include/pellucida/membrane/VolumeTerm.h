@@ -8,10 +8,9 @@
 
 namespace pellucida {
 
-/// The liquid inside: nearly constant volume, one hydrostatic pressure.
-/// U = 1/2 kv (V - V0)^2 / V0,  P = -kv (V - V0) / V0.
-/// The Hessian is -P grad grad V (sparse, added here) plus kv / V0 (grad V)(grad V)^T, of rank one and full: the solver
-/// treats that part apart.
+/// The liquid inside: nearly constant volume, one hydrostatic pressure. U = 1/2 kv (V - V0)^2 / V0, P = -kv (V - V0) /
+/// V0. The Hessian is -P grad grad V (sparse, added here) plus kv / V0 (grad V)(grad V)^T, of rank one and full: the
+/// solver treats that part separately.
 class VolumeTerm final : public EnergyTerm {
  public:
   VolumeTerm(const TriangleMesh& rest, double stiffness_uN_per_um2);

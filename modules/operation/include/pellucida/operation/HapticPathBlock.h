@@ -8,10 +8,10 @@
 
 namespace pellucida {
 
-/// Ticks of the hand as the session keeps them: two polylines of one point a tick in the image's frame, um.
+/// Ticks of the hand as stored in the session: two polylines of one point per tick in the image's frame, um.
 ///
-/// Cell array `path`: 0, where the hand wanted the tip; 1, where the manipulator said it was.
-/// Point arrays, the same for both paths but for the velocity:
+/// Cell array `path`: 0, where the hand wanted the tip; 1, where the manipulator reported it. Point arrays, the same
+/// for both paths except the velocity:
 ///   | array               | components | unit | what                                                                |
 ///   | time_s              | 1          | s    | of the tick, in the session's time                                  |
 ///   | velocity_um_per_s   | 3          | um/s | along the path, from tick to tick                                   |
@@ -23,7 +23,7 @@ namespace pellucida {
 ///   | energy_margin_uJ    | 1          | uJ   | of the passivity observer                                           |
 ///   | limits, fixtures, buttons, hand_state, contact_state | 1 | | masks and states of HapticRecord |
 ///
-/// `session_lag_s`: what to take from a tick's own time. Empty without records.
+/// `session_lag_s`: subtracted from a tick's own time. Empty without records.
 Frozen<vtkPolyData> make_haptic_path_block(std::span<const HapticRecord> records, double session_lag_s);
 
 }  // namespace pellucida

@@ -15,75 +15,76 @@ namespace pellucida {
 
 class ConsoleDevice;
 
-/// What a window needs of the hand on a live run: who holds the pipette, the plan and the guide, the emergency stop.
-/// Makes the plan by itself once the cell is seen, untouched. One thread (the window's) for all calls.
+/// The hand on a live run, as a window needs it: what moves the pipette, the plan and the guide, the emergency stop.
+/// Makes the plan by itself once an untouched cell is seen. One thread (the window's) for all calls.
 class OperatorConsole {
  public:
   struct Options {
     HapticLoopOptions loop;
     double rest_s = 4.0;     ///< between a demonstration's end and the next cell
-    std::uint64_t seed = 1;  ///< of the simulated person
+    std::uint64_t seed = 1;  ///< of the simulated operator
   };
 
-  /// `needle`: the virtual needle that the manipulator carries; without one the cell is real, there is no demonstration
-  /// and no new cell. All must outlive the console; the run isn't started yet. Nobody holds the pipette until `choose`.
+  /// `needle`: the virtual needle that the manipulator carries; without one the cell is real, and there is no
+  /// demonstration and no new cell. All must outlive the console; the run is not started yet. Nothing moves the pipette
+  /// until `choose`.
   OperatorConsole(LiveRun& run, Manipulator& manipulator, CommandedNeedle* needle, const Options& options);
   OperatorConsole(LiveRun& run, Manipulator& manipulator, CommandedNeedle* needle = nullptr);
   ~OperatorConsole();
   OperatorConsole(const OperatorConsole&) = delete;
   OperatorConsole& operator=(const OperatorConsole&) = delete;
 
-  /// What may be chosen now, UTF-8: the demonstration (a simulated person), mouse and keyboard, devices found.
+  /// The hands available, UTF-8: the demonstration (a simulated operator), mouse and keyboard, devices found.
   const std::vector<std::string>& hands() const noexcept { return names_; }
-  /// Index of the first hand whose name starts so; nothing when there is none.
+  /// Index of the first hand whose name starts with `start`; nothing when there is none.
   std::optional<int> find_hand(std::string_view start) const noexcept;
   int chosen() const noexcept { return chosen_; }  ///< -1: none yet
   bool is_demonstration() const noexcept;
   bool is_mouse() const noexcept { return mouse_ != nullptr; }
 
-  /// Another hand takes the pipette: the one before lets go first. A device that can't be opened leaves the pipette
-  /// standing, and the status says why. Throws UsageError for an index out of range.
+  /// Another hand takes the pipette; the previous one is released first. If a device can't be opened, the pipette stays
+  /// where it is, and the status gives the reason. Throws UsageError for an index out of range.
   void choose(int index);
 
-  /// How far the tip goes for the hand's way: coarse, fine, finest. Throws UsageError for an index out of range.
+  /// Motion of the tip per motion of the hand: coarse, fine, finest. Throws UsageError for an index out of range.
   static const std::vector<std::string>& scales();
   void scale(int index);
   int scale() const noexcept { return scale_; }
 
-  /// Keeps the tip on the planned line, or not. The depth stop and the holding pipette count in any case.
+  /// Keeps the tip on the planned line, or not. The depth stop and the holding pipette act in any case.
   void guide(bool on);
   bool guided() const noexcept { return guided_; }
-  /// Behind the entry, um, above 0; from the plan until one is set. Throws UsageError.
+  /// Beyond the entry, um, above 0; from the plan until one is set. Throws UsageError.
   void depth_stop_um(double depth_um);
   double depth_stop_um() const noexcept;
 
   /// Where to deposit, in the image's plane, um. Takes effect at once while the cell is untouched, else with the next
-  /// cell. Returns why not, or that it has to wait; nothing when the plan leads there.
+  /// cell. Returns the reason if not, or that it has to wait; nothing when the plan leads there.
   std::optional<std::string> set_target(double x_um, double y_um);
   const std::optional<InjectionPlan>& plan() const noexcept { return plan_; }
 
-  // Held by the person; off again by `release_all`, when the window loses the focus.
+  // Held by the user; released by `release_all`, when the window loses the focus.
   void inject(bool held) noexcept;
   void retract(bool held) noexcept;
   void release_all() noexcept;
 
   // Mouse and keyboard; nothing for other hands.
-  void grip(bool held) noexcept;  ///< the mouse leads the needle while held
+  void grip(bool held) noexcept;  ///< the needle follows the mouse while held
   void move_px(double dx, double dy) noexcept;
   void turn_wheel(double notches) noexcept;
 
-  /// The needle goes out along its line, then the cell is a whole one again. Nothing where the cell is real.
+  /// Takes the needle out along its axis, then replaces the cell by an intact one. No effect on a real cell.
   void new_cell();
   bool can_renew() const noexcept { return needle_ != nullptr; }
 
-  /// Latched, over a change of hands too, until it's released on purpose.
+  /// Latched, also over a change of hands, until released explicitly.
   void emergency_stop(bool on) noexcept;
 
-  /// From the window's tick, some ten times a second or more: takes notice of the newest frame.
+  /// To be called from the window's tick, ten times a second or more: evaluates the newest frame.
   void update();
 
   HandStatus status();
-  /// What goes on, in a word or two: "approach", "deposit", "new cell"; empty when there is nothing to say.
+  /// The current activity in a few words; empty when there is none.
   std::string doing() const;
 
  private:
@@ -124,12 +125,12 @@ class OperatorConsole {
 
   bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false;
   long frame_index_ = -1;
-  bool broken_ = false;  // the newest frame shows the membrane closed about the shaft
+  bool broken_ = false;  // the newest frame shows the membrane closed around the shaft
   int free_count_ = 0;   // frames in a row that show an untouched cell
   std::uint64_t person_count_ = 0;
   std::optional<double> ended_s_;
 
-  // In this order: what the rig uses outlives it.
+  // In this order: what the run uses outlives it.
   std::unique_ptr<ConsoleDevice> device_;
   MouseHand* mouse_ = nullptr;
   std::unique_ptr<TeleoperationMap> map_;

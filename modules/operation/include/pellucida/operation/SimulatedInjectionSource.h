@@ -14,18 +14,18 @@
 
 namespace pellucida {
 
-/// What may be chosen about a virtual microscope with a simulated operator at its needle.
+/// Options of a virtual microscope with a simulated operator at its needle.
 struct SimulatedInjectionOptions {
   std::string scenario = "injection";                              ///< by name or file
   OperatorOptions person{.modality = Modality::kSpaceAndFixture};  ///< and what the operator sees and feels
   std::uint64_t seed = 1;                                          ///< of the operator
   double vision_delay_s = 0.04;                                    ///< from a frame's exposure to its force at the hand
-  double max_duration_s = 60.0;                                    ///< the operator gives up then
+  double max_duration_s = 60.0;                                    ///< after this the operator gives up
 };
 
-/// How an injection went: by the specimen itself, and by the hand.
+/// Outcome of an injection: by the specimen itself, and by the hand.
 struct InjectionOutcome {
-  bool done = false;  ///< the operator came to the end of the plan
+  bool done = false;  ///< the operator completed the plan
   double duration_s = 0.0;
   double puncture_s = -1.0;        ///< below 0: the membrane never gave way
   double puncture_force_uN = 0.0;  ///< just before, truth
@@ -37,12 +37,12 @@ struct InjectionOutcome {
 };
 
 /// The virtual microscope as a source of frames, with the simulated operator guiding its needle through plan, hand, 1
-/// kHz step and injector, all in simulated time: a frame is there when the hand has worked up to its exposure. What the
-/// frames were measured as is told by `see`, so that operator and hand know no more than in a live run. Deterministic
-/// by its options as long as every frame is seen before the next is asked for. One thread at a time.
+/// kHz step and injector, all in simulated time: a frame is delivered once the hand has worked up to its exposure. The
+/// measured frames come back through `see`, so that operator and hand know no more than in a live run. Deterministic as
+/// long as every frame is passed to `see` before the next is requested. One thread at a time.
 class SimulatedInjectionSource final : public FrameSource {
  public:
-  /// Throws as load_scenario, OperatorModel and HapticServo do.
+  /// Throws as load_scenario, OperatorModel and HapticServo.
   explicit SimulatedInjectionSource(const SimulatedInjectionOptions& options);
   ~SimulatedInjectionSource() override;
 
@@ -50,10 +50,10 @@ class SimulatedInjectionSource final : public FrameSource {
   /// The next frame; nothing once the operator is done or the time is over.
   std::optional<Frame> next() override;
 
-  /// A frame, measured: the plan is made from the first good one.
+  /// Takes a measured frame: the plan is made from the first good one.
   void see(const Scene& measured);
 
-  /// Nothing before the cell was seen.
+  /// Nothing before the cell has been seen.
   const std::optional<InjectionPlan>& plan() const noexcept;
   /// Ticks and limits of the hand since they were last taken; times are the session's.
   std::vector<HapticRecord> take_records();

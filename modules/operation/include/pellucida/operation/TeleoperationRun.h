@@ -13,24 +13,24 @@
 
 namespace pellucida {
 
-/// What the hand looks like from outside, at one moment.
+/// Status of the hand at one moment.
 struct HandStatus {
   HapticRecord tick;         ///< the newest
   std::string device;        ///< its name
-  double max_force_N = 0.0;  ///< of the device; 0: it gives none
-  std::string real_time;     ///< what the system granted the loop, one line
+  double max_force_N = 0.0;  ///< of the device; 0: no force
+  std::string real_time;     ///< real-time privileges granted to the loop, one line
   std::uint64_t tick_count = 0;
-  std::uint64_t missed_count = 0;  ///< ticks skipped because they came too late
+  std::uint64_t missed_count = 0;  ///< ticks skipped because they were too late
   double lateness_p99_us = 0.0;
   PipetteState pipette;
   std::optional<std::string> fault;  ///< of the manipulator: one line, while it is lost
 };
 
-/// The newest contact of a run, for the hand: sets the run's sink. Before the run starts.
+/// The newest contact of a run, for the hand: sets the run's sink. To be called before the run starts.
 std::shared_ptr<LatestValue<ContactModel>> tap_contacts(LiveRun& run);
 
-/// The hand on a live run: device, 1 kHz loop, manipulator, each with its thread, fed by the run's measured frames;
-/// what the hand did goes into the run's events and recording. Public calls come from one controlling thread, the
+/// The hand on a live run: device, 1 kHz loop, manipulator, each with its thread, fed by the run's measured frames; the
+/// hand's activity goes into the run's events and recording. Public calls come from one controlling thread, the
 /// emergency stop from any.
 class TeleoperationRun {
  public:
@@ -40,18 +40,18 @@ class TeleoperationRun {
     ManipulatorStageOptions manipulator;
   };
 
-  /// All of these must outlive the rig; `contacts` is the run's tap, read by this rig alone. Throws UsageError where
-  /// the device can't hold the settings.
+  /// All of these must outlive this object; `contacts` is the run's tap, read by this object alone. Throws UsageError
+  /// if the device can't render the settings.
   TeleoperationRun(LiveRun& run, LatestValue<ContactModel>& contacts, HapticDevice& device, MotionMap& map,
                    Manipulator& manipulator, const Options& options);
   ~TeleoperationRun();
   TeleoperationRun(const TeleoperationRun&) = delete;
   TeleoperationRun& operator=(const TeleoperationRun&) = delete;
 
-  /// Opens the manipulator and starts the threads. Throws DeviceError when the manipulator isn't there, or the system
+  /// Opens the manipulator and starts the threads. Throws DeviceError when the manipulator is missing, or the system
   /// refuses an enforced real-time policy.
   void start();
-  /// The force fades, the pipette stands, the threads end.
+  /// The force fades, the pipette stops, the threads end.
   void stop();
 
   /// From the next tick on. Throws as the constructor.

@@ -8,8 +8,8 @@
 
 namespace pellucida {
 
-/// A cell under a microscope with an injector that a hand may move, all of it virtual: what the injector does, the cell
-/// answers and the microscope shows.
+/// A virtual cell under a virtual microscope with an injector that a hand may move: the cell responds to the injector,
+/// and the microscope shows it.
 class VirtualInjectionSetup {
  public:
   /// The cell, optics and motion's start of a shipped scenario or a JSON file. Throws as load_scenario.
@@ -18,7 +18,7 @@ class VirtualInjectionSetup {
   /// The source of frames. `kWallClock` for a live run. Each call makes another microscope on the same needle.
   std::unique_ptr<VirtualMicroscope> make_microscope(Pace pace) const;
 
-  /// Carries the needle; waits where the scenario's motion starts.
+  /// Carries the needle; starts where the scenario's motion starts.
   SimulatedInjector& injector() noexcept { return *injector_; }
   CommandedNeedle& needle() noexcept { return *needle_; }
   const Scenario& scenario() const noexcept { return scenario_; }

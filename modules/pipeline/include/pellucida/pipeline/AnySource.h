@@ -7,9 +7,9 @@
 
 namespace pellucida {
 
-/// Opens a source by the name the command line gives it: `virtual` or `virtual:SCENARIO` (a shipped scenario or a JSON
-/// file), or anything `open_source` knows. The virtual microscope brings its own pixel size and frame rate: options
-/// that name others are a UsageError.
+/// Opens a source by its name on the command line: `virtual` or `virtual:SCENARIO` (a shipped scenario or a JSON file),
+/// or anything `open_source` accepts. The virtual microscope has its own pixel size and frame rate: options that state
+/// others are a UsageError.
 std::unique_ptr<FrameSource> open_any_source(const std::string& source, const SourceOptions& options);
 
 /// True for `virtual` and `virtual:SCENARIO`.

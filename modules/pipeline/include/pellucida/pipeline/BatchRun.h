@@ -19,22 +19,23 @@ struct BatchOptions {
   std::function<void(long done, std::optional<long> all)> progress;  ///< after each frame; may be empty
 };
 
-/// What a batch found.
+/// Result of a batch.
 struct BatchResult {
-  std::vector<Measurement> rows;          ///< one a frame, in order
+  std::vector<Measurement> rows;          ///< one per frame, in order
   std::map<CellState, long> state_count;  ///< frames by state
   std::optional<Scene> peak;              ///< the scene of the largest contact force, or of the best tracked frame
   std::map<std::string, Distribution> step_us;  ///< by step: tracking, reconstruction, mechanics, writing
   Distribution frame_to_force_us;               ///< from a frame's arrival to its force
-  CellScale cell_scale;                         ///< of the forces against the profile's
+  CellScale cell_scale;                         ///< of the forces, relative to the profile's
   std::vector<PunctureRisk> puncture_risk;      ///< by depth; only after a palpation
   double elapsed_s = 0.0;
   std::exception_ptr input_fault;  ///< why the input ended early; empty when it ended well
 };
 
-/// Measures every frame of `source`, as fast as it goes, nothing lost; `sink` (may be empty) gets each scene in order,
-/// on one thread. The numbers do not depend on `job_count`. An input that breaks on the way is told in `input_fault`;
-/// what came before it was measured. Throws what the sink throws, and UsageError or InputError for a bad profile.
+/// Measures every frame of `source`, as fast as possible, without loss; `sink` (may be empty) receives each scene in
+/// order, on one thread. The numbers do not depend on `job_count`. An input that turns out damaged is reported in
+/// `input_fault`; the frames before were measured. Throws what the sink throws, and UsageError or InputError for a bad
+/// profile.
 BatchResult run_batch(FrameSource& source, const BatchOptions& options, const std::function<void(const Scene&)>& sink);
 
 }  // namespace pellucida

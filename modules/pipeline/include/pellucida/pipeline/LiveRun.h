@@ -17,7 +17,7 @@
 
 namespace pellucida {
 
-/// What a live run looks like from outside, at one moment.
+/// Status of a live run at one moment.
 struct LiveStatus {
   std::uint64_t frame_count = 0;     ///< frames that arrived
   std::uint64_t measured_count = 0;  ///< frames that went through the whole chain
@@ -33,10 +33,10 @@ struct LiveStatus {
   std::uint64_t recorded_count = 0;
   std::uint64_t recorder_dropped_count = 0;
   bool finished = false;             ///< the source ended and all was processed
-  std::optional<std::string> fault;  ///< one line, when a thread died
+  std::optional<std::string> fault;  ///< one line, when a thread has failed
 };
 
-/// The chain with a thread a step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
+/// The chain with one thread per step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
 /// Every public call may come from any one controlling thread (the window's); none blocks for a frame.
 class LiveRun {
  public:
@@ -46,13 +46,13 @@ class LiveRun {
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;
 
-  /// Hands each measured frame's contact to `sink`, on the mechanics' thread, before anyone sees the scene. Before
-  /// `start`.
+  /// Passes each measured frame's contact to `sink`, on the mechanics' thread, before the scene is published. To be
+  /// called before `start`.
   void set_contact_sink(std::function<void(const ContactModel&)> sink);
   /// The run's clock: arrival times and the age of a force are on it.
   const Clock& clock() const noexcept;
-  /// What to take from a moment of the run's clock to have the session's time (that of frames and rows): the shortest
-  /// delay a frame had since the source began; 0 before the first frame.
+  /// Subtracted from a time of the run's clock it gives the session's time (that of frames and rows): the shortest
+  /// delay of a frame since the source began; 0 before the first frame.
   double session_lag_s() const noexcept;
 
   void start();
@@ -60,14 +60,14 @@ class LiveRun {
   /// A paused run keeps its newest scene; a source that isn't live waits.
   void set_paused(bool paused);
   bool paused() const noexcept;
-  /// Begins anew from the source's first frame, where the source can; false where it can't. Frame numbers and times go
-  /// on rising; rows and events so far are kept.
+  /// Restarts from the source's first frame, if the source can; false if it can't. Frame numbers and times keep rising;
+  /// rows and events so far are kept.
   bool restart();
   bool can_restart() const noexcept;
 
   const SourceInfo& source_info() const noexcept;
 
-  /// The newest measured scene: give it to a StageSource.
+  /// The newest measured scene, for a StageSource.
   std::shared_ptr<SharedLatest<Scene>> scenes() const noexcept;
   /// The newest frame as it arrived, not yet measured (a scene with only `frame`): for a feed that never lags.
   std::shared_ptr<SharedLatest<Scene>> frames() const noexcept;
@@ -81,14 +81,14 @@ class LiveRun {
   void start_recording(const std::filesystem::path& folder);
   /// Ends the recording and waits until all of it is on the disk. Throws OutputError when the disk refused.
   void stop_recording();
-  /// The next block of the recording of the hand, into the running recording; true when there is none. False when the
-  /// recorder has no room: try again, nothing is dropped.
+  /// Writes the next block of the hand's recording to the running recording; true when there is none. False when the
+  /// recorder has no room: to be tried again, nothing is dropped.
   bool record_hand(const Frozen<vtkPolyData>& block, double time_s);
-  /// The plan the hand is guided by, JSON text: into the running recording and those to come.
+  /// The plan that guides the hand, JSON text: written to the running recording and later ones.
   void set_plan(const std::string& plan_json);
-  /// Something that happened beside the frames (a limit that acted), into the log of events and the running recording.
+  /// An event that does not come from a frame (a limit that acted), for the log of events and the running recording.
   void add_event(const Event& event);
-  /// An operator's note, into the log of events and the running recording.
+  /// An operator's note, for the log of events and the running recording.
   void note(const std::string& text);
 
   LiveStatus status() const;

@@ -15,10 +15,10 @@ struct ExportOptions {
   SessionProgress progress;
 };
 
-/// What an export wrote.
+/// Result of an export.
 struct ExportReport {
   std::vector<std::filesystem::path> files;  ///< in the order they were written
-  std::vector<std::string> notes;            ///< what was not there to write, and why; a line each
+  std::vector<std::string> notes;            ///< what was not present, and why; one line each
   std::vector<long> node_frames;             ///< frames in `nodes.csv`
   std::size_t contour_point_count = 0;       ///< rows of `contours.csv`
   std::size_t hand_row_count = 0;            ///< rows of `haptics.csv`
@@ -27,10 +27,10 @@ struct ExportReport {
 
 /// Writes a session as flat files for other tools: `measurements.csv`, `events.csv`, `contours.csv`
 /// (`frame,membrane,point,x_um,y_um`), `nodes.csv`
-/// (`frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN`); where a hand was recorded, `haptics.csv`
-/// (`path,x_um,y_um,z_um` and every array of the recording's points). An earlier export in `output` is replaced,
-/// file by file. Throws InputError when the session can't be read, UsageError when `options.frames` names no frame of
-/// the session or `output` is the session itself, OutputError when a file can't be written.
+/// (`frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN`); if a hand was recorded, `haptics.csv`
+/// (`path,x_um,y_um,z_um` and every array of the recording's points). An earlier export in `output` is replaced, file
+/// by file. Throws InputError when the session can't be read, UsageError when `options.frames` names no frame of the
+/// session or `output` is the session itself, OutputError when a file can't be written.
 ExportReport export_session(const std::filesystem::path& session, const std::filesystem::path& output,
                             const ExportOptions& options = {});
 

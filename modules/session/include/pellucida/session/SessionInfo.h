@@ -10,21 +10,21 @@
 
 namespace pellucida {
 
-/// What a session says of itself: the head of `session.json`.
+/// Description of a session: the head of `session.json`.
 struct SessionInfo {
   std::string software_version = kVersion;
-  SourceInfo source;                              ///< where the frames came from, and the calibration with its origin
+  SourceInfo source;                              ///< origin of the frames, and the calibration with its origin
   std::string profile_name;                       ///< of the cell profile used; empty for none
   std::string profile_json;                       ///< the profile's whole content, JSON text; empty for none
   std::string command_line;                       ///< as the user typed it; empty for the window
   std::map<std::string, std::uint64_t> seeds;     ///< of everything random, by the name of its user
   std::map<std::string, double> clock_offsets_s;  ///< other clock minus session clock, by the clock's name
-  std::string palpation_json;        ///< what was known of the cell from elsewhere and what came of it; empty: none
-  std::string plan_json;             ///< the injection plan the hand was guided by; empty: none
-  std::string drop_policy = "none";  ///< what may be lost on the way to the recorder, in words
+  std::string palpation_json;        ///< an independent measurement of the cell and its result; empty: none
+  std::string plan_json;             ///< the plan that guided the hand; empty: none
+  std::string drop_policy = "none";  ///< which frames may be lost on the way to the recorder, in words
 };
 
-/// What may be chosen about writing.
+/// Options of writing.
 struct SessionOptions {
   bool frames = true;  ///< keep the images themselves
 };
@@ -33,19 +33,19 @@ struct SessionOptions {
 enum class SessionPart : int { kSurface = 0, kMembranes = 1, kTools = 2, kFrame = 3 };
 inline constexpr std::size_t kSessionPartCount = 4;
 
-/// How much there is.
+/// Amounts of data.
 struct SessionCounts {
   std::uint64_t step_count = 0;                               ///< rows of `measurements.csv`
   std::array<std::uint64_t, kSessionPartCount> file_count{};  ///< data files, by SessionPart
   std::uint64_t hand_block_count = 0;                         ///< files of the recording of the hand
   std::uint64_t event_count = 0;                              ///< rows of `events.csv`
-  std::uint64_t dropped_count = 0;                            ///< frames the recorder was told it lost
+  std::uint64_t dropped_count = 0;                            ///< frames reported as lost
   std::uint64_t byte_count = 0;                               ///< of data files and rows
 
   std::uint64_t files(SessionPart part) const noexcept { return file_count[static_cast<std::size_t>(part)]; }
 };
 
-/// One frame of a session: when it was, and which of its parts are on the disk.
+/// One frame of a session: its time, and which of its parts are on the disk.
 struct SessionStep {
   long frame_index = 0;
   double time_s = 0.0;

@@ -10,12 +10,12 @@
 
 namespace pellucida {
 
-/// Reads a session folder, closed or cut off. Opening reads the head, the two tables and the names of the files; the
-/// data files are read one step at a time. Lines of the tables that can't be read are left out (`check_session` names
-/// them). One thread at a time; the scenes handed out may go anywhere.
+/// Reads a session folder, closed or interrupted. Opening reads the head, the two tables and the names of the files;
+/// the data files are read one step at a time. Lines of the tables that can't be read are skipped (`check_session`
+/// names them). One thread at a time; the scenes returned may be used on any thread.
 class SessionReader {
  public:
-  /// Throws InputError when the folder isn't there or holds no readable session.
+  /// Throws InputError when the folder is missing or holds no readable session.
   explicit SessionReader(const std::filesystem::path& folder);
   ~SessionReader();
   SessionReader(SessionReader&&) noexcept;
@@ -39,9 +39,9 @@ class SessionReader {
   /// std::out_of_range for a block that isn't there.
   Frozen<vtkPolyData> load_hand(std::size_t block) const;
 
-  /// Reads the parts of step `step` (0-based) that are there. `arrival_s` of the scene is the step's time; `events` are
-  /// those stamped within the step (from its time up to the next one's); `observation` stays empty. Throws InputError
-  /// when a file can't be read, std::out_of_range for a step that isn't there.
+  /// Reads the parts of step `step` (0-based) that are present. `arrival_s` of the scene is the step's time; `events`
+  /// are those stamped within the step (from its time up to the next one's); `observation` stays empty. Throws
+  /// InputError when a file can't be read, std::out_of_range for a step that isn't there.
   Scene load(std::size_t step) const;
 
   /// One part alone: the surface, the membranes or the tools; an empty handle when the step lacks it. Errors as above.

@@ -9,12 +9,12 @@
 
 namespace pellucida {
 
-/// Writes a session folder (docs/file-format.md) while it happens.
+/// Writes a session folder (docs/file-format.md) as the session proceeds.
 ///
-/// A file appears under its name only when it is whole; a row of a table is handed to the system as soon as it is
-/// known, after the files it speaks of; all of it is asked onto the disk each half second by a thread of the writer's
-/// own. So a power cut loses at most the last second, and a crash of the program nothing but the step being written;
-/// `check_session` mends the rest.
+/// A file appears under its name only when it is complete; a row of a table is passed to the system as soon as it is
+/// known, after the files it refers to; a thread of the writer's own flushes everything to disk every half second. So a
+/// power cut loses at most the last second, and a crash of the program only the step being written; `check_session`
+/// repairs the rest.
 ///
 /// One thread at a time. Each call writes before it returns.
 class SessionWriter {
@@ -24,32 +24,32 @@ class SessionWriter {
   /// - UsageError when `info.profile_json` isn't JSON;
   /// - OutputError when the folder can't be made or written.
   SessionWriter(const std::filesystem::path& folder, const SessionInfo& info, SessionOptions options = {});
-  /// Without a `close` before it, the session stays marked as interrupted (as after a crash); what was written stays
-  /// valid.
+  /// Without a `close` before it, the session stays marked as interrupted (as after a crash); everything written
+  /// remains valid.
   ~SessionWriter();
   SessionWriter(const SessionWriter&) = delete;
   SessionWriter& operator=(const SessionWriter&) = delete;
 
   /// Adds one step: the parts the scene has, its events, and always its row. `scene.measurement.frame` numbers the
   /// files and must rise from step to step. Parts are stamped with `measurement.time_s` and `frame` where they aren't
-  /// already. Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the
-  /// writer may be used again (to close it, for example).
+  /// already. Throws OutputError when the disk refuses; the step is then incomplete, everything before it valid, and
+  /// the writer may be used again (to close it, for example).
   void write(const Scene& scene);
 
   /// Adds one event. An event of kind `dropped` also counts a lost frame. Throws OutputError.
   void event(const Event& event);
 
-  /// Adds the next block of the recording of the hand (`haptics/`, docs/file-format.md): what happened since the last
-  /// one, that began at `time_s`. Throws OutputError; the blocks before it stay valid.
+  /// Adds the next block of the recording of the hand (`haptics/`, docs/file-format.md): covering the time since the
+  /// last one, starting at `time_s`. Throws OutputError; the blocks before it stay valid.
   void write_hand(const Frozen<vtkPolyData>& block, double time_s);
 
   /// The injection plan, JSON text: in `session.json` from its next writing on. The last one counts.
   void set_plan(std::string plan_json);
 
-  /// What came of a palpation, JSON text: in `session.json` from its next writing on.
+  /// The result of a palpation, JSON text: in `session.json` from its next writing on.
   void set_palpation(std::string palpation_json);
 
-  /// Writes what is still to be written and marks the session complete. Safe to call twice. Throws OutputError.
+  /// Writes everything pending and marks the session complete. Safe to call twice. Throws OutputError.
   void close();
 
   const SessionCounts& counts() const noexcept;

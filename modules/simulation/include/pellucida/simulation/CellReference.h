@@ -8,7 +8,7 @@
 
 namespace pellucida {
 
-/// What finite elements say of one cell type in one configuration: force, pressure and the section's shape against the
+/// Finite-element results for one cell type in one configuration: force, pressure and the section's shape against the
 /// indentation. Read from `resources/reference` (see the README there); never from the estimator's model.
 ///
 /// Frame of the section: origin at the rest centre; x across, z along the axis towards the needle. The needle pushes
@@ -19,7 +19,7 @@ class CellReference {
  public:
   /// `cell` "mouse-oocyte" or "mouse-embryo"; `configuration` 1 (holder opposite the needle), 2 (45 degrees off), 3
   /// (90), 4 (as 1, the needle 10 um beside the holder's axis and parallel to it). Throws UsageError when there is no
-  /// such reference, InputError when a file is broken.
+  /// such reference, InputError when a file is damaged.
   static CellReference load(std::string_view cell, int configuration);
 
   struct Section {

@@ -8,8 +8,8 @@
 namespace pellucida {
 
 /// Writes frames to a file or folder; the kind follows from the name:
-/// - `.avi`, `.mkv`: FFV1, lossless (8 bit); where FFmpeg lacks it, Motion JPEG in `.avi`, `.mkv` refused;
-/// - `.mp4`: H.264, or MPEG-4 where that is missing; lossy (8 bit): good for looking at, not for measuring;
+/// - `.avi`, `.mkv`: FFV1, lossless (8 bit); if FFmpeg lacks it, Motion JPEG in `.avi`, `.mkv` refused;
+/// - `.mp4`: H.264, or MPEG-4 where that is missing; lossy (8 bit): for viewing, not for measuring;
 /// - `.tif`, `.tiff`: one multi-page TIFF, lossless, 8 or 16 bit, with pixel size and frame interval as ImageJ writes
 /// them;
 /// - no extension: a folder of PNG, `frame_000000.png` and on, lossless, 8 or 16 bit.
@@ -22,7 +22,7 @@ class FrameWriter {
 
   /// Frames in order. Throws OutputError.
   virtual void write(const Frame& frame) = 0;
-  /// Completes the file. Throws OutputError when what was written isn't there.
+  /// Completes the file. Throws OutputError when the file written is missing.
   virtual void close() = 0;
   /// What it writes, in words: "AVI, FFV1, lossless".
   virtual std::string format() const = 0;

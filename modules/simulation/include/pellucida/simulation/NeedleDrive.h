@@ -8,19 +8,19 @@
 
 namespace pellucida {
 
-/// What a drive says of the needle at one moment. Frame W as it was before the stage moved: the stage carries cell,
+/// The needle at one moment, as set by its drive. Frame W as it was before the stage moved: the stage carries cell,
 /// holder and needle.
 struct NeedleCommand {
   PlainVector3 tip_um;             ///< z out of the image plane, into the scene
   PlainVector3 velocity_um_per_s;  ///< of the tip
   double expelled_pL = 0.0;        ///< all that the needle has expelled so far
-  /// The tip goes straight down the configuration's own line, so far past the resting membrane, um.
+  /// The tip moves straight along the configuration's own line, this far past the resting membrane, um.
   std::optional<double> straight_depth_um;
-  /// What the cell has answered, where the drive asked it itself, more often than there are frames.
+  /// The cell's response, if the drive has asked for it itself, more often than there are frames.
   std::optional<SpecimenMoment> moment;
 };
 
-/// Who moves the virtual microscope's needle. The microscope asks at each frame, for the frame's exposure time; the
+/// What moves the virtual microscope's needle. The microscope asks at each frame, for the frame's exposure time; the
 /// needle's direction is the scenario's.
 class NeedleDrive {
  public:
@@ -28,9 +28,9 @@ class NeedleDrive {
 
   /// The needle at `time_s` of the microscope's time. Called by the microscope's thread; times rise until `restart`.
   virtual NeedleCommand at(double time_s) = 0;
-  /// Begins anew, with a new cell.
+  /// Restarts, with a new cell.
   virtual void restart() = 0;
-  /// When the motion has ended; nothing where it goes on for ever.
+  /// When the motion has ended; nothing if it never ends.
   virtual std::optional<double> duration_s() const noexcept = 0;
 };
 

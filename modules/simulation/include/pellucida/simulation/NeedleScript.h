@@ -5,8 +5,8 @@
 
 namespace pellucida {
 
-/// The needle's motion along its axis: approach, indentation, hold, retraction, with soft changes of speed.
-/// Depth is the tip's way past the resting membrane, um: negative while it is away.
+/// The needle's motion along its axis: approach, indentation, hold, retraction, with soft changes of speed. Depth is
+/// the tip's distance past the resting membrane, um: negative outside.
 class NeedleScript {
  public:
   /// `motion` as validated. The depth starts at -gap; the speeds change over `smoothing_s` (a moving average of the

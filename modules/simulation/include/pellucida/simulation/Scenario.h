@@ -117,7 +117,7 @@ struct Scenario {
 /// key, value and range).
 Scenario load_scenario(std::string_view name_or_file);
 
-/// The same from JSON text; `name` stands in messages.
+/// The same from JSON text; `name` is used in messages.
 Scenario parse_scenario(std::string_view json_text, std::string_view name);
 
 /// Checks ranges and what belongs together. Throws UsageError.

@@ -8,18 +8,19 @@
 namespace pellucida {
 
 /// The arm behind the hand: m a = k (x0 - x) + b (v0 - v) + f about the equilibrium x0 that the operator intends, the
-/// same in each direction. Defaults: a hand with a stylus, forearm at rest; of the order of what Tsuji et al., Biol.
-/// Cybern. 72 (1995), Hasser and Cutkosky, Haptics Symp. (2002) and Fu and Cavusoglu, IEEE Trans. SMC-B 42 (2012) find;
-/// all three say that grip and posture change them by factors.
+/// same in each direction. Defaults: a hand with a stylus, forearm at rest; of the order found by Tsuji et al., Biol.
+/// Cybern. 72 (1995), Hasser and Cutkosky, Haptics Symp. (2002) and Fu and Cavusoglu, IEEE Trans. SMC-B 42 (2012); all
+/// three report that grip and posture change them by factors.
 struct ArmOptions {
   double mass_kg = 0.20;             ///< 0.02..5
   double damping_N_s_per_m = 6.0;    ///< 0.5..100
   double stiffness_N_per_m = 300.0;  ///< 20..5000
 };
 
-/// A person holding a device, as a device: the loop reads where the hand is and writes the force on it; the arm yields
-/// and pushes, the operator sees, feels and acts. Between two reads time goes on in steps of 1 ms with the force
-/// written last. `see` may come from another thread than `read` and `write`; none of them allocates, locks or throws.
+/// A simulated operator holding a device, as a device: the loop reads the hand's position and writes the force on it;
+/// the arm yields and pushes, the operator sees, feels and acts. Between two reads time advances in steps of 1 ms with
+/// the force written last. `see` may come from another thread than `read` and `write`; none of them allocates, locks or
+/// throws.
 ///
 ///     SimulatedHand hand(operator_options, plan, ArmOptions{}, seed);
 ///     hand.see({time_s, tip_um, true, punctured});     // each picture
@@ -29,15 +30,15 @@ class SimulatedHand final : public HapticDevice {
   /// Throws as OperatorModel; UsageError when an arm's number is out of range.
   SimulatedHand(const OperatorOptions& options, const OperatorPlan& plan, const ArmOptions& arm, std::uint64_t seed);
 
-  /// What the display shows now.
+  /// Takes what the display shows now.
   void see(const OperatorView& view) noexcept { shown_.publish(view); }
 
   const DeviceSpecification& specification() const noexcept override { return specification_; }
-  /// The hand at `now_s`, which must not go back; position and velocity, and the operator's buttons. After more than
-  /// a second without a read the time between is left out. Always true.
+  /// The hand at `now_s`, which must not go back; position and velocity, and the operator's buttons. After more than a
+  /// second without a read the time between is skipped. Always true.
   bool read(double now_s, HandSample& sample) noexcept override;
-  /// The force on the hand from now on; beyond the specification it is cut to it. False when it is not finite: the hand
-  /// is then let go.
+  /// The force on the hand from now on, limited to the specification. False when it is not finite: the force on the
+  /// hand is then released.
   bool write(const PlainVector3& force_N) noexcept override;
 
   const OperatorModel& person() const noexcept { return operator_; }
@@ -47,7 +48,7 @@ class SimulatedHand final : public HapticDevice {
 
   OperatorModel operator_;
   ArmOptions arm_;
-  double tremor_gain_ = 1.0;  ///< so that the hand itself, held by the arm alone, trembles by the option's RMS
+  double tremor_gain_ = 1.0;  ///< makes the hand, held by the arm alone, tremble by the option's RMS
   DeviceSpecification specification_;
   LatestValue<OperatorView> shown_;
   bool started_ = false;

@@ -7,38 +7,38 @@
 
 namespace pellucida {
 
-/// What the whole membrane answers to a tip at one place. Frame W, um, uN.
+/// Response of the intact membrane to a tip at one position. Frame W, um, uN.
 struct SpecimenReply {
   PlainVector3 force_uN;             ///< of the cell on the needle
   double axial_force_uN = 0.0;       ///< its part against the push, >= 0
   double lateral_force_uN = 0.0;     ///< the needle's on the cell across the push, in the plane, towards `across`
-  double depth_um = 0.0;             ///< the tip's way past the resting membrane along the push; below 0 outside
+  double depth_um = 0.0;             ///< the tip's distance past the resting membrane along the push; below 0 outside
   double offset_um = 0.0;            ///< of the tip from the cell's centre, towards `across`
   double out_of_plane_um = 0.0;      ///< of the tip from the image plane, into the scene
-  double indentation_um = 0.0;       ///< the membrane's: what of the depth it follows
+  double indentation_um = 0.0;       ///< the membrane's: the part of the depth it follows
   double energy_uN_um = 0.0;         ///< stored in the cell
   double stiffness_uN_per_um = 0.0;  ///< of the axial force along the push
-  bool in_range = true;              ///< the place lies within what was computed by finite elements
+  bool in_range = true;              ///< the position lies within the finite-element tables
 };
 static_assert(std::is_trivially_copyable_v<SpecimenReply>);
 
-/// The specimen's force as a function of the tip's place, for a 1 kHz thread: a lookup of some hundred nanoseconds,
+/// The specimen's force as a function of the tip's position, for a 1 kHz thread: a lookup of some hundred nanoseconds,
 /// trivially copyable, without memory, allocation or exception. Tables of finite elements by depth and by the needle's
 /// offset from the cell's centre (-20 to 20 um) are joined to an energy
 ///
 ///     U(s, d),  d = sqrt(R^2 - s^2 - t^2) - z,   force on the needle = -grad U
 ///
 /// with s, t the tip's places across in and out of the plane and z along the needle: cubic Hermite in d as the tables
-/// of CellReference, cubic in s between the offsets. Being a gradient it gives no energy on a closed path: the tip
+/// of CellReference, cubic in s between the offsets. Being a gradient it generates no energy on a closed path: the tip
 /// glides over the membrane without friction. (The tables' own lateral force is that of a tip that sticks.)
 ///
-/// Past the deepest table the force grows on with its last slope; past an offset of 20 um the energy fades to 0 at 45
-/// um, as if the needle slipped off: there and there alone `in_range` is false. The needle comes from its own side: a
-/// tip behind the cell has pushed it all the way. A holder opposite the needle makes the field a surface of revolution;
-/// in configurations 2 and 3 the tables hold for the image plane, and t only moves the membrane away.
+/// Past the deepest table the force continues with its last slope; past an offset of 20 um the energy fades to 0 at 45
+/// um, as if the needle slipped off: only there `in_range` is false. The needle comes from its own side: a tip behind
+/// the cell has pushed it all the way. A holder opposite the needle makes the field a surface of revolution; in
+/// configurations 2 and 3 the tables hold for the image plane, and t only moves the membrane away.
 class SpecimenForce {
  public:
-  /// Nothing there: no force anywhere.
+  /// No cell: no force anywhere.
   SpecimenForce() = default;
 
   /// Where the cell lies and how it is turned.
@@ -51,16 +51,16 @@ class SpecimenForce {
   /// Reads the tables of a cell in a configuration. Throws as CellReference::load.
   static SpecimenForce load(std::string_view cell, int configuration, const Frame& frame);
 
-  /// The whole membrane's answer. Any thread, real-time safe.
+  /// The intact membrane's response. Any thread, real-time safe.
   SpecimenReply at(const PlainVector3& tip_um) const noexcept;
 
-  /// A place given along (offset, depth) in the image plane, frame W: the tip `depth_um` past the resting membrane.
+  /// A position given as (offset, depth) in the image plane, frame W: the tip `depth_um` past the resting membrane.
   PlainVector3 tip_at(double offset_um, double depth_um) const noexcept;
   /// Largest offset within the tables, um.
   double max_offset_um() const noexcept { return frame_.size_scale * kMaxOffset_um; }
   double max_indentation_um() const noexcept { return frame_.size_scale * max_depth_um_; }
   const Frame& frame() const noexcept { return frame_; }
-  /// The same cell elsewhere: without reading its tables again.
+  /// The same cell elsewhere, without reading its tables again.
   SpecimenForce moved_to(const Frame& frame) const noexcept {
     SpecimenForce moved = *this;
     moved.frame_ = frame;

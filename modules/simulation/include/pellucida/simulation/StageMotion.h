@@ -6,14 +6,14 @@
 
 namespace pellucida {
 
-/// Where the stage (or the camera) has gone since the first frame: cell, holder and needle turn about the image's
-/// centre, then move.
+/// Motion of the stage (or the camera) since the first frame: cell, holder and needle turn about the image's centre,
+/// then move.
 struct StagePose {
   Eigen::Vector2d shift_um = Eigen::Vector2d::Zero();
   double rotation_rad = 0.0;                           ///< +x towards +y
   Eigen::Vector2d pivot_um = Eigen::Vector2d::Zero();  ///< the image's centre
 
-  /// A place and a direction of the first frame, now. Without a rotation no digit of them changes.
+  /// A position and a direction of the first frame, now. Without a rotation no digit of them changes.
   Eigen::Vector2d place(const Eigen::Vector2d& point_um) const;
   Eigen::Vector2d turn(const Eigen::Vector2d& direction) const;
   /// The same for a whole pose.

@@ -10,7 +10,7 @@
 
 namespace pellucida {
 
-/// What the virtual microscope knows of a frame. `observation` has all that a tracker may measure, with confidence 1:
+/// The truth of a frame. `observation` holds everything a tracker may measure, with confidence 1:
 /// - contours: the centre lines of the dark edges, 400 points each, the same material points in every frame, denser
 /// under
 ///   the tip (positive signed area in (x, y));
@@ -25,13 +25,13 @@ struct Truth {
   double pressure_Pa = 0.0;       ///< excess pressure inside
   double volume_um3 = 0.0;        ///< inside the outer membrane's section, revolved (see revolved_volume_um3)
   PlainVector3 tip_um;            ///< the needle's tip, frame W; z into the scene
-  double tip_depth_um = 0.0;      ///< its way past the resting membrane along the push; below 0 outside
-  bool in_range = true;           ///< the tip is where the finite elements' tables hold
+  double tip_depth_um = 0.0;      ///< its distance past the resting membrane along the push; below 0 outside
+  bool in_range = true;           ///< the tip is within the finite-element tables
   std::vector<Droplet> droplets;  ///< what the needle left in the cell, places in frame W
   double deposited_pL = 0.0;      ///< all of it
 };
 
-/// Puts a specimen's state and the tools into the image frame. `stage` moves all of it.
+/// Transforms a specimen's state and the tools into the image frame. `stage` moves all of it.
 Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
                  const StagePose& stage, double time_s, long frame_index);
 
@@ -46,7 +46,7 @@ struct HolderRim {
 };
 HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept;
 
-/// Writes truth as two CSV files, a frame at a time, flushed with each frame. `t.csv`:
+/// Writes truth as two CSV files, frame by frame, flushed with each frame. `t.csv`:
 /// `frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,contact_force_uN,
 /// pressure_Pa,volume_um3,rotation_deg,lateral_force_uN,deposited_pL`, all numbers: state 0 no_cell, 1 free, 2 contact,
 /// 3 punctured, 4 lost; and beside it `t_contours.csv`: `frame,membrane,point,x_um,y_um` with membrane 0 outer, 1

@@ -9,36 +9,36 @@
 
 namespace pellucida {
 
-/// Who turns the microscope's crank.
+/// What drives the microscope.
 enum class Pace {
-  kAsFastAsPossible,  ///< a frame is there when it is asked for: files, batches, tests, runs that pace themselves
-  kWallClock          ///< a live source: frames are exposed at their own time, those nobody was ready for are lost
+  kAsFastAsPossible,  ///< a frame is delivered when requested: files, batches, tests, runs that pace themselves
+  kWallClock          ///< a live source: frames are exposed at their own time, those not requested in time are lost
 };
 
-/// A scenario as a source of frames: somebody moves the needle, the specimen answers, the renderer draws.
+/// A scenario as a source of frames: a drive moves the needle, the specimen responds, the renderer draws.
 /// Deterministic: the same scenario and the same motion give the same bytes. Used by one thread at a time.
 class VirtualMicroscope : public FrameSource {
  public:
-  /// The scenario's own motion moves the needle, as fast as it goes.
-  /// Throws UsageError (values that don't go together, a depth beyond the reference), InputError (a broken resource).
+  /// The scenario's own motion moves the needle, as fast as possible. Throws UsageError (values that don't go together,
+  /// a depth beyond the reference), InputError (a damaged resource).
   explicit VirtualMicroscope(const Scenario& scenario);
-  /// `needle` moves the needle, which another thread may command meanwhile (CommandedNeedle): it's asked at each
-  /// frame's exposure. Without an end of its own the source ends after `image.duration_s`, or never where that is 0.
-  /// At the wall clock the source is live: the first frame is exposed at the first `next()`, which blocks until the
-  /// next one's time has come.
+  /// `needle` moves the needle, which another thread may command meanwhile (CommandedNeedle): it is queried at each
+  /// frame's exposure. Without an end of its own the source ends after `image.duration_s`, or never if that is 0. At
+  /// the wall clock the source is live: the first frame is exposed at the first `next()`, which blocks until the next
+  /// one's time has come.
   VirtualMicroscope(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace = Pace::kAsFastAsPossible);
   ~VirtualMicroscope() override;
 
   const SourceInfo& info() const noexcept override;
   /// The next frame; nothing after the last. `time_s` = index / frame rate.
   std::optional<Frame> next() override;
-  /// Passes over the next frame without drawing it, as if it had been lost; false after the last.
+  /// Skips the next frame without drawing it, as if it had been lost; false after the last.
   bool skip();
 
-  /// Begins again with frame 0 and a new cell: the same frames once more, if the needle moves the same. False for a
-  /// live source, whose time does not come again.
+  /// Restarts with frame 0 and a new cell: the same frames again, if the needle moves the same. False for a live
+  /// source, whose time cannot be repeated.
   bool restart() override;
-  /// What is true of the frame given last. Before the first frame: of frame 0's time, not drawn.
+  /// The truth of the last frame delivered. Before the first frame: of frame 0's time, not drawn.
   const Truth& truth() const noexcept;
   const Scenario& scenario() const noexcept;
 

@@ -32,18 +32,18 @@ struct SpecimenState {
   double contact_force_uN = 0.0;       ///< of the needle on the cell, along its push
   double lateral_force_uN = 0.0;       ///< across it, towards +x of the section
   double pressure_Pa = 0.0;
-  bool in_range = true;  ///< the tip is where the finite elements' tables hold
+  bool in_range = true;  ///< the tip is within the finite-element tables
   CellReference::Section section;
   double apex_angle_rad = 0.0;  ///< rest angle of the material under the needle: the section's point n / 2
   SpecimenMoment moment;        ///< puncture and droplets
 };
 
-/// The cell under a needle: a function of where the needle is and of what happened before (puncture, SpecimenContact).
-/// Knows nothing of who moves the needle. Its mechanics come from finite elements alone.
+/// The cell under a needle: a function of the needle's position and of what happened before (puncture,
+/// SpecimenContact), independent of what moves the needle. Its mechanics come from finite elements alone.
 class VirtualSpecimen {
  public:
-  /// Throws as CellReference::load; UsageError when the scenario's depth goes beyond the reference (which is the limit:
-  /// the indentation when there is no puncture, the puncture's depth when there is).
+  /// Throws as CellReference::load; UsageError when the scenario's depth exceeds the reference (the limit applies to
+  /// the indentation if there is no puncture, to the puncture's depth if there is).
   explicit VirtualSpecimen(const Scenario& scenario);
   ~VirtualSpecimen();
   VirtualSpecimen(VirtualSpecimen&&) noexcept;
@@ -52,17 +52,17 @@ class VirtualSpecimen {
   /// The straight push: the tip `tip_depth_um` past the resting membrane on the configuration's own line. Its lateral
   /// force is that of the finite elements, whose tip sticks. Times must not go back; see `reset`.
   SpecimenState advance(double tip_depth_um, double time_s);
-  /// A needle that goes where it likes, its direction kept: the tip at a place of frame W. `expelled_pL` is all that
-  /// it has expelled so far.
+  /// A freely moved needle of constant direction: the tip at a position of frame W. `expelled_pL` is the total it has
+  /// expelled so far.
   SpecimenState advance(const PlainVector3& tip_um, double time_s, double expelled_pL = 0.0);
   /// The state of a contact that was advanced elsewhere, by a 1 kHz thread's own copy of `contact()`.
   SpecimenState show(const SpecimenMoment& moment) const;
   /// A new cell: forgets puncture and droplets.
   void reset() noexcept { contact_.reset(); }
 
-  /// A copy of it, as it is, is what a 1 kHz thread takes.
+  /// A 1 kHz thread takes a copy of it.
   const SpecimenContact& contact() const noexcept { return contact_; }
-  /// The force at any place, for a whole membrane.
+  /// The force at any position, for an intact membrane.
   const SpecimenForce& force() const noexcept { return contact_.force(); }
 
   /// The pose in the image without drift.

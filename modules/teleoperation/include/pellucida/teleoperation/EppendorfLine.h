@@ -8,20 +8,21 @@
 
 namespace pellucida {
 
-/// Question and answer with an Eppendorf manipulator over a serial port, each with a deadline. A line that comes and is
-/// not the answer awaited (noise, an echo, a late answer) is passed over and counted; a question without an answer is
-/// asked once more before the device counts as lost.
+/// Question and answer with an Eppendorf manipulator over a serial port, each with a deadline. A line that is not the
+/// expected answer (noise, an echo, a late answer) is skipped and counted; a question without an answer is asked once
+/// more before the device counts as lost.
 class EppendorfLine {
  public:
   /// Throws DeviceError as SerialPort.
   explicit EppendorfLine(const std::string& port);
 
-  /// The answer to `command`, whose code is `code`. Throws DeviceError: port and command, what came instead, what to
+  /// The answer to `command`, whose code is `code`. Throws DeviceError: port and command, what arrived instead, what to
   /// check.
   EppendorfAnswer ask(EppendorfCode code, const std::string& command, double timeout_s);
   EppendorfAnswer ask(EppendorfCode code, double timeout_s) { return ask(code, eppendorf_command(code), timeout_s); }
 
-  /// Where it is, in microsteps or um as `code` says. Throws DeviceError, also for an answer that is no position.
+  /// Its position, in microsteps or um according to `code`. Throws DeviceError, also for an answer that is not a
+  /// position.
   EppendorfPosition ask_position(EppendorfCode code, double timeout_s);
 
   std::uint64_t stray_line_count() const noexcept { return stray_line_count_; }
@@ -37,15 +38,15 @@ class EppendorfLine {
   std::uint64_t stray_line_count_ = 0;
 };
 
-/// What a manipulator tells of itself without being moved or taken from its joystick.
+/// What a manipulator reports about itself without being moved or taken from its joystick.
 struct EppendorfIdentity {
   std::string version;  ///< "5181 V1.04"
   EppendorfPosition microsteps, micrometres;
-  /// From the axis farthest from zero; 0 when none is 100 um away, as whole um say too little there.
+  /// From the axis farthest from zero; 0 when none is 100 um away, where whole um are too coarse.
   double microsteps_per_um = 0.0;
 };
 
-/// Asks at `port`. Throws DeviceError when nothing there answers as an Eppendorf manipulator does.
+/// Asks at `port`. Throws DeviceError when nothing there answers like an Eppendorf manipulator.
 EppendorfIdentity ask_identity(const std::string& port, double timeout_s = 0.3);
 
 }  // namespace pellucida

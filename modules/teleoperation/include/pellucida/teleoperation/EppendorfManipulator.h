@@ -13,23 +13,23 @@ struct EppendorfOptions {
   std::string port;  ///< "/dev/ttyUSB0"
 
   /// Columns are the device's axes (x right, y backwards, z down) in frame W; the default is an upright image of the
-  /// bench. Axes not at right angles to each other, as on a slanted drive, are meant to be given here.
+  /// bench. Axes not at right angles to each other, as on a slanted drive, belong here.
   std::array<PlainVector3, 3> axes{PlainVector3{1.0, 0.0, 0.0}, PlainVector3{0.0, -1.0, 0.0},
                                    PlainVector3{0.0, 0.0, 1.0}};
 
-  /// The protocol moves in whole um, or in microsteps, whose size it does not tell. Above 0: microsteps are used.
+  /// The protocol moves in whole um, or in microsteps, whose size it does not state. Above 0: microsteps are used.
   double microsteps_per_um = 0.0;
 
   double max_speed_um_per_s = 2000.0;
-  double travel_um = 10000.0;         ///< each way from the device's own zero; its limit switches act besides
-  double answer_timeout_s = 0.3;      ///< for an answer that comes at once
-  double standstill_timeout_s = 5.0;  ///< for one that comes when all motors stand
+  double travel_um = 10000.0;         ///< each way from the device's own zero; its limit switches act as well
+  double answer_timeout_s = 0.3;      ///< for an answer that arrives at once
+  double standstill_timeout_s = 5.0;  ///< for one that arrives when all motors have stopped
 };
 
-/// Eppendorf PatchMan NP 2 and what speaks like it, over a serial port. It does not inject.
+/// Eppendorf PatchMan NP 2 and compatible devices, over a serial port. They do not inject.
 ///
-/// A motion goes out as soon as target or speed change, its speeds shared among the axes so that the tip goes straight.
-/// A device that does not answer (EppendorfLine) is closed.
+/// A motion is sent as soon as target or speed change, with speeds divided among the axes so that the tip moves
+/// straight. A device that does not answer (EppendorfLine) is closed.
 class EppendorfManipulator final : public Manipulator {
  public:
   /// Throws UsageError for numbers out of range and for axes that do not span space.
@@ -43,13 +43,13 @@ class EppendorfManipulator final : public Manipulator {
   void command(const PipetteCommand& command, double now_s) override;
   PipetteState state(double now_s) override;
 
-  /// Says that the tip, as it stands now, is at `tip_um` of frame W (the tracker sees it there). Device open.
+  /// States that the tip is now at `tip_um` of frame W (where the tracker sees it). Device open.
   void register_tip(const PlainVector3& tip_um);
 
   /// "5181 V1.04", after `open`.
   const std::string& version() const noexcept { return version_; }
 
-  /// Lines that came and were no answer awaited, since `open`.
+  /// Lines received that were not the expected answer, since `open`.
   std::uint64_t stray_line_count() const noexcept { return line_ ? line_->stray_line_count() : 0; }
 
  private:

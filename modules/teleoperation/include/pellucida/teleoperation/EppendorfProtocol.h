@@ -7,8 +7,8 @@
 
 namespace pellucida {
 
-/// The serial protocol of Eppendorf's motorised micromanipulators, as the operating manual of the PatchMan NP 2 prints
-/// it in its appendix "PC interface" (docs/devices.md has the sources and what they leave open). 19200 baud, 8N1, ASCII
+/// The serial protocol of Eppendorf's motorised micromanipulators, as printed in the operating manual of the PatchMan
+/// NP 2, appendix "PC interface" (docs/devices.md has the sources and what they leave open). 19200 baud, 8N1, ASCII
 /// lines: a command "C012 100-200+300 50 50 50" ended by CR, its answer "A012". Numbers are whole; a space or a sign
 /// separates them. Pure: no port, no time.
 enum class EppendorfCode : int {
@@ -33,12 +33,12 @@ struct EppendorfAnswer {
   static constexpr std::size_t kMaxNumbers = 6;
   int code = 0;
   std::array<long, kMaxNumbers> numbers{};
-  std::size_t number_count = 0;  ///< 0 also where what follows is text (the version)
-  std::string text;              ///< all that follows the code, as it came, without spaces around it
+  std::size_t number_count = 0;  ///< 0 also if text follows (the version)
+  std::string text;              ///< everything after the code, as received, without surrounding spaces
 };
 
-/// The answer in one line without its end; nothing when it is none ("A", three digits, then nothing, or a space or
-/// sign).
+/// The answer in one line without its end; nothing when it is not an answer ("A", three digits, then nothing, or a
+/// space or sign).
 std::optional<EppendorfAnswer> eppendorf_answer(std::string_view line);
 
 /// A position answer: three coordinates and the limit switches (0: none reached). Nothing when numbers are missing.
@@ -48,7 +48,7 @@ struct EppendorfPosition {
 };
 std::optional<EppendorfPosition> eppendorf_position(const EppendorfAnswer& answer);
 
-/// Cuts a stream of bytes into lines at CR, LF or both. Empty lines are left out. A line longer than `kMaxLength` is
+/// Cuts a stream of bytes into lines at CR, LF or both. Empty lines are skipped. A line longer than `kMaxLength` is
 /// noise: it is dropped to its end and counted.
 class LineSplitter {
  public:
@@ -56,7 +56,7 @@ class LineSplitter {
 
   void push(std::string_view bytes);
 
-  /// The next whole line; nothing when none is there yet.
+  /// The next complete line; nothing when there is none yet.
   std::optional<std::string> next();
 
   void clear() noexcept;

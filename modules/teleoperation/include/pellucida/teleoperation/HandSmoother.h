@@ -4,8 +4,8 @@
 
 namespace pellucida {
 
-/// Makes a hand's path of readings that come in steps: a mouse, a gamepad, a wheel tell of motion 60 to 250 times a
-/// second, the loop reads 1000 times. First-order lag of 10 ms, never faster than 1 m/s: a step becomes a quick move.
+/// Makes a smooth path of readings that arrive in steps: a mouse, a gamepad or a wheel reports motion 60 to 250 times a
+/// second, the loop reads 1000 times. First-order lag of 10 ms, never faster than 1 m/s: a step becomes a fast move.
 /// Neither allocates nor throws.
 class HandSmoother {
  public:

@@ -13,25 +13,25 @@
 namespace pellucida {
 
 struct ManipulatorStageOptions {
-  double rate_Hz = 100.0;          ///< turns a second; the manipulator's own rate where that is lower
-  double command_timeout_s = 0.1;  ///< without a newer command for this long the pipette is told to stand still
-  double reopen_after_s = 1.0;     ///< a lost manipulator is tried again this often
+  double rate_Hz = 100.0;          ///< turns per second; the manipulator's own rate if that is lower
+  double command_timeout_s = 0.1;  ///< without a newer command for this long the pipette is commanded to stop
+  double reopen_after_s = 1.0;     ///< interval at which a lost manipulator is tried again
 };
 
-/// What the stage did so far.
+/// The work of the stage so far.
 struct ManipulatorStageCounts {
-  std::uint64_t command_count = 0;  ///< commands handed to the manipulator
-  std::uint64_t hold_count = 0;     ///< times it was told to stand still because the commands stopped coming
+  std::uint64_t command_count = 0;  ///< commands passed to the manipulator
+  std::uint64_t hold_count = 0;     ///< times it was stopped because the commands ceased
   std::uint64_t lost_count = 0;     ///< times it was lost
-  std::uint64_t reopen_count = 0;   ///< times it came back
+  std::uint64_t reopen_count = 0;   ///< times it returned
   std::string last_fault;           ///< reason of the newest loss
 };
 
-/// Gives a manipulator a thread of its own at its own rate: takes the newest command of the 1 kHz loop, hands it on,
-/// publishes where the pipette is. Both ways are wait-free for the loop.
+/// Gives a manipulator a thread of its own at its own rate: takes the newest command of the 1 kHz loop, passes it on,
+/// publishes the pipette's state. Both directions are wait-free for the loop.
 ///
-/// When the loop falls silent the pipette is held; when the device is lost the state says so (`known` false) and
-/// opening is tried again; the pipette then stays until a command younger than the return arrives.
+/// When the loop falls silent the pipette is held; when the device is lost the state shows it (`known` false) and
+/// opening is tried again; the pipette then stays until a command newer than the return arrives.
 class ManipulatorStage {
  public:
   /// The manipulator and the clock must outlive the stage. Throws UsageError for a rate or a time not above 0.
@@ -43,7 +43,7 @@ class ManipulatorStage {
   /// Opens the manipulator (throws as its `open`) and starts the thread.
   void start();
 
-  /// Ends the thread, lets the pipette stand, closes the manipulator.
+  /// Ends the thread, stops the pipette, closes the manipulator.
   void stop();
 
   /// Writer: the 1 kHz loop alone.
@@ -52,11 +52,11 @@ class ManipulatorStage {
   /// Reader: the 1 kHz loop alone.
   LatestValue<PipetteState>& states() noexcept { return states_; }
 
-  /// For everybody else: any thread, takes a lock.
+  /// For all others: any thread, takes a lock.
   PipetteState newest_state() const;
   ManipulatorStageCounts counts() const;
 
-  /// One turn, as the thread does them. For tests, without `start`; the manipulator must be open.
+  /// One turn of the thread, for tests without `start`; the manipulator must be open.
   void turn();
 
  private:
@@ -75,7 +75,7 @@ class ManipulatorStage {
   // The stage's thread alone.
   double command_seen_s_ = 0.0;  ///< when the newest command was taken
   double try_again_s_ = 0.0;     ///< when opening is tried next
-  bool has_command_ = false;     ///< one came since the manipulator was opened
+  bool has_command_ = false;     ///< one has arrived since the manipulator was opened
   bool held_ = false;
 
   mutable std::mutex mutex_;

@@ -10,11 +10,11 @@
 
 namespace pellucida {
 
-/// A device whose library may wait or allocate, so that a thread of its own reads it (a few hundred times a second) and
-/// the 1 kHz thread takes the newest reading, wait-free, its steps smoothed (HandSmoother). A thread that falls silent
+/// A device whose library may wait or allocate: a thread of its own reads it (a few hundred times a second) and the 1
+/// kHz thread takes the newest reading, wait-free, with its steps smoothed (HandSmoother). A thread that falls silent
 /// counts as a lost device.
 ///
-/// Who derives overrides `poll`, calls `start` at the end of its constructor and `stop` in its destructor.
+/// A derived class overrides `poll`, calls `start` at the end of its constructor and `stop` in its destructor.
 class PolledHand : public HapticDevice, public TouchCueDevice {
  public:
   ~PolledHand() override;
@@ -24,11 +24,11 @@ class PolledHand : public HapticDevice, public TouchCueDevice {
   const DeviceSpecification& specification() const noexcept final { return specification_; }
   bool read(double now_s, HandSample& sample) noexcept final;
 
-  /// It gives no force; false when it is lost. The contact is told through `show`.
+  /// It gives no force; false when it is lost. The contact is shown through `show`.
   bool write(const PlainVector3& force_N) noexcept final;
   void show(const TouchCue& cue) noexcept final;
 
-  /// Readings the device gave since it was opened. Any thread.
+  /// Readings received since the device was opened. Any thread.
   std::uint64_t reading_count() const noexcept { return reading_count_.load(std::memory_order_relaxed); }
 
  protected:
@@ -44,7 +44,7 @@ class PolledHand : public HapticDevice, public TouchCueDevice {
   void stop();
 
   /// Reads the device once and paces itself: waits for its next event, some milliseconds at most. On the polling
-  /// thread; a lost device is looked for again here. `cue` is the newest of the contact.
+  /// thread; a lost device is searched for again here. `cue` is the newest of the contact.
   virtual Reading poll(const TouchCue& cue, std::stop_token stop) = 0;
 
  private:
@@ -61,7 +61,7 @@ class PolledHand : public HapticDevice, public TouchCueDevice {
   bool connected_ = false;
 };
 
-/// Waits `duration_s`, or until `stop` is asked for.
+/// Waits `duration_s`, or until `stop` is requested.
 void wait_for(std::stop_token stop, double duration_s);
 
 }  // namespace pellucida

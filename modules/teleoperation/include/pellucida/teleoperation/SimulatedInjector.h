@@ -7,9 +7,9 @@
 
 namespace pellucida {
 
-/// The numbers of a motorised three-axis micromanipulator with an injector, as they matter to control.
+/// The properties of a motorised three-axis micromanipulator with an injector that matter to control.
 struct SimulatedInjectorOptions {
-  PlainVector3 start_um;                             ///< where the tip is when it's opened first
+  PlainVector3 start_um;                             ///< position of the tip when first opened
   PlainVector3 lower_um{-2000.0, -2000.0, -2000.0};  ///< travel limits
   PlainVector3 upper_um{2000.0, 2000.0, 2000.0};
   double max_speed_um_per_s = 2000.0;
@@ -20,21 +20,21 @@ struct SimulatedInjectorOptions {
   double deposit_rate_pl_per_s = 5.0;
 };
 
-/// The tip as it truly is, which the report of a manipulator does not say: it has the backlash in it.
+/// The true position of the tip; the report of a manipulator contains the backlash.
 struct InjectorPose {
   double time_s = 0.0;
   PlainVector3 tip_um;
-  double deposited_pl = 0.0;  ///< since it was opened first
+  double deposited_pl = 0.0;  ///< since first opened
 };
 
 /// A micromanipulator without hardware, exact and repeatable: travel limits, limited speed and acceleration, latency,
 /// steps, backlash between the motor (which is what it reports) and the tip (which is what the microscope sees).
 ///
-/// Each axis runs towards its target as fast as speed, acceleration and the braking way sqrt(2 a d) allow; the speed
-/// limit is on the magnitude of the three. An emergency stop acts without latency and stands at once.
+/// Each axis runs towards its target as fast as speed, acceleration and the braking speed sqrt(2 a d) allow; the speed
+/// limit applies to the magnitude of the three. An emergency stop acts without latency and at once.
 class SimulatedInjector final : public Manipulator {
  public:
-  /// Called after every advance, on the thread that calls: here the virtual microscope's needle learns where to be.
+  /// Called after every advance, on the calling thread: moves the virtual microscope's needle.
   using Follower = std::function<void(const InjectorPose&)>;
 
   /// Throws UsageError for limits upside down, a start outside them, or a speed, acceleration or step out of range.
@@ -47,8 +47,8 @@ class SimulatedInjector final : public Manipulator {
   void command(const PipetteCommand& command, double now_s) override;
   PipetteState state(double now_s) override;
 
-  /// Time goes on by `dt_s`, in steps of at most a millisecond: what `command` and `state` do with the time since the
-  /// last call. For tests and for those who turn the crank themselves.
+  /// Advances time by `dt_s`, in steps of at most a millisecond, as `command` and `state` do with the time since the
+  /// last call. For tests and simulated time.
   void advance(double dt_s);
 
   const InjectorPose& pose() const noexcept { return pose_; }

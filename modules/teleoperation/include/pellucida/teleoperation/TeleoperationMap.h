@@ -8,7 +8,7 @@
 
 namespace pellucida {
 
-/// Tip motion for a metre of hand motion, um: 10 mm of the hand are 100 um, 20 um, 5 um.
+/// Tip motion per metre of hand motion, um: 10 mm of the hand are 100 um, 20 um, 5 um.
 inline constexpr double kCoarseScale_um_per_m = 10000.0;
 inline constexpr double kFineScale_um_per_m = 2000.0;
 inline constexpr double kFinestScale_um_per_m = 500.0;
@@ -21,10 +21,10 @@ struct TargetBox {
   static constexpr double kFree = std::numeric_limits<double>::infinity();
 };
 
-/// What a person may change while the hand moves. Trivially copyable.
+/// Settings the user may change while the hand moves. Trivially copyable.
 struct TeleoperationSettings {
   /// Position: the tip follows the hand. Rate: the tip's speed follows how far the hand is from its centre, for devices
-  /// that spring back (gamepad, SpaceMouse) and for long ways.
+  /// that spring back (gamepad, SpaceMouse) and for long distances.
   enum class Control { kPosition, kRate };
   Control control = Control::kPosition;
 
@@ -32,8 +32,8 @@ struct TeleoperationSettings {
   double rate_um_per_s_per_m = 4000.0;          ///< of rate control: tip speed for a metre of deflection, above 0
   double dead_zone_m = 0.002;                   ///< of rate control: no motion within; speed starts from 0 at its edge
 
-  /// Rate control: the device comes back to its own centre by itself, which is then the centre of the control; the tip
-  /// stays until the device was within the dead zone once. False: the centre is where the hand was engaged.
+  /// Rate control: the device returns to its own centre by itself, which is then the centre of the control; the tip
+  /// stays until the device has been within the dead zone once. False: the centre is where the hand was engaged.
   bool self_centring = false;
   double centring_N_per_m = 20.0;  ///< rate control: stiffness of the soft return, see `centring_force_N`
   double max_centring_force_N = 0.5;
@@ -51,7 +51,7 @@ inline TeleoperationSettings at_scale(TeleoperationSettings settings, double sca
 /// Hand motion to tip motion: position or rate control, clutch, scales, tremor low-pass, all three axes at once.
 ///
 /// Position control: tip = anchor + scale * (hand - hand's anchor), both in frame W. Clutch, engage and a change of
-/// scale or control set the two anchors anew, so none of them moves the target. Rate control: tip' = rate * shaped
+/// scale or control reset the two anchors, so none of them moves the target. Rate control: tip' = rate * shaped
 /// deflection, the deflection less the dead zone.
 ///
 /// `engage`, `update`, the getters: the 1 kHz thread. `request`: one other thread, wait-free.
@@ -71,21 +71,21 @@ class TeleoperationMap final : public MotionMap {
   void engage(const HandSample& hand, const PlainVector3& tip_um) noexcept override;
   TipTarget update(const HandSample& hand, double dt_s) noexcept override;
 
-  /// In rate control the scale too is what turns forces at the cell into forces at the hand, though motion is not
-  /// scaled by it.
+  /// In rate control too, the scale converts forces at the cell into forces at the hand, though motion is not scaled by
+  /// it.
   double scale_um_per_m() const noexcept override { return settings_.scale_um_per_m; }
 
   /// Rate control: the soft return of the hand to its centre, frame H, N: a spring, limited; zero in position control,
-  /// in the dead zone and for devices that spring back by themselves. For the loop to add.
+  /// in the dead zone and for devices that spring back by themselves. Added by the loop.
   PlainVector3 centring_force_N(const HandSample& hand) const noexcept;
 
   PlainVector3 hand_force_N(const HandSample& hand) const noexcept override { return centring_force_N(hand); }
 
-  /// Where the hand's motion counts from, frame H, m: the middle of the workspace after an engage there; every clutch
-  /// moves it.
+  /// The origin of the hand's motion, frame H, m: the middle of the workspace after an engage there; every clutch moves
+  /// it.
   const PlainVector3& centre_m() const noexcept { return centre_m_; }
 
-  /// How far the tip lags slow hand motion because of the tremor low-pass.
+  /// Lag of the tip behind slow hand motion due to the tremor low-pass.
   double lag_s() const noexcept { return filter_.lag_s(); }
 
  private:

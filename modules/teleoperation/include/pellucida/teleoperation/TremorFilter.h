@@ -3,12 +3,12 @@
 
 namespace pellucida {
 
-/// How the tremor of the hand (8 to 12 Hz, 50 to 200 um at the hand) is taken out of its motion.
+/// How the tremor of the hand (8 to 12 Hz, 50 to 200 um at the hand) is removed from its motion.
 struct TremorOptions {
   bool enabled = true;
   double rest_cutoff_Hz = 3.0;  ///< of the low-pass when the hand is slow; above 0
-  /// How much the cut-off rises with the hand's mean speed, Hz per m/s: less lag in fast moves, where tremor does not
-  /// matter. 0: a plain second-order low-pass.
+  /// Rise of the cut-off with the hand's mean speed, Hz per m/s: less lag in fast moves, where tremor does not matter.
+  /// 0: a plain second-order low-pass.
   double cutoff_rise_Hz_s_per_m = 150.0;
   double max_cutoff_Hz = 20.0;
 };
@@ -21,7 +21,7 @@ class TremorFilter {
  public:
   explicit TremorFilter(const TremorOptions& options = {}) noexcept : options_(options) {}
 
-  /// At rest at `position_m`: no lag is left from before.
+  /// Starts at rest at `position_m`, without lag.
   void reset(const Eigen::Vector3d& position_m) noexcept;
 
   /// The next position, `dt_s` after the last; with `dt_s` of 0 or less nothing moves.
@@ -32,7 +32,7 @@ class TremorFilter {
 
   double cutoff_Hz() const noexcept { return cutoff_Hz_; }
 
-  /// What the filter costs at this moment: how far slow motion lags, sqrt(2) / (2 pi cut-off). 0 when off.
+  /// Present lag of slow motion, sqrt(2) / (2 pi cut-off). 0 when off.
   double lag_s() const noexcept;
 
   const TremorOptions& options() const noexcept { return options_; }

@@ -11,7 +11,7 @@ namespace pellucida {
 
 /// Follows both membranes of a cell, the needle and the holding pipette from frame to frame: active contours (snakes),
 /// as in the paper, started by a detection that needs no click. Method and equations: docs/method.md, section 1. Has
-/// memory: feed it the frames of one sequence in order; `reset` starts anew. One thread at a time.
+/// memory: frames of one sequence in order; `reset` starts again. One thread at a time.
 class MembraneTracker {
  public:
   /// Throws UsageError when an option is out of its range; the text names it.
@@ -20,23 +20,23 @@ class MembraneTracker {
   MembraneTracker(MembraneTracker&&) noexcept;
   MembraneTracker& operator=(MembraneTracker&&) noexcept;
 
-  /// What one frame says. `time_s` since the session began. The image is read during the call only.
-  /// Throws UsageError for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that
-  /// is not above 0, or a motion that is not finite. An image that shows nothing is no error: the state says `no_cell`
-  /// or `lost`. With an image of another size than the one before, the cell is looked for anew.
+  /// Evaluates one frame. `time_s` since the session began. The image is read during the call only. Throws UsageError
+  /// for an image without data, with sizes below 1, rows shorter than the width, or a pixel size that is not above 0,
+  /// or a motion that is not finite. An image that shows nothing is not an error: the state is then `no_cell` or
+  /// `lost`. If the image's size changes, the cell is searched for again.
   Observation process(const ImageView& image, double time_s, long frame_index, const FrameHints& hints = {});
 
-  /// Forgets the cell and looks for it where a person says it is, with the next frame. A hint that leads nowhere is
-  /// dropped after that frame, and the usual search goes on. Throws UsageError for a hint without point or outline, an
-  /// outline of fewer than 3 points, or numbers that are not finite.
+  /// Forgets the cell and searches for it where the user points, in the next frame. A hint that leads nowhere is
+  /// dropped after that frame, and the usual search continues. Throws UsageError for a hint without point or outline,
+  /// an outline of fewer than 3 points, or numbers that are not finite.
   void expect_cell(const CellHint& hint);
 
-  /// Forgets the cell, the needle, the holder and all that was learnt of them.
+  /// Forgets the cell, the needle, the holder and everything learnt about them.
   void reset();
 
   const TrackerOptions& options() const noexcept;
 
-  /// Where the time of the last frame went.
+  /// Time spent on the parts of the last frame.
   const TrackerTimings& timings() const noexcept;
 
  private:

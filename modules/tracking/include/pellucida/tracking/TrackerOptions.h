@@ -27,9 +27,9 @@ struct TrackerOptions {
   int snake_iterations = 3;       ///< a frame and membrane
 
   // State.
-  double min_tracking_score = 0.35;   ///< 0..1: below this, a frame does not count as tracked
-  int lost_after_frames = 3;          ///< untracked frames in a row before the state is `lost`
-  double contact_px = 0.5;            ///< an indentation below this is no sign of contact; released below half of it
+  double min_tracking_score = 0.35;  ///< 0..1: below this, a frame does not count as tracked
+  int lost_after_frames = 3;         ///< untracked frames in a row before the state is `lost`
+  double contact_px = 0.5;           ///< an indentation below this is no evidence of contact; released below half of it
   double puncture_drop_ratio = 0.35;  ///< share of the dimple's depth that must vanish at once to call it a puncture
 };
 

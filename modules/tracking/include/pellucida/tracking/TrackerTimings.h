@@ -3,7 +3,7 @@
 
 namespace pellucida {
 
-/// Where the time of one frame went, us. A part that did not run is 0.
+/// Time spent on the parts of one frame, us. A part that did not run is 0.
 struct TrackerTimings {
   double needle_us = 0.0;     ///< needle and, while it is missing, the search for it
   double rigid_us = 0.0;      ///< rigid motion of holder and cell

@@ -6,13 +6,13 @@
 
 namespace pellucida {
 
-/// What is known of one frame besides its pixels.
+/// What is known about one frame besides its pixels.
 struct FrameHints {
   /// The needle's motion commanded since the frame before, um in frame W: evidence where the tip cannot be seen.
   std::optional<Eigen::Vector2d> needle_motion_um;
 };
 
-/// Where a person says the cell is. One of the two is enough.
+/// The position of the cell according to the user. One of the two is enough.
 struct CellHint {
   std::optional<Eigen::Vector2d> inside_um;  ///< a point inside the cell (a click)
   std::optional<Contour_um> outline_um;      ///< a rough closed outline of 3 points or more, in any orientation

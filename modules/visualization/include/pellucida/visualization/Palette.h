@@ -27,7 +27,7 @@ static_assert(sizeof(Color) == 3 * sizeof(double), "Color is handed to VTK as th
 /// Contrast of two colours by WCAG 2: 1 (same) .. 21 (black on white). Text wants 4.5, large text and lines 3.
 double contrast_ratio(const Color& a, const Color& b) noexcept;
 
-/// The one place where the dark theme's colours are chosen; a test holds the contrasts of text.
+/// The one place where the dark theme's colours are chosen; a test checks the contrasts of text.
 namespace palette {
 // Surfaces, from the back to the front.
 inline constexpr Color kWindow = Color::from_hex(0x0F1318);

@@ -5,8 +5,8 @@
 
 namespace pellucida {
 
-/// The numbers of a measurement as a person reads them, UTF-8, with units. A dash ("–") stands for "not measured".
-/// Digits are chosen so that a number neither jumps in width nor shows more than the measurement knows.
+/// The numbers of a measurement for display, UTF-8, with units. A dash ("–") means "not measured". Digits are chosen so
+/// that a number neither jumps in width nor shows more than the measurement supports.
 namespace readout {
 /// "No cell", "Free", "Contact", "Punctured", "Lost".
 std::string state(CellState state);

@@ -15,20 +15,20 @@ struct TracePoint {
   double upper_uN = 0.0;
 };
 
-/// A moment worth a mark on the time axis.
+/// A moment marked on the time axis.
 struct TraceMark {
   double time_s = 0.0;
   CellState state = CellState::kNoCell;  ///< what the cell turned into: contact, punctured or lost
 };
 
-/// What the charts show of a run of measurements, bounded however long it lasts: rows with a force, thinned to every
+/// The data of the charts for a run of measurements, bounded however long it lasts: rows with a force, thinned to every
 /// second one whenever a trace grows beyond `kMostPoints`.
 class TraceHistory {
  public:
   static constexpr std::size_t kMostPoints = 4000;
   static constexpr std::size_t kMostMarks = 100;
 
-  /// Rows without a force are left out. A step of time backwards (a recording started again) starts all afresh.
+  /// Rows without a force are left out. A step backwards in time (a restarted recording) clears everything.
   void append(const Measurement& m);
   void clear();
 

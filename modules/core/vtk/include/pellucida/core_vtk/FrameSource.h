@@ -8,7 +8,7 @@
 
 namespace pellucida {
 
-/// One frame as it came from a source.
+/// One frame as delivered by a source.
 struct Frame {
   Frozen<vtkImageData> image;  ///< 1 component, 8 or 16 bit unsigned, spacing in um, stamped
   double time_s = 0.0;         ///< since the source's first frame, from the source's own clock or frame rate
@@ -16,19 +16,19 @@ struct Frame {
   long gap_count = 0;          ///< frames lost between the one before and this one
 };
 
-/// Anything that gives frames: video, folder, multi-page TIFF, still, camera, virtual microscope.
-/// Used by one thread at a time.
+/// Anything that delivers frames: video, folder, multi-page TIFF, still, camera, virtual microscope. Used by one thread
+/// at a time.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
   virtual const SourceInfo& info() const noexcept = 0;
 
-  /// The next frame; blocks for it. Nothing at the end. Throws InputError when the input turns out broken (what came
-  /// before stays valid), DeviceError when a camera is lost.
+  /// The next frame; blocks for it. Nothing at the end. Throws InputError when the input turns out to be damaged
+  /// (everything before remains valid), DeviceError when a camera is lost.
   virtual std::optional<Frame> next() = 0;
 
-  /// Begins anew: `next()` gives the first frame again. False when this kind of source can't.
+  /// Restarts: `next()` delivers the first frame again. False if this kind of source can't.
   virtual bool restart() { return false; }
 };
 

@@ -11,18 +11,18 @@ namespace pellucida {
 /// Computes what VTK would cache at a first read (bounds, array ranges), so that many threads may read `data` at once.
 void prepare_for_sharing(vtkDataObject* data);
 
-/// A VTK data object that nobody writes again. It crosses threads freely; who wants to use it in a pipeline takes a
-/// shallow copy of its own. An empty handle (the default) stands for "not there".
+/// A VTK data object that is never written again. It may cross threads freely; a pipeline uses a shallow copy of its
+/// own. An empty handle (the default) means "absent".
 ///
-/// The handles share one reference to the object, counted beside VTK. Were each handle a reference of its own, letting
-/// go of one that is not the last would send VTK's garbage collector through the object, and it may meet another
-/// thread's deletion there.
+/// The handles share one reference to the object, counted outside VTK. If each handle held a reference of its own,
+/// releasing one that is not the last would send VTK's garbage collector through the object, where it could meet
+/// another thread's deletion.
 template <class T>
 class Frozen {
  public:
   Frozen() = default;
 
-  /// Freezes `data`: the caller gives it up and writes to it no more.
+  /// Freezes `data`: the caller hands it over and never writes to it again.
   explicit Frozen(vtkSmartPointer<T> data) {
     if (!data) return;
     prepare_for_sharing(data);

@@ -13,13 +13,13 @@
 
 namespace pellucida {
 
-/// Everything known of one frame. Each step of the chain takes a scene and returns a new one with its own part added:
-/// frame -> (tracking) membranes, tools -> (reconstruction) surface -> (mechanics) surface with forces, model.
-/// The parts are frozen: a copy costs a few reference counts, and may be read from any thread. Parts not made (yet) are
+/// Everything known about one frame. Each step of the chain takes a scene and returns a new one with its own part
+/// added: frame -> (tracking) membranes, tools -> (reconstruction) surface -> (mechanics) surface with forces, model.
+/// The parts are frozen: a copy costs a few reference counts, and may be read from any thread. Parts not made yet are
 /// empty.
 struct Scene {
   double arrival_s = 0.0;         ///< session clock when the frame arrived: force age is counted from here
-  long run_index = 0;             ///< grows when the source begins anew: steps with memory then forget what they knew
+  long run_index = 0;             ///< increases when the source restarts: steps with memory then reset
   Frozen<vtkImageData> frame;     ///< 1 component, 8 or 16 bit, spacing in um, origin (0, 0, 0)
   Frozen<vtkPolyData> membranes;  ///< one closed polyline a membrane; see SceneData.h
   Frozen<vtkPolyData> tools;      ///< needle and holder outlines; see SceneData.h
@@ -27,8 +27,8 @@ struct Scene {
   Frozen<vtkPolyData> model;      ///< the mass-spring-damper mesh in its solved shape (triangles)
   std::shared_ptr<const Observation> observation;  ///< the same contours and tools as plain numbers
   Measurement measurement;                         ///< the row of `measurements.csv`
-  ContactModel contact;                            ///< what the hand gets to know of this frame
-  std::vector<Event> events;                       ///< what this frame brought about
+  ContactModel contact;                            ///< what the 1 kHz thread learns from this frame
+  std::vector<Event> events;                       ///< events of this frame
 };
 
 }  // namespace pellucida

@@ -5,7 +5,7 @@
 
 namespace pellucida {
 
-/// Takes one part of a scene out of a StageSource's output, as the plain vtkImageData or vtkPolyData that ordinary
+/// Extracts one part of a scene from a StageSource's output, as the plain vtkImageData or vtkPolyData that ordinary
 /// filters and mappers accept. Input port 0: vtkMultiBlockDataSet. Output port 0: the block's data; an empty object of
 /// its type when the scene lacks that part.
 class SceneBlockFilter : public vtkDataObjectAlgorithm {

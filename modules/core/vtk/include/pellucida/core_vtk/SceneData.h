@@ -34,7 +34,7 @@ inline constexpr const char* kRestDirection =
 /// Stamps field data time_s, frame_index and schema_version.
 void stamp(vtkDataObject* data, double time_s, long frame_index);
 
-/// Reads a stamp back; 0 where there is none.
+/// Reads a stamp back; 0 if there is none.
 double stamped_time_s(const vtkDataObject* data);
 long stamped_frame_index(const vtkDataObject* data);
 
@@ -50,7 +50,7 @@ ImageView view_of(const vtkImageData* frame);
 vtkSmartPointer<vtkPolyData> make_membranes(const Observation& observation);
 
 /// Needle and holder as open polylines; cell arrays `tool` (0 needle, 1 holder), `confidence`, `tip_sigma_um` and
-/// `evidence` (what told where the tip is: the bits of NeedleEvidence); the needle's first point is its tip.
+/// `evidence` (how the tip was located: the bits of NeedleEvidence); the needle's first point is its tip.
 vtkSmartPointer<vtkPolyData> make_tools(const Observation& observation);
 
 }  // namespace pellucida

@@ -13,9 +13,9 @@ namespace pellucida {
 enum class SceneBlock : unsigned { kFrame, kMembranes, kTools, kSurface, kModel };
 const char* to_string(SceneBlock block) noexcept;
 
-/// A VTK source (no input) that hands the newest frozen scene to any pipeline: a view, a writer, a third-party filter
-/// is fed by a module as by any reader. Output port 0: vtkMultiBlockDataSet, one block for each part of the scene
-/// (empty where the scene lacks it), blocks named. Use on one thread; `Poll` is the only call that looks across
+/// A VTK source (no input) that passes the newest frozen scene to any pipeline: a view, a writer or a third-party
+/// filter is fed by a module as by a reader. Output port 0: vtkMultiBlockDataSet, one block for each part of the scene
+/// (empty where the scene lacks it), blocks named. Use on one thread; `Poll` is the only call that reads across
 /// threads.
 class StageSource : public vtkMultiBlockDataSetAlgorithm {
  public:
@@ -27,13 +27,13 @@ class StageSource : public vtkMultiBlockDataSetAlgorithm {
   /// The exchange to poll; may be nullptr.
   void SetExchange(std::shared_ptr<SharedLatest<Scene>> exchange);
 
-  /// Looks for a newer scene; marks the source modified and returns true when there is one.
+  /// Checks for a newer scene; marks the source modified and returns true when there is one.
   bool Poll();
 
-  /// Hands out `scene` from now on (replay, tests, one picture).
+  /// Outputs `scene` from now on (replay, tests, one picture).
   void SetScene(const Scene& scene);
 
-  /// The scene handed out now.
+  /// The scene being output.
   const Scene& GetScene() const { return scene_; }
 
  protected:

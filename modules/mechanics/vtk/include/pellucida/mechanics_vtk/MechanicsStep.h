@@ -13,17 +13,17 @@ namespace pellucida {
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
 /// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, and volume_um3 where nothing has yet.
-/// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h).
-/// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
-/// `punctured` then, and a tracker's later event of the same puncture is left out); `warning` when the force becomes
-/// less sure, by name; `palpation` when the cell's scale has been learnt; `note` why there is no force.
-/// Makes `model`: triangles in the solved shape, frame W, with point arrays
+/// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h). Events: `puncture` in the frame that shows
+/// it, with the largest force, depth and work (the state of that frame is then `punctured`, and a tracker's later event
+/// of the same puncture is dropped); `warning` when the force becomes less certain, by name; `palpation` when the
+/// cell's scale has been learnt; `note` why there is no force. Makes `model`: triangles in the solved shape, frame W,
+/// with point arrays
 ///   | array              | components | unit   | what                                                     |
 ///   | force_uN           | 3          | uN     | the membrane's own elastic force on the node             |
 ///   | displacement_um    | 3          | um     | from rest                                                |
 ///   | tension_uN_per_um  | 1          | uN/um  | mean membrane tension                                    |
 /// Adds to a copy of `surface`, which must bring point arrays `membrane` and `rest_direction`:
-///   force_uN (3), force_sigma_uN (1), tension_uN_per_um (1). The model's one surface stands for the whole zona: its
+///   force_uN (3), force_sigma_uN (1), tension_uN_per_um (1). The model's one surface represents the whole zona: its
 ///   forces are shown on the outer membrane, with their sum kept; nodes of the inner one carry no force of their own
 ///   (0). The tension is the zona's, so both membranes show it.
 /// A scene without cell or surface passes on without those parts. Where the model has no equilibrium, the force cells

@@ -8,8 +8,8 @@ namespace pellucida {
 /// Revolves tracked contours about the symmetry axis into closed, outward-oriented surfaces.
 ///
 /// Input port 0: vtkPolyData, one closed polyline a membrane, cell array `membrane`, field data `center_um`, `axis`,
-/// `rest_radius_um` (see core_vtk/SceneData.h). Contours of the oolemma are passed over.
-/// Output port 0: vtkPolyData of quads and triangles, outer membrane first; node order as in RevolvedMesh.
+/// `rest_radius_um` (see core_vtk/SceneData.h). Contours of the oolemma are ignored. Output port 0: vtkPolyData of
+/// quads and triangles, outer membrane first; node order as in RevolvedMesh.
 ///
 /// | output array    | on     | type, components | unit |                                                             |
 /// |-----------------|--------|------------------|------|-------------------------------------------------------------|
@@ -19,9 +19,9 @@ namespace pellucida {
 /// | volume_um3      | field  | double, 1 a surf.| um^3 | enclosed by each membrane, in the output's order, revolved  |
 /// |                 |        |                  |      | smoothly: it does not depend on the angular step            |
 ///
-/// Field data of the input is passed on. Where a rest radius is not known (0), displacements count from the sphere of
-/// the contour's own area. Fails (error code, message, empty output) when a contour can't be revolved or the field data
-/// is missing; an input without cells gives an empty output and is no failure. Cost: one pass over the contours and the
+/// Field data of the input is passed on. Where a rest radius is unknown (0), displacements count from the sphere of the
+/// contour's own area. Fails (error code, message, empty output) when a contour can't be revolved or the field data is
+/// missing; an input without cells gives an empty output and is not a failure. Cost: one pass over the contours and the
 /// output's nodes.
 class RevolveFilter : public vtkPolyDataAlgorithm {
  public:

@@ -17,7 +17,7 @@ class TrackingStep {
 
   explicit TrackingStep(TrackerOptions options = {}) : tracker_(options) {}
 
-  /// Fails when the scene has no frame. A frame without a cell is no failure: the state says so.
+  /// Fails when the scene has no frame. A frame without a cell is not a failure: its state shows it.
   expected<Scene, StepFailure> process(const Scene& scene);
 
   /// Forgets what was tracked.
@@ -31,8 +31,7 @@ class TrackingStep {
 
 static_assert(Step<TrackingStep>);
 
-/// The event that a change of state brings about: nothing where none is due (`state_before` empty: before the first
-/// frame).
+/// The event due to a change of state: nothing when none is due (`state_before` empty: before the first frame).
 std::optional<Event> event_of_change(std::optional<CellState> state_before, const Observation& now);
 
 }  // namespace pellucida

@@ -12,23 +12,23 @@ class vtkImageData;
 
 namespace pellucida {
 
-/// What the feed shows until somebody pans or zooms.
+/// What the feed shows until the user pans or zooms.
 enum class FeedFraming {
-  kCell,   ///< the cell with its surroundings, once it was found; until then the whole frame
+  kCell,   ///< the cell with its surroundings, once found; until then the whole frame
   kFrame,  ///< the whole frame
 };
 
 /// The microscope's picture as it appears in the eyepiece (x right, y down), with what was found in it: membranes,
 /// tools, the needle's tip and axis, and the model's own section in the image plane, dashed. A scale bar of a round
-/// length and a legend of the lines come with it. Drag pans, wheel zooms (PanZoomStyle). The overlay belongs to the
-/// very frame it is drawn on.
+/// length and a legend of the lines come with it. Drag pans, wheel zooms (PanZoomStyle). The overlay always belongs to
+/// the frame it is drawn on.
 class FeedView : public View {
  public:
   /// Follows `source`, which must outlive the view.
   explicit FeedView(StageSource* source);
   ~FeedView() override;
 
-  /// Takes over what the source hands out now. Call after `Poll` or `SetScene`, before rendering.
+  /// Takes the source's present output. Call after `Poll` or `SetScene`, before rendering.
   void refresh();
   /// Undoes panning and zooming.
   void reset_camera();
@@ -38,7 +38,7 @@ class FeedView : public View {
   void show_contours(bool shown);
   void show_model_section(bool shown);
   void show_tools(bool shown);
-  /// The injection plan: the straight way with its corridor, entry, depth stop and target. Nothing: none is drawn.
+  /// The injection plan: the straight path with its corridor, entry, depth stop and target. Nothing: none is drawn.
   void set_plan(const std::optional<PlanMarks>& plan);
 
   /// A line in the upper right corner, empty for none.

@@ -28,10 +28,9 @@ struct HudText {
   HudAlign align = HudAlign::kLeft;
 };
 
-/// Flat shapes and texts over a renderer, drawn anew each frame in an immediate style: `begin`, shapes, `end`.
-/// Coordinates are logical pixels of the renderer's viewport, origin at the bottom left; `ratio` (device pixels a
-/// logical one) scales everything, so that a picture of twice the dots looks the same. Shapes keep their order; texts
-/// lie on top.
+/// Flat shapes and texts over a renderer, redrawn each frame in an immediate style: `begin`, shapes, `end`. Coordinates
+/// are logical pixels of the renderer's viewport, origin at the bottom left; `ratio` (device pixels a logical one)
+/// scales everything, so that a picture of twice the dots looks the same. Shapes keep their order; texts lie on top.
 class HudCanvas {
  public:
   explicit HudCanvas(vtkRenderer* renderer);

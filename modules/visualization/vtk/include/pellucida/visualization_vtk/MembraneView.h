@@ -7,11 +7,11 @@
 
 namespace pellucida {
 
-/// What the outer membrane's colour says.
+/// Meaning of the outer membrane's colour.
 enum class SurfaceColoring { kPlain, kTension, kDisplacement };
 
-/// The cell in 3-D: outer membrane as a clear skin, inner one solid, needle and holding pipette in glass, an arrow for
-/// the force on each of a few hundred nodes (coloured and sized by it, with a scale in uN), and one bold arrow with its
+/// The cell in 3-D: outer membrane translucent, inner one solid, needle and holding pipette in glass, an arrow for the
+/// force on each of a few hundred nodes (coloured and sized by it, with a scale in uN), and one bold arrow with its
 /// value for the force of the needle on the cell.
 class MembraneView : public View {
  public:
@@ -19,7 +19,7 @@ class MembraneView : public View {
   explicit MembraneView(StageSource* source);
   ~MembraneView() override;
 
-  /// Takes over what the source hands out now. Call after `Poll` or `SetScene`, before rendering.
+  /// Takes the source's present output. Call after `Poll` or `SetScene`, before rendering.
   void refresh();
   /// Frames cell and tool tips, seen from the front and above.
   void reset_camera();

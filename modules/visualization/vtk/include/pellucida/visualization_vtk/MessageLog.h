@@ -8,7 +8,7 @@
 namespace pellucida {
 
 /// Where VTK's errors and warnings go: each distinct message is printed once on stderr, as one line, and the rest are
-/// counted, so that a fault that comes with every frame can't flood a terminal.
+/// counted, so that a fault repeated with every frame cannot flood a terminal.
 class MessageLog : public vtkOutputWindow {
  public:
   static MessageLog* New();
@@ -16,7 +16,8 @@ class MessageLog : public vtkOutputWindow {
   MessageLog(const MessageLog&) = delete;
   void operator=(const MessageLog&) = delete;
 
-  /// Makes a log of this kind VTK's output from now on, and returns it; the one already in place, if there is one.
+  /// Makes a log of this kind VTK's output from now on, and returns it; returns the one already in place, if there is
+  /// one.
   static MessageLog* install();
 
   /// Errors and warnings so far, repeated ones included.

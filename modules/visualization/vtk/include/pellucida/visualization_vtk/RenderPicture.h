@@ -17,16 +17,16 @@ struct PictureSize {
 
 /// One picture of a run, drawn off screen: a line of figures on top, the frame with what was found in it on the left,
 /// the membranes with the forces in 3-D on the right, the force-indentation and the force-time curve of `rows` below.
-/// Written as PNG, whole or not at all. Needs an X server, its own (VirtualDisplay) where there is none. Main thread
-/// only. Throws DeviceError when there is no way to draw, OutputError when the file can't be written, UsageError for a
-/// size below 400 x 300 or above 8000 x 8000.
+/// Written as PNG, whole or not at all. Needs an X server; starts its own (VirtualDisplay) if there is none. Main
+/// thread only. Throws DeviceError when drawing is impossible, OutputError when the file can't be written, UsageError
+/// for a size below 400 x 300 or above 8000 x 8000.
 void render_picture(const Scene& scene, std::span<const Measurement> rows, const std::filesystem::path& png,
                     const PictureSize& size = {});
 
 /// Throws UsageError for a size below 400 x 300 or above 8000 x 8000.
 void check_picture_size(const PictureSize& size);
 
-/// What a window shows now, as a PNG, whole or not at all. Throws OutputError.
+/// A window's present contents as a PNG, completely or not at all. Throws OutputError.
 void save_window(vtkRenderWindow* window, const std::filesystem::path& png);
 
 }  // namespace pellucida

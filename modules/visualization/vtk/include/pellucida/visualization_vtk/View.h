@@ -21,9 +21,8 @@ struct Viewport {
   double y1 = 1.0;
 };
 
-/// What every view is made of: a renderer for the scene (FXAA, unless the window is multisampled) and one above it for
-/// legends, scales and texts, laid out anew at each rendering so that any size of window works. Use on the thread that
-/// renders.
+/// The base of every view: a renderer for the scene (FXAA, unless the window is multisampled) and one above it for
+/// legends, scales and texts, laid out at each rendering so that any window size works. Use on the thread that renders.
 class View {
  public:
   View();
