@@ -63,20 +63,20 @@ void add_analyze_command(CLI::App& app) {
   command
       ->add_option("--quality", arguments->quality,
                    "live: as fast as the camera; high: the cell is found with level sets as well, for recordings where "
-                   "time doesn't count")
+                   "time does not matter")
       ->check(CLI::IsMember({"live", "high"}))
       ->capture_default_str();
   command->add_option("--known-force-uN", arguments->palpation.known_force_uN,
-                      "force measured otherwise in a small push before, uN: makes the forces this cell's own");
+                      "force measured independently in a small push beforehand, uN: scales all forces to this cell");
   command->add_option("--known-stiffness-uN-per-um", arguments->palpation.known_stiffness_uN_per_um,
-                      "instead of a force: the stiffness measured otherwise, uN/um");
+                      "instead of a force: the stiffness measured independently, uN/um");
   command->add_option("--at-indentation-um", arguments->palpation.indentation_um, "the depth of that push, um");
   command
       ->add_option("--known-force-sigma-percent", arguments->known_sigma_percent,
                    "standard deviation of the known force or stiffness, %")
       ->capture_default_str();
-  command->add_flag("--no-frames", arguments->no_frames, "leave the images out of the session");
-  command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps side by side, same numbers")
+  command->add_flag("--no-frames", arguments->no_frames, "omit the images from the session");
+  command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps in parallel, with the same numbers")
       ->capture_default_str();
   command->callback([arguments] { analyze(*arguments); });
 }

@@ -83,13 +83,13 @@ Rounds run_rounds(const BenchArguments& arguments) {
 Json bench_tracking(const BenchArguments& arguments) {
   const auto source = open_any_source(arguments.source, {});
   const TrackingFigures figures = measure_tracking(*source, arguments.seconds);
-  print_row("tracking, a frame", figures.frame_us);
+  print_row("tracking, per frame", figures.frame_us);
   Json parts = Json::object();
   for (const auto& [name, us] : figures.parts_us) {
     print_row(("  " + name).c_str(), us);
     parts[name] = to_json(us);
   }
-  print_row("detection, a frame", figures.detect_us);
+  print_row("detection, per frame", figures.detect_us);
   std::printf("%-28s %9.1f frames/s, one thread\n", "tracking", figures.frames_per_s);
   return {{"frame_us", to_json(figures.frame_us)},
           {"detect_us", to_json(figures.detect_us)},
@@ -98,8 +98,8 @@ Json bench_tracking(const BenchArguments& arguments) {
 }
 
 Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
-  print_row("reconstruction, a frame", rounds.step_us.at("reconstruction"));
-  print_row("mechanics, a frame", rounds.step_us.at("mechanics"));
+  print_row("reconstruction, per frame", rounds.step_us.at("reconstruction"));
+  print_row("mechanics, per frame", rounds.step_us.at("mechanics"));
   const Scene* modelled = nullptr;
   for (const Scene& scene : rounds.scenes) {
     if (scene.model) modelled = &scene;
@@ -107,13 +107,13 @@ Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
   const auto nodes = modelled ? const_cast<vtkPolyData*>(modelled->model.get())->GetNumberOfPoints() : 0;
   const CellProfile profile = load_profile(profile_name);
   const ExplicitTimes explicit_steps = measure_explicit_steps(profile, profile.mesh_frequency);
-  std::printf("%-28s %9.2f ns a spring a step, %d springs\n", "explicit time steps", explicit_steps.ns_per_spring_step,
-              explicit_steps.spring_count);
+  std::printf("%-28s %9.2f ns per spring and step, %d springs\n", "explicit time steps",
+              explicit_steps.ns_per_spring_step, explicit_steps.spring_count);
   // The same by the size of the mesh, beside plain code that takes one connector at a time.
   Json sweep = Json::array();
   for (const int frequency : {7, 14, 32, 50, 71}) {
     const ExplicitTimes times = measure_explicit_steps(profile, frequency, 0.1);
-    std::printf("  %7d nodes              %9.2f ns a spring a step, %.2f without AVX2, %.2f one at a time\n",
+    std::printf("  %7d nodes              %9.2f ns per spring and step, %.2f without AVX2, %.2f one at a time\n",
                 times.node_count, times.ns_per_spring_step, times.plain_ns_per_spring_step,
                 times.naive_ns_per_spring_step);
     sweep.push_back({{"nodes", times.node_count},
@@ -154,7 +154,7 @@ Json bench_haptics(const BenchArguments& arguments) {
               {"pipeline_frames_per_s", figures.pipeline_frames_per_s},
               {"display_frames_per_s", figures.display_frames_per_s}};
   if (!figures.cyclictest) {
-    std::printf("%-28s not installed (Debian's rt-tests): nothing to hold the lateness against\n", "cyclictest");
+    std::printf("%-28s not installed (Debian's rt-tests): nothing to compare the lateness with\n", "cyclictest");
     return report;
   }
   const LatencySummary& floor = figures.cyclictest->lateness_us;
@@ -218,7 +218,7 @@ Json bench_session(const Rounds& rounds, const SourceInfo& source) {
   const double frames_per_s = static_cast<double>(rounds.scenes.size()) / write_s;
   const double bytes_per_frame =
       static_cast<double>(writer.counts().byte_count) / static_cast<double>(rounds.scenes.size());
-  std::printf("%-28s %9.1f frames/s, %.0f kB a frame; open %.1f ms, seek %.1f ms median\n", "session writing",
+  std::printf("%-28s %9.1f frames/s, %.0f kB per frame; open %.1f ms, seek %.1f ms median\n", "session writing",
               frames_per_s, 1e-3 * bytes_per_frame, open_ms, seek_ms.quantile(0.5));
   return {{"frames_per_s", frames_per_s},
           {"bytes_per_frame", bytes_per_frame},

@@ -56,7 +56,7 @@ void add_check_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("check", "verify a session; recover it after a crash");
   command->add_option("SESSION", arguments->session, "folder of the session")->required();
   command->add_flag("--repair", arguments->repair,
-                    "mend it: torn rows and unreadable files go to damaged/, lists and counts are made anew");
+                    "repair it: torn rows and unreadable files go to damaged/, lists and counts are rebuilt");
   command->callback([arguments] { check(*arguments); });
 }
 

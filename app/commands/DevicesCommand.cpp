@@ -82,9 +82,9 @@ void print_identity(const EppendorfIdentity& identity) {
   print_position("um", identity.micrometres);
   print_position("microsteps", identity.microsteps);
   if (identity.microsteps_per_um > 0.0) {
-    std::cout << identity.microsteps_per_um << " microsteps for a um\n";
+    std::cout << identity.microsteps_per_um << " microsteps per um\n";
   } else {
-    std::cout << "microsteps for a um: drive it 100 um or more away from zero, and ask again\n";
+    std::cout << "microsteps per um: drive it 100 um or more away from zero, and ask again\n";
   }
 }
 
@@ -95,7 +95,7 @@ void add_devices_command(CLI::App& app) {
   auto port = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand(
       "devices",
-      "cameras, devices for the hand, serial ports, manipulators: what is there, what is not and exactly why");
+      "cameras, input devices, serial ports, manipulators: which are usable, and exactly why others are not");
   command->add_flag("--json", *json, "the same as JSON: kind, name, usable, detail");
   command->add_option("--ask", *port,
                       "ask the Eppendorf manipulator at this serial port for version and position; moves nothing");

@@ -63,13 +63,13 @@ void add_export_command(CLI::App& app) {
   auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = app.add_subcommand("export", "write a session as flat CSV files and a picture, for other tools");
   command->add_option("SESSION", arguments->session, "folder of the session")->required();
-  command->add_option("--output", arguments->output, "folder for the files; made when it isn't there")->required();
+  command->add_option("--output", arguments->output, "folder for the files; created if missing")->required();
   command
       ->add_option("--frames", arguments->frames,
                    "frames whose surface nodes go to nodes.csv: first, last, peak (largest force) or frame numbers, "
                    "comma separated")
       ->capture_default_str();
-  command->add_flag("--no-picture", arguments->no_picture, "leave out session.png, which needs an X server or Xvfb");
+  command->add_flag("--no-picture", arguments->no_picture, "omit session.png, which needs an X server or Xvfb");
   command->callback([arguments] { export_files(*arguments); });
 }
 

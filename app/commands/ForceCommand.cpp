@@ -130,22 +130,22 @@ void add_force_command(CLI::App& app) {
                    "configuration")
       ->excludes("--configuration");
   command
-      ->add_option(
-          "--tip-radius-um", arguments->tip_radius_um,
-          "another tip, um; the profile's constants stay, which costs accuracy (see the identification's README)")
+      ->add_option("--tip-radius-um", arguments->tip_radius_um,
+                   "another tip, um; the profile's constants stay, which costs accuracy (docs/method.md, 3.6)")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--max-indentation-um", arguments->max_indentation_um,
                    "deepest point, um (default: the profile's puncture)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--step-um", arguments->step_um, "distance of the rows, um")
+  command->add_option("--step-um", arguments->step_um, "step between rows, um")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  CLI::Option* speed = command
-                           ->add_option("--speed-um-per-s", arguments->speed_um_per_s,
-                                        "push at this speed, for a profile with relaxation: forces fall meanwhile, and "
-                                        "a column time_s is added")
-                           ->check(CLI::PositiveNumber);
+  CLI::Option* speed =
+      command
+          ->add_option("--speed-um-per-s", arguments->speed_um_per_s,
+                       "push at this speed, for a profile with relaxation: forces decay meanwhile, and "
+                       "a column time_s is added")
+          ->check(CLI::PositiveNumber);
   command->add_option("--hold-s", arguments->hold_s, "then hold the needle there, s")
       ->check(CLI::PositiveNumber)
       ->needs(speed);

@@ -121,14 +121,14 @@ void name_sources(const IdentifyArguments& arguments, CellProfile& cell) {
                "the tool's reach on the cell and about a bending length, sqrt(R h), beyond");
     set_source(cell, "msd.node_mass_kg", "the cell at the density of water in equal parts on the nodes; not fitted");
     set_source(cell, "msd.damping_uN_s_per_um", "the quickest connector is damped critically; not fitted");
-    set_source(cell, "mesh", "as many nodes as a frame's time allows; evenly spread, or finer at a sharp needle");
+    set_source(cell, "mesh", "as many nodes as the time of a frame allows; evenly spread, or finer at a sharp needle");
   }
   const bool curve = !arguments.measured_curve.empty();
   set_source(cell, "effective_young_modulus_kPa",
              curve ? "least squares of the model, configuration 1, to the measured curve " +
                          fs::path(arguments.measured_curve).filename().string()
                    : std::string("the model, configuration 1, passes the puncture point; Table I's modulus does not "
-                                 "(see the mechanics module's README)"));
+                                 "(docs/method.md, 3.7)"));
   set_source(
       cell, "force_scale_relative_sigma",
       curve ? "standard error of that least squares"
@@ -206,7 +206,7 @@ void set_relaxation(const IdentifyArguments& arguments, const std::optional<Fitt
   apply_relaxation(arms, ramp_s, cell);
   set_source(cell, "relaxation_elastic_ratio",
              "the model's curve through the arms in relaxation_anchor_ramp_s: a sudden push over one of that time");
-  std::printf("a sudden push takes %.3f times the force of one of %.3g s%s, in which the scale is anchored\n",
+  std::printf("a sudden push takes %.3f times the force of one of %.3g s%s, for which the scale is anchored\n",
               cell.relaxation_elastic_ratio, ramp_s, arguments.anchor_ramp_s ? "" : " (assumed)");
 }
 
@@ -311,7 +311,8 @@ void add_identify_command(CLI::App& app) {
   auto a = std::make_shared<IdentifyArguments>();
   CLI::App* command = app.add_subcommand(
       "identify", "a cell's profile: the model's constants from finite elements, its force scale from a measurement");
-  command->add_option("--output", a->output, "profile to write, JSON; a picture goes beside it, as PNG")->required();
+  command->add_option("--output", a->output, "profile to write, JSON; a picture is written beside it, as PNG")
+      ->required();
   command->add_option("--from", a->base,
                       "profile, by name or file, whose numbers are taken where none is given "
                       "(default: Table I's mouse oocyte)");

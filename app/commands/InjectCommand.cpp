@@ -46,10 +46,11 @@ void add_inject_command(CLI::App& app) {
   command->add_option("--seed", arguments->operated.seed, "of the operator")->capture_default_str();
   command
       ->add_option("--vision-delay-s", arguments->operated.vision_delay_s,
-                   "from a frame's exposure to its force at the hand, s")
+                   "delay from a frame's exposure to its force at the hand, s")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  command->add_option("--max-duration-s", arguments->operated.max_duration_s, "the operator gives up then, s")
+  command
+      ->add_option("--max-duration-s", arguments->operated.max_duration_s, "time after which the operator gives up, s")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();

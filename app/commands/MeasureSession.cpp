@@ -116,7 +116,7 @@ std::string summary(const BatchResult& result, const std::filesystem::path& fold
   text += "cell     " + cell_line(result) + '\n';
   if (!result.puncture_risk.empty()) text += "scale    " + scale_line(result) + '\n';
   const auto median_ms = [&](const char* step) { return 1e-3 * result.step_us.at(step).quantile(0.5); };
-  text += format("speed    tracking %.1f, surface %.1f, mechanics %.1f ms a frame (median); %.0f frames/s in all\n",
+  text += format("speed    tracking %.1f, surface %.1f, mechanics %.1f ms per frame (median); %.0f frames/s overall\n",
                  median_ms("tracking"), median_ms("reconstruction"), median_ms("mechanics"),
                  static_cast<double>(result.rows.size()) / result.elapsed_s);
   text += "session  " + folder.string() + '\n';

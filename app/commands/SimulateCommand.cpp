@@ -72,7 +72,7 @@ void add_simulate_command(CLI::App& app) {
                    ".avi or .mkv (lossless), .mp4 (lossy), .tif (pages), or no extension: a folder of PNG")
       ->required();
   command->add_option("--truth", arguments->truth,
-                      "CSV of the truth, a row a frame; contours go beside it (um, uN, Pa)");
+                      "CSV of the truth, one row per frame; contours in a second file beside it (um, uN, Pa)");
   command->add_option("--duration-s", arguments->duration_s, "seconds, 0..3600 (default: until the needle has moved)");
   command->add_option("--fps", arguments->frame_rate_hz, "frames a second, 1..1000 (default: the scenario's)");
   command->add_option("--seed", arguments->seed, "of noise, grain and debris (default: the scenario's)");

@@ -47,12 +47,13 @@ void write_file(const fs::path& file, const std::function<void(std::ostream&)>& 
 
 void run_trials(const TrialArguments& arguments) {
   if (!arguments.simulated) {
-    throw UsageError("trial: who moves the needle? A simulated operator is what this version has: give --simulated");
+    throw UsageError("trial: this version has simulated operators only; add --simulated");
   }
   const fs::path folder(arguments.output);
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw OutputError(folder.string() + ": can't be made, " + error.message() + "; choose another --output");
+  if (error)
+    throw OutputError(folder.string() + ": can't be created, " + error.message() + "; choose another --output");
 
   SeriesOptions options;
   options.modalities = modalities_of(arguments.modality);
@@ -84,10 +85,10 @@ void add_trial_command(CLI::App& app) {
   auto a = std::make_shared<TrialArguments>();
   CLI::App* command = app.add_subcommand(
       "trial", "injections by a SIMULATED operator: 2-D image, 3-D view, 3-D and haptics, 3-D, haptics and a guide");
-  command->add_flag("--simulated", a->simulated, "the operator is a model of a person (needed: there is no other)");
+  command->add_flag("--simulated", a->simulated, "the operator is a model of a person (required: there is no other)");
   command->add_option("--trials", a->trials, "of each modality")->check(CLI::Range(1, 100000))->capture_default_str();
-  command->add_option("--seed", a->seed, "of the first trial; the next ones count on")->capture_default_str();
-  command->add_option("--modality", a->modality, "what the operator is given: all, 2d, 3d, haptics or guide")
+  command->add_option("--seed", a->seed, "of the first trial; incremented for the next ones")->capture_default_str();
+  command->add_option("--modality", a->modality, "what the operator sees and feels: all, 2d, 3d, haptics or guide")
       ->check(CLI::IsMember({"all", "2d", "3d", "haptics", "guide"}))
       ->capture_default_str();
   command->add_option("--scenario", a->scenario, "the cell, by name or file; one that can be punctured")
@@ -97,7 +98,7 @@ void add_trial_command(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--no-slowing", a->no_slowing,
                     "a felt force moves the operator's arm, but does not make the operator slow down");
-  command->add_option("--jobs", a->jobs, "threads (default: one a core)")->check(CLI::Range(1, 256));
+  command->add_option("--jobs", a->jobs, "threads (default: one per core)")->check(CLI::Range(1, 256));
   command->add_flag("--no-picture", a->no_picture, "draw no chart");
   command->add_option("--output", a->output, "folder for trials.csv, summary.csv, trials.png")->required();
   command->callback([a] { run_trials(*a); });

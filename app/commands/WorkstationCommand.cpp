@@ -59,8 +59,7 @@ void run_headless(const WorkstationArguments& arguments) {
   }
   const auto source = open_any_source(arguments.source, arguments.source_options);
   if (source->info().live) {
-    throw UsageError(arguments.source +
-                     ": a live camera runs without end and needs the window; set DISPLAY, or name a " +
+    throw UsageError(arguments.source + ": a live camera never ends and needs the window; set DISPLAY, or name a " +
                      "recording or a virtual microscope");
   }
   const BatchResult result = measure_session(*source, arguments.pipeline, 2, session, {}, command_line());
@@ -136,11 +135,11 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
   command
       ->add_option("--hand", arguments->hand,
-                   "who holds the needle of a virtual source: demonstration (its default), mouse, or none (the "
+                   "what moves the needle of a virtual source: demonstration (its default), mouse, or none (the "
                    "scenario's own motion)")
       ->check(CLI::IsMember({"demonstration", "mouse", "none"}));
   command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");
-  command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then leave");
+  command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then close");
   command->add_option("--after", arguments->after_s, "seconds before the screenshot")->capture_default_str();
   command->add_option("--width-px", arguments->width_px, "width of the window at the start, px")
       ->check(CLI::Range(800, 8000))

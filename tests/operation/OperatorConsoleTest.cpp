@@ -52,14 +52,14 @@ TEST_F(OperatorConsoleTest, TheDemonstrationPlansTouchesBreaksDepositsAndBeginsA
     touched = touched || run_.scenes()->peek()->contact.state == CellState::kContact;
     punctured = punctured || status.tick.contact_state == ContactState::kPunctured;
     deposited = deposited || (status.tick.buttons & kInject) != 0;
-    return console_.doing().starts_with("Needle out");
+    return console_.doing().starts_with("Taking the needle out for");
   })) << console_.doing();
   EXPECT_TRUE(touched);
   EXPECT_TRUE(punctured);
   EXPECT_TRUE(deposited);
   // The next cell gets a plan of its own.
   ASSERT_TRUE(tick_until([&] { return !console_.plan(); }));
-  EXPECT_TRUE(tick_until([&] { return console_.plan() && console_.doing() == "Approaches"; }));
+  EXPECT_TRUE(tick_until([&] { return console_.plan() && console_.doing() == "Approaching"; }));
   EXPECT_FALSE(console_.status().fault);
 }
 

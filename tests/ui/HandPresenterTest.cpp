@@ -21,12 +21,12 @@ HandStatus working() {
 }
 
 TEST(HandPresenter, TellsStateForceAndItsAge) {
-  const HandTexts texts = hand_texts(working(), "Inserts");
+  const HandTexts texts = hand_texts(working(), "Inserting");
   EXPECT_EQ(texts.state.text, "Engaged");
   EXPECT_EQ(texts.force.text, "0.50 N of 3.3 N");
   EXPECT_NEAR(texts.force_share, 0.5 / 3.3, 1e-9);
   EXPECT_EQ(texts.contact.text, "Contact, 42 ms old");
-  EXPECT_EQ(texts.note.text, "Inserts");
+  EXPECT_EQ(texts.note.text, "Inserting");
   EXPECT_FALSE(texts.stopped);
   EXPECT_NE(texts.loop.text.find("Touch"), std::string::npos);
   EXPECT_NE(texts.loop.text.find("5000 ticks"), std::string::npos);
@@ -69,7 +69,7 @@ TEST(HandPresenter, WhatIsLostSaysWhatToDo) {
   HandStatus status = working();
   status.tick.hand_state = HandState::kHeld;
   status.tick.limits = limit_bit(LimitKind::kHandLost);
-  HandTexts texts = hand_texts(status, "Inserts");
+  HandTexts texts = hand_texts(status, "Inserting");
   EXPECT_EQ(texts.state.text, "Held");
   EXPECT_EQ(texts.note.text, "Device lost, pipette held: plug it in or choose another hand");
   EXPECT_EQ(texts.note.color.css(), palette::kRecord.css());
@@ -95,9 +95,8 @@ TEST(HandPresenter, LimitsAreNamedTheGravestFirst) {
   HandStatus status = working();
   status.tick.limits = limit_bit(LimitKind::kSpeed) | limit_bit(LimitKind::kForce);
   status.tick.fixtures = kStopBit;
-  const HandTexts texts = hand_texts(status, "Inserts");
-  EXPECT_EQ(texts.note.text,
-            "Limit: depth stop, force on the cell at its limit, speed limit of the pipette");
+  const HandTexts texts = hand_texts(status, "Inserting");
+  EXPECT_EQ(texts.note.text, "Limit: depth stop, force on the cell at its limit, speed limit of the pipette");
   EXPECT_EQ(texts.note.color.css(), palette::kWarning.css());
 }
 
@@ -118,7 +117,7 @@ TEST(HandPresenter, EveryLimitThatHoldsThePersonUpHasWords) {
 TEST(HandPresenter, AGuideThatActsIsNotALimit) {
   HandStatus status = working();
   status.tick.fixtures = kGuideBit;
-  EXPECT_EQ(hand_texts(status, "Inserts").note.text, "Inserts, guided");
+  EXPECT_EQ(hand_texts(status, "Inserting").note.text, "Inserting, guided");
   EXPECT_EQ(hand_texts(status).note.text, "Guided");
   EXPECT_EQ(hand_texts(status).note.color.css(), palette::kPlan.css());
 }

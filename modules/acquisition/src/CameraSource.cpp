@@ -67,7 +67,7 @@ class CameraSource final : public FrameSource {
     }
     // The first picture tells the true size; it is not kept.
     if (!capture_.read(pixels_))
-      throw DeviceError(name + ": the camera gives no picture; check its cable and other users");
+      throw DeviceError(name + ": the camera delivers no image; check its cable and other users");
     info_.width_px = pixels_.cols;
     info_.height_px = pixels_.rows;
 
@@ -86,7 +86,7 @@ class CameraSource final : public FrameSource {
     const bool read = capture_.read(pixels_);
     const double arrival_s = clock_.now_s();
     if (!read || pixels_.cols != info_.width_px || pixels_.rows != info_.height_px) {
-      throw DeviceError(info_.name + ": the camera gives no more pictures since frame " + std::to_string(last_index_) +
+      throw DeviceError(info_.name + ": the camera delivers no images since frame " + std::to_string(last_index_) +
                         "; check its cable");
     }
     if (last_index_ < 0) first_arrival_s_ = arrival_s;

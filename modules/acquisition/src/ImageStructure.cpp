@@ -90,12 +90,12 @@ ImageStructure check_png(std::string_view bytes, const Judge& judge) {
     const std::string_view payload = bytes.substr(at + 8, length);
     if (crc(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length, 4))
       judge.damaged("a checksum is wrong");
-    if (first != (name == "IHDR") || (first && !is_png_head(payload))) judge.damaged("its head makes no sense");
+    if (first != (name == "IHDR") || (first && !is_png_head(payload))) judge.damaged("its header is invalid");
     if (first) colour = payload[9];
     if (name == "IEND") break;
     if (name == "PLTE") {
       if (has_palette || has_pixels || length == 0 || length > 768 || length % 3 != 0)
-        judge.damaged("its palette makes no sense");
+        judge.damaged("its palette is invalid");
       has_palette = true;
     } else if (name == "IDAT") {
       if (colour == 3 && !has_palette) judge.damaged("its palette is missing");
@@ -121,14 +121,14 @@ ImageStructure check_jpeg(std::string_view bytes, const Judge& judge) {
   while (true) {
     while (at + 1 < bytes.size() && bytes[at] == '\xFF' && bytes[at + 1] == '\xFF') ++at;
     if (bytes.size() < at + 4) judge.cut_off();
-    if (bytes[at] != '\xFF') judge.damaged("its head makes no sense");
+    if (bytes[at] != '\xFF') judge.damaged("its header is invalid");
     const auto marker = static_cast<unsigned char>(bytes[at + 1]);
     const std::size_t length = big_endian(bytes, at + 2, 2);
-    if (length < 2) judge.damaged("its head makes no sense");
+    if (length < 2) judge.damaged("its header is invalid");
     if (length > bytes.size() - at - 2) judge.cut_off();
     // Start of frame, but for the tables that share its range: depth, height, width.
     if (marker >= 0xC0U && marker <= 0xCFU && marker != 0xC4U && marker != 0xC8U && marker != 0xCCU) {
-      if (length < 8 || bytes[at + 4] != 8) judge.damaged("its head makes no sense, or it is not of 8 bit");
+      if (length < 8 || bytes[at + 4] != 8) judge.damaged("its header is invalid, or it is not of 8 bit");
       structure.height_px = static_cast<int>(big_endian(bytes, at + 5, 2));
       structure.width_px = static_cast<int>(big_endian(bytes, at + 7, 2));
     }
@@ -148,7 +148,7 @@ void check_bmp(std::string_view bytes, const Judge& judge) {
   const auto height = static_cast<std::uint64_t>(std::llabs(static_cast<std::int32_t>(little_endian(bytes, 22, 4))));
   const std::uint64_t depth = little_endian(bytes, 28, 2);
   if (width == 0 || width > 100000 || height == 0 || height > 100000 || width * height > kMostPixels)
-    judge.damaged("its head makes no sense");
+    judge.damaged("its header is invalid");
   if (little_endian(bytes, 30, 4) != 0) return;
   if (bytes.size() < start + (width * depth + 31) / 32 * 4 * height) judge.cut_off();
 }

@@ -48,7 +48,7 @@ TiffPages::TiffPages(const std::filesystem::path& file) : file_(file) {
   const auto format = tag<std::uint16_t>(page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   if (info_.width_px <= 0 || info_.height_px <= 0) throw InputError(file.string() + ": broken TIFF (it has no size)");
   if (static_cast<std::int64_t>(info_.width_px) * info_.height_px > std::int64_t{1} << 30) {
-    throw InputError(file.string() + ": broken TIFF (its size makes no sense)");
+    throw InputError(file.string() + ": broken TIFF (its size is invalid)");
   }
   if (bits > 16 || (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID)) {
     const char* kind = format == SAMPLEFORMAT_IEEEFP ? " bit float"

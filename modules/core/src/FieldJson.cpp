@@ -97,7 +97,7 @@ Json parse_json_object(std::string_view text, const std::string& what) {
   try {
     json = Json::parse(text, nullptr, true, true);
   } catch (const Json::parse_error& error) {
-    throw InputError(what + " is no JSON: byte " + std::to_string(error.byte) + "; mend it or use a shipped one");
+    throw InputError(what + " is no JSON: byte " + std::to_string(error.byte) + "; correct it or use a shipped one");
   }
   if (!json.is_object()) throw InputError(what + " is no JSON object; write {...}");
   return json;

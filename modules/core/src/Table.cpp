@@ -74,7 +74,7 @@ Table Table::read(const std::filesystem::path& file) {
     const std::string where = table.file_ + ":" + std::to_string(number);
     if (cells.size() != table.names_.size()) {
       throw InputError(where + ": " + std::to_string(cells.size()) + " cells where the header has " +
-                       std::to_string(table.names_.size()) + "; mend or remove the line");
+                       std::to_string(table.names_.size()) + "; correct or remove the line");
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       double value = std::numeric_limits<double>::quiet_NaN();

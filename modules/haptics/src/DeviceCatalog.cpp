@@ -100,7 +100,7 @@ std::vector<DeviceSpecification> read_device_catalog(const std::filesystem::path
   try {
     root = Json::parse(stream);
   } catch (const Json::parse_error& error) {
-    throw InputError(file.string() + ": no JSON at byte " + std::to_string(error.byte) + "; mend the file");
+    throw InputError(file.string() + ": no JSON at byte " + std::to_string(error.byte) + "; correct the file");
   }
   if (!root.is_object() || root.value("schema", Json()) != "pellucida-haptic-devices") {
     throw InputError(file.string() + ": \"schema\" must be \"pellucida-haptic-devices\"");
@@ -116,7 +116,7 @@ std::vector<DeviceSpecification> read_device_catalog(const std::filesystem::path
   for (const Json& device : root["devices"]) {
     devices.push_back(read_device(device, file.string() + ": devices[" + std::to_string(devices.size()) + "]"));
     if (!names.insert(lower_case(devices.back().name)).second) {
-      throw InputError(file.string() + ": the device \"" + devices.back().name + "\" is there twice; remove one");
+      throw InputError(file.string() + ": the device \"" + devices.back().name + "\" is listed twice; remove one");
     }
   }
   return devices;

@@ -95,7 +95,7 @@ std::string to_string(const ScalingRefusal& refusal) {
   };
   switch (refusal.fault) {
     case ScalingFault::kNoForce:
-      return "the device gives no force: there is nothing to scale; choose a device with force";
+      return "the device has no force output: nothing to scale; choose a device with force";
     case ScalingFault::kOutOfRange:
       return "a scale, the period or a figure of the cell isn't a finite number above 0; correct it";
     case ScalingFault::kForce:

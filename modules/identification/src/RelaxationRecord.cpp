@@ -61,7 +61,7 @@ RelaxationRecord read_relaxation_record(const std::filesystem::path& file) {
     const std::string where = file.string() + ":" + std::to_string(row);
     if (cells.size() != names.size()) {
       throw InputError(where + ": " + std::to_string(cells.size()) + " cells where the header has " +
-                       std::to_string(names.size()) + "; mend or remove the line");
+                       std::to_string(names.size()) + "; correct or remove the line");
     }
     const std::string& style = cells[at[0]];
     if (style == "retract") break;

@@ -110,7 +110,7 @@ CellProfile read_profile(const std::filesystem::path& file) {
     root = Json::parse(stream);
   } catch (const Json::parse_error& error) {
     throw InputError(file.string() + ": no JSON at byte " + std::to_string(error.byte) +
-                     "; mend the file or take a shipped profile");
+                     "; correct the file or use a shipped profile");
   }
   const Reader in(file.string(), root);
   if (in.text("schema") != "pellucida-cell-profile") in.fail("schema", "must be \"pellucida-cell-profile\"");

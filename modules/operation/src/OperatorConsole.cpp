@@ -211,15 +211,15 @@ double OperatorConsole::depth_stop_um() const noexcept {
 }
 
 std::optional<std::string> OperatorConsole::set_target(double x_um, double y_um) {
-  if (!plan_) return "no cell is seen yet; the target can be set once there is a plan";
+  if (!plan_) return "no cell has been seen yet; the target can be set once there is a plan";
   const PlainVector3 target_um{x_um, y_um, plan_->cell.center_um.z};
   const auto trial = plan_injection(plan_->cell, target_um, plan_->options);
   if (!trial) return to_string(trial.error());
   target_offset_um_ = Eigen::Vector3d(target_um.eigen() - plan_->cell.center_um.eigen());
   const auto scene = run_.scenes()->peek();
-  if (!scene || scene->contact.state != CellState::kFree) return "the target counts from the next cell on";
+  if (!scene || scene->contact.state != CellState::kFree) return "the target applies from the next cell on";
   if (is_demonstration() && device_ && device_->phase() > OperatorPhase::kApproach) {
-    return "the target counts from the next cell on";
+    return "the target applies from the next cell on";
   }
   make_plan(scene->contact);
   return std::nullopt;
@@ -374,20 +374,20 @@ HandStatus OperatorConsole::status() {
 }
 
 std::string OperatorConsole::doing() const {
-  if (renewing_) return "Needle out, for a new cell";
+  if (renewing_) return "Taking the needle out for a new cell";
   if (!plan_) return "Waiting for an untouched cell";
   if (!device_ || !device_->person()) return {};
   switch (device_->phase()) {
     case OperatorPhase::kLook:
-      return "Looks";
+      return "Looking";
     case OperatorPhase::kApproach:
-      return "Approaches";
+      return "Approaching";
     case OperatorPhase::kInsert:
-      return "Inserts";
+      return "Inserting";
     case OperatorPhase::kDeposit:
-      return "Deposits";
+      return "Depositing";
     case OperatorPhase::kRemove:
-      return "Takes the needle out";
+      return "Taking the needle out";
     case OperatorPhase::kDone:
       return "Done; a new cell follows";
   }

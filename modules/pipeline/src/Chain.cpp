@@ -30,9 +30,10 @@ Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
 Scene unmeasured(Scene scene) {
   scene.measurement.state = CellState::kLost;
   scene.measurement.confidence = 0.0;
-  scene.events.push_back({scene.measurement.time_s, "dropped",
-                          "frame " + std::to_string(scene.measurement.frame) +
-                              " was recorded but not measured: a newer frame came first; a replay measures it"});
+  scene.events.push_back(
+      {scene.measurement.time_s, "dropped",
+       "frame " + std::to_string(scene.measurement.frame) +
+           " was recorded but not measured: a newer frame arrived first; an analysis of the recording measures it"});
   return scene;
 }
 

@@ -54,7 +54,7 @@ std::string to_string(PlanFault fault) {
     case PlanFault::kNotFinite:
       return "a number of the plan isn't finite or out of range; correct the cell's geometry or the plan's options";
     case PlanFault::kNoDirection:
-      return "the needle's direction isn't known; bring the needle into the image first";
+      return "the needle's direction is unknown; bring the needle into the image first";
     case PlanFault::kTargetOutside:
       return "the target lies outside the cell; choose one within the inner membrane";
     case PlanFault::kOvershootTooFar:

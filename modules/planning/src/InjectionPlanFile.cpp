@@ -90,7 +90,7 @@ InjectionPlan plan_from_json(std::string_view json, const std::string& what) {
   try {
     root = Json::parse(json);
   } catch (const Json::parse_error& error) {
-    throw InputError(what + ": no JSON at byte " + std::to_string(error.byte) + "; mend it or plan anew");
+    throw InputError(what + ": no JSON at byte " + std::to_string(error.byte) + "; correct it or make a new plan");
   }
   const Reader in(root, what);
   if (in.at("schema") != "pellucida-injection-plan") in.fail("schema", "must be \"pellucida-injection-plan\"");

@@ -79,7 +79,7 @@ std::string serialise_with(Data* data, Packing packing) {
 // The end tag comes last: without it the file was cut off, whatever the parser makes of the rest.
 bool has_end_tag(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) throw InputError(file.string() + ": can't be read; check that it is there and its permission");
+  if (!stream) throw InputError(file.string() + ": can't be read; check that it exists, and its permission");
   const std::streamoff size = stream.tellg();
   std::string tail(static_cast<std::size_t>(std::min<std::streamoff>(size, 32)), '\0');
   stream.seekg(size - static_cast<std::streamoff>(tail.size()));

@@ -43,7 +43,7 @@ void mend_table(const fs::path& folder, const char* name, std::string_view heade
   std::string text = std::string(header) + '\n';
   for (const std::string& line : table.lines) text += line + '\n';
   replace_file(folder / name, text);
-  report.repairs.push_back(std::string(name) + ": written anew with " + plural(table.rows.size(), "row", "rows") +
+  report.repairs.push_back(std::string(name) + ": rewritten with " + plural(table.rows.size(), "row", "rows") +
                            (table.bad.empty() ? "" : "; the others are in damaged/lines.txt"));
 }
 
@@ -79,7 +79,7 @@ void repair_session(const fs::path& folder, const SessionFindings& findings, Ses
   const std::vector<SessionStep> steps = make_steps(findings.measurements.rows, files);
   const bool frames = !files.frames[static_cast<std::size_t>(SessionPart::kFrame)].empty();
   replace_file(folder / session_name::kPvd, make_pvd(steps, frames));
-  report.repairs.push_back("session.pvd made anew for " + plural(steps.size(), "step", "steps"));
+  report.repairs.push_back("session.pvd rebuilt for " + plural(steps.size(), "step", "steps"));
 
   SessionHead head = findings.head;
   if (!findings.head_readable) {
@@ -92,9 +92,8 @@ void repair_session(const fs::path& folder, const SessionFindings& findings, Ses
   head.counts = report.counts;
   head.recovered = true;
   replace_file(folder / session_name::kJson, to_json(head));
-  report.repairs.push_back(findings.head_readable
-                               ? "session.json: counts set to what is there"
-                               : "session.json: made anew; source, profile and command line are lost");
+  report.repairs.push_back(findings.head_readable ? "session.json: counts corrected"
+                                                  : "session.json: rebuilt; source, profile and command line are lost");
   report.repaired = true;
 }
 

@@ -96,7 +96,7 @@ Scenario parse_scenario(std::string_view json_text, std::string_view name) {
     json = Json::parse(json_text, nullptr, true, true);
   } catch (const Json::parse_error& error) {
     throw InputError("scenario '" + std::string(name) + "' is no JSON: byte " + std::to_string(error.byte) +
-                     "; mend the file or use a shipped scenario");
+                     "; correct the file or use a shipped scenario");
   }
   if (!json.is_object()) throw InputError("scenario '" + std::string(name) + "' is no JSON object; write {...}");
 

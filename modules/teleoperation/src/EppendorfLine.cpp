@@ -72,7 +72,7 @@ EppendorfAnswer EppendorfLine::ask(EppendorfCode code, const std::string& comman
   }
   throw DeviceError(where() + "no answer to " + command.substr(0, 4) + " within " + std::to_string(timeout_s) +
                     " s, asked twice" +
-                    (last_stray_.empty() ? "" : "; the last line that came was \"" + last_stray_ + "\"") +
+                    (last_stray_.empty() ? "" : "; the last line received was \"" + last_stray_ + "\"") +
                     "; check that it is switched on and set to 19200 baud");
 }
 
@@ -82,7 +82,7 @@ EppendorfPosition EppendorfLine::ask_position(EppendorfCode code, double timeout
     if (const auto position = eppendorf_position(answer)) return *position;
     pass_over(answer.text);
   }
-  throw DeviceError(where() + "its position came as \"" + last_stray_ +
+  throw DeviceError(where() + "its position arrived as \"" + last_stray_ +
                     "\", not as three coordinates and the limit switches");
 }
 

@@ -22,7 +22,7 @@ EppendorfManipulator::EppendorfManipulator(const EppendorfOptions& options) : op
     throw UsageError("Eppendorf manipulator: speed, travel and times must be above 0, not " + std::to_string(value));
   }
   if (!(options.microsteps_per_um >= 0.0) || !std::isfinite(options.microsteps_per_um)) {
-    throw UsageError("Eppendorf manipulator: microsteps for a um must be 0 (use um) or above, not " +
+    throw UsageError("Eppendorf manipulator: microsteps per um must be 0 (use um) or above, not " +
                      std::to_string(options.microsteps_per_um));
   }
   for (int column = 0; column < 3; ++column) world_from_device_.col(column) = options.axes[column].eigen();

@@ -22,7 +22,7 @@ struct SdlInUse {
     SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0) {
-      throw DeviceError(std::string("gamepad: SDL can't look for gamepads (") + SDL_GetError() + ")");
+      throw DeviceError(std::string("gamepad: SDL can't search for gamepads (") + SDL_GetError() + ")");
     }
   }
   ~SdlInUse() { SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER); }
