@@ -24,7 +24,7 @@ struct SimulateArguments {
 void simulate(const SimulateArguments& arguments) {
   Scenario scenario = load_scenario(arguments.scenario);
   if (arguments.duration_s) {
-    // 0 stands for "the motion's length" in a scenario; here it can only be a mistake.
+    // 0 means "the motion's length" in a scenario; here it can only be a mistake.
     if (!(*arguments.duration_s > 0)) throw UsageError("--duration-s must be above 0, up to 3600");
     scenario.image.duration_s = *arguments.duration_s;
   }

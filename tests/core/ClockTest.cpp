@@ -25,7 +25,7 @@ TEST(Clock, RecordedClockFollowsTheNewestStamp) {
   clock.follow(1.0);
   EXPECT_DOUBLE_EQ(clock.now_s(), 2.0);
 
-  // Many followers: the latest stamp wins, whoever brings it.
+  // Many followers: the latest stamp wins, whatever its origin.
   std::vector<std::jthread> threads;
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&clock, t] {

@@ -78,7 +78,7 @@ TEST(Stage, AnExceptionEndsTheStageAndIsKept) {
   input.push(-1);
   stage.join();
   EXPECT_THROW(stage.rethrow(), std::domain_error);
-  EXPECT_FALSE(input.push(2));  // nobody would take it
+  EXPECT_FALSE(input.push(2));  // it would never be taken
 }
 
 TEST(Stage, StopLeavesTheRestInTheInput) {

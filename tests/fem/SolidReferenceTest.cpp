@@ -1,4 +1,4 @@
-// The solid of revolution: its terms' derivatives, balances, and the curves it stands beside.
+// The solid of revolution: its terms' derivatives, balances, and the curves it is compared with.
 #include "pellucida/fem/SolidReference.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Faults in the middle of a push: what the hand feels and what the pipette is told stay continuous, with a bounded
+// Faults in the middle of a push: what the hand feels and what the pipette is commanded stay continuous, with a bounded
 // slope, and are where they belong within the stated time.
 #include <gtest/gtest.h>
 
@@ -188,7 +188,7 @@ TEST_F(Fault, TheMembraneGivesWay) {
   run_.cell.punctured = true;
   const auto records = run_.run(0.3);
   expect_smooth(records);
-  // From the frame that tells it.
+  // From the frame that reports it.
   const auto told_at = std::find_if(records.begin(), records.end(), [](const HapticRecord& record) {
     return record.contact_state == ContactState::kPunctured;
   });

@@ -9,7 +9,7 @@
 
 namespace pellucida::test {
 
-/// Hand to tip by a fixed scale; the clutch stands still.
+/// Hand to tip by a fixed scale; with the clutch held it does not move.
 class DirectMap final : public MotionMap {
  public:
   explicit DirectMap(double scale_um_per_m) : scale_(scale_um_per_m) {}
@@ -37,7 +37,7 @@ struct CubicCell {
   double stiffness_at(double depth) const;
 };
 
-/// What a camera that looks at the cell tells: frames of 30 a second that arrive late, and its faults.
+/// What a camera that looks at the cell reports: frames of 30 a second that arrive late, and its faults.
 struct CameraOptions {
   double frames_per_s = 30.0;
   double latency_s = 0.02;
@@ -65,7 +65,7 @@ class HandRun {
   bool camera_stalled = false;
   bool camera_says_nan = false;
   bool pipette_lost = false;
-  double stiffness_error_ratio = 1.0;  ///< the stiffness told over the true one
+  double stiffness_error_ratio = 1.0;  ///< the stiffness reported over the true one
   HapticServo& servo() { return servo_; }
   const PipetteCommand& command() const { return last_command_; }
   double pipette_x_um() const { return pipette_um_.x(); }

@@ -109,7 +109,7 @@ TEST_P(Stability, TheTremorFilterDoesNotUpsetIt) {
   run.cell.contact_x_um = 20.0;
   const Calm calm = work_a_minute(run, 0.04);
   EXPECT_LT(calm.swing_m, largest_swing_m(spec));
-  // Frames tell of a tip another 75 ms ago: some 14 mJ are stored at the deepest, and a few per cent are made up.
+  // Frames show the tip another 75 ms ago: some 14 mJ are stored at the deepest, and a few per cent are made up.
   EXPECT_GT(calm.least_energy_J, -6e-4);
   EXPECT_GT(calm.mean_force_N, 0.2);
 }

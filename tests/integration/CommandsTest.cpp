@@ -36,7 +36,7 @@ TEST(Commands, ProfilesAreListed) {
   EXPECT_NE(outcome.out.find("mouse-embryo"), std::string::npos);
 }
 
-// Whatever this machine has: each kind is told of, what is always there is usable, and what is not says why.
+// Whatever this machine has: each kind is listed, what is always present is usable, and what is not states why.
 TEST(Commands, DevicesTellsOfEachKindAndWhyNot) {
   const auto folder = test::fresh_folder("commands_devices", testing::TempDir());
   const auto outcome = test::run_program("devices --json", folder);

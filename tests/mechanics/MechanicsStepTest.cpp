@@ -101,7 +101,7 @@ Eigen::Vector3d sum_of(vtkDataArray* array) {
   return sum;
 }
 
-/// Sum of the sizes of nodal forces on one side of the cell: tells a push from nothing.
+/// Sum of the sizes of nodal forces on one side of the cell: distinguishes a push from none.
 double sum_of_sizes(vtkDataArray* array) {
   double sum = 0.0;
   Eigen::Vector3d value;

@@ -63,7 +63,7 @@ TEST(Relaxation, ASuddenPushFallsAsTheModulusDoes) {
   EXPECT_DOUBLE_EQ(relaxation.advance(3.0, 2.0), 2.0);
   EXPECT_NEAR(relaxation.advance(5.5, 2.0), 2.0 * relaxation.modulus_ratio(2.5), 1e-12);
   EXPECT_NEAR(relaxation.advance(1e4, 2.0), 2.0 * 0.33, 1e-12);
-  // A stamp that goes back moves no time; and it can be let go of.
+  // A stamp that goes back moves no time; and the force can be released.
   EXPECT_NEAR(relaxation.advance(1.0, 2.0), 2.0 * 0.33, 1e-12);
   EXPECT_NEAR(relaxation.advance(1e4, 0.0), -2.0 * 0.67, 1e-12);
 }

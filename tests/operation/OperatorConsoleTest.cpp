@@ -98,7 +98,7 @@ TEST_F(OperatorConsoleTest, TheGuideGoesAndTheDepthStopStays) {
   EXPECT_THROW(console_.depth_stop_um(0.0), UsageError);
   console_.scale(0);
   console_.grip(true);
-  // Far past the cell: the tip stands 12 um behind the entry.
+  // Far past the cell: the tip stops 12 um beyond the entry.
   const auto depth_um = [&] {
     return (console_.status().tick.tip_um.eigen() - plan.entry_um.eigen()).dot(plan.axis.eigen());
   };
@@ -146,7 +146,7 @@ TEST_F(OperatorConsoleTest, NumbersOutOfRangeAreRefused) {
   EXPECT_FALSE(console_.find_hand("no such hand"));
 }
 
-// A real cell: nobody may demonstrate on it, and it can't be renewed.
+// A real cell: no demonstration on it, and it can't be replaced.
 TEST(OperatorConsole, WithoutAVirtualNeedleThereIsNoDemonstration) {
   VirtualInjectionSetup setup("injection");
   LiveRun run(setup.make_microscope(Pace::kWallClock), {});

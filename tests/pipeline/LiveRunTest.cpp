@@ -97,7 +97,7 @@ TEST(LiveRun, TheRecordingHoldsTheHandThePlanAndItsEvents) {
   run.add_event({0.5, "limit", "depth: 40.1 um, at most 40"});
   run.set_plan(R"({"depth_stop_um": 42})");
   run.stop_recording();
-  EXPECT_TRUE(run.record_hand(Frozen<vtkPolyData>(block.Get()), 2.0));  // nobody records: nobody waits
+  EXPECT_TRUE(run.record_hand(Frozen<vtkPolyData>(block.Get()), 2.0));  // no recording: no waiting
 
   EXPECT_EQ(check_session(folder, false).problem_count, 0U);
   const SessionReader session(folder);

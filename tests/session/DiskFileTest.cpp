@@ -20,7 +20,7 @@ TEST(DiskFile, ReplacesAtOnce) {
 TEST(DiskFile, FailedReplacementKeepsTheOldFile) {
   const TemporaryFolder folder;
   replace_file(folder / "a", "one");
-  // A folder in the way of the temporary file stands for any refusal of the system.
+  // A folder in the way of the temporary file represents any refusal of the system.
   fs::create_directories(folder / "a.tmp");
   EXPECT_THROW(replace_file(folder / "a", "two"), OutputError);
   EXPECT_EQ(read_whole_file(folder / "a"), "one");

@@ -283,8 +283,8 @@ TEST(SessionWriter, RefusesAFrameThatDoesNotRise) {
   EXPECT_THROW(writer.write(make_scene(8)), Error);
 }
 
-// A limit on the size of files stands in for a full disk: the system refuses the write in the same place.
-// It can't be lifted again, so the writing is done by a child.
+// A limit on the size of files simulates a full disk: the system refuses the write in the same place. It can't be
+// lifted again, so the writing is done by a child.
 TEST(SessionWriter, FullDiskKeepsWhatWasWrittenBefore) {
   const TemporaryFolder folder;
   const pid_t child = fork();

@@ -112,7 +112,7 @@ TEST_F(FrameWriterTest, WrongOutputsAreRefused) {
   EXPECT_THROW(FrameWriter::open(folder_ / "v.avi", sixteen.info()), UsageError);
   EXPECT_THROW(FrameWriter::open(folder_ / "none" / "v.avi", eight.info()), OutputError);
   EXPECT_THROW(FrameWriter::open(folder_ / "none" / "v.tif", eight.info()), OutputError);
-  // A file stands where the folder should be made.
+  // A file is where the folder should be made.
   std::FILE* file = std::fopen((folder_ / "taken").c_str(), "w");
   std::fclose(file);
   EXPECT_THROW(FrameWriter::open(folder_ / "taken", eight.info()), OutputError);

@@ -205,7 +205,7 @@ TEST(OperatorModel, FeltDropEndsThePushSoonerThanSeeingIt) {
   EXPECT_LT(overshoot_um(Modality::kSpaceAndHaptics), overshoot_um(Modality::kSpace));
 }
 
-// A force of so much at the operator's skin, felt but held by nobody: the model alone, no arm.
+// A force at the operator's skin, felt but not resisted: the model alone, no arm.
 double intended_speed_um_per_s(double slowing_N, const PlainVector3& force_N) {
   OperatorOptions options = exact();
   options.modality = Modality::kSpaceAndHaptics;

@@ -232,7 +232,7 @@ TEST_F(EppendorfManipulatorTest, StandsStillForSpeedZeroAndKeepsToItsTravel) {
   EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C008"}));
   manipulator.command(go_to(10.0, 0.0, 0.0), 0.3);
   EXPECT_FALSE(manipulator.state(0.4).at_limit);
-  // A place that is no number is no place to go: it stands.
+  // A position that is not a number is not a target: it stays.
   emulator_.heard();
   manipulator.command(go_to(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 0.4);
   EXPECT_EQ(emulator_.heard(), (std::vector<std::string>{"C008"}));

@@ -162,7 +162,7 @@ TEST_F(GamepadHandTest, AThreadThatFallsSilentIsALostDevice) {
   VirtualPad pad;
   hand_ = std::make_unique<GamepadHand>(options_);
   eventually([&] { return read() && hand_->reading_count() > 2; });
-  // A leap of the clock stands for a second without a reading.
+  // A jump of the clock simulates a second without a reading.
   hand_->read(time_s_, sample_);
   bool silent_seen = false;
   for (int i = 0; i < 1000 && !silent_seen; ++i) {

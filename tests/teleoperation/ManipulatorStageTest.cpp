@@ -11,7 +11,7 @@
 namespace pellucida {
 namespace {
 
-/// A manipulator that notes what it's told, and is lost on request.
+/// A manipulator that notes its commands, and is lost on request.
 class NotedManipulator final : public Manipulator {
  public:
   void open() override {

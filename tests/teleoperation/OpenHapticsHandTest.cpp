@@ -96,7 +96,7 @@ TEST_F(OpenHapticsHandTest, PutsTheForceOnTheHandAndLetsGoWhenNobodyRenewsIt) {
     hand.write({1.5, 0.0, 0.0});
     return hardware_.force_x_N() == 1.5;
   });
-  // A force that is no number changes nothing; silence lets go.
+  // A force that is not a number changes nothing; silence releases.
   hand.write({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
   eventually([&] { return hardware_.force_x_N() == 0.0; });
 }

@@ -17,8 +17,8 @@
 #include <string>
 
 // libserialport accepts a port when the system lists it (/sys/class/tty/NAME is a link) and it has modem lines
-// (TIOCMGET works). A pseudo-terminal has neither. These three functions stand before the C library's for this test
-// program and answer those questions for pseudo-terminals alone; everything else goes to the system as it is.
+// (TIOCMGET works). A pseudo-terminal has neither. These three functions replace the C library's for this test program
+// and answer those questions for pseudo-terminals alone; everything else goes to the system as it is.
 namespace {
 
 constexpr const char* kListedPseudoTerminals = "/sys/class/tty/pts/";

@@ -89,7 +89,7 @@ TEST_F(SpaceMouseHandTest, SaysWhyThereIsNone) {
     EXPECT_NE(text.find("spacenavd"), std::string::npos) << text;
     EXPECT_NE(text.find(path_), std::string::npos) << text;
   }
-  // A socket nobody listens at.
+  // A socket without a listener.
   { StandInDaemon daemon(path_); }
   EXPECT_FALSE(space_mouse_trouble().empty());
   EXPECT_TRUE(space_mouse_name().empty());

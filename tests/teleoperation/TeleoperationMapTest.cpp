@@ -185,7 +185,7 @@ TEST(TeleoperationMap, ASelfCentringDeviceMustRestBeforeItMovesTheTip) {
   TeleoperationSettings settings = rate_settings();
   settings.self_centring = true;
   TeleoperationMap map(settings, no_filter());
-  // Engaged with the stick pushed: nothing moves until it was let go once.
+  // Engaged with the stick pushed: nothing moves until it has been released once.
   map.engage(hand_at(0.015), {1.0, 0.0, 0.0});
   TipTarget target;
   for (int i = 0; i < 100; ++i) target = map.update(hand_at(0.015), kTick_s);

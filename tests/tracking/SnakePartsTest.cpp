@@ -99,7 +99,7 @@ TEST(Snake, DeviationIsTheSpreadOfNoisyEdges) {
   EXPECT_NEAR(static_cast<double>(covered) / count, 0.68, 0.10);
 }
 
-// What stands across the edge: a line of depth and width, a step beside it, a halo.
+// The profile across the edge: a line of depth and width, a step beside it, a halo.
 struct Edge {
   double depth, width, step, halo;
 };

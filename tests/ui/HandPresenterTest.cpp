@@ -103,7 +103,7 @@ TEST(HandPresenter, LimitsAreNamedTheGravestFirst) {
 TEST(HandPresenter, EveryLimitThatHoldsThePersonUpHasWords) {
   for (unsigned k = 0; k < static_cast<unsigned>(LimitKind::kCount); ++k) {
     const auto kind = static_cast<LimitKind>(k);
-    // These are told by the contact or the pill, or act for some milliseconds only.
+    // These are shown by the contact or the pill, or act for some milliseconds only.
     if (kind == LimitKind::kPuncture || kind == LimitKind::kContactStale || kind == LimitKind::kContactInvalid ||
         kind == LimitKind::kHandSlope || kind == LimitKind::kEmergencyStop) {
       continue;

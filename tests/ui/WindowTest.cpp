@@ -131,7 +131,7 @@ TEST_F(Window, HasTheHandsBarWithItsStopWhenThereIsAHand) {
 
 TEST_F(Window, ASourceThatBreaksLeavesTheWindowOpenWithItsReason) {
   const auto image = shot(std::make_unique<RepeatedFrame>(3), 1200, 800);
-  // The reason stands in the status line in the colour of problems.
+  // The reason is in the status line in the colour of problems.
   int red = 0;
   for (int y = 0; y < 30; ++y) {
     for (int x = 0; x < 1200; ++x) {

@@ -124,7 +124,7 @@ void MainWindow::build() {
   QSplitter* charts = build_charts();
   all->addWidget(views);
   all->addWidget(charts);
-  // The upright borders stand in one line, and stay there.
+  // The upright borders are aligned, and stay so.
   for (QSplitter* one : {views, charts}) {
     one->setStretchFactor(0, 1);
     one->setStretchFactor(1, 1);

@@ -65,7 +65,7 @@ class CameraSource final : public FrameSource {
     if (!capture_.open(number, cv::CAP_V4L2)) {
       throw DeviceError(name + ": the device is no camera this build can read; " + cameras_present());
     }
-    // The first picture tells the true size; it is not kept.
+    // The first image shows the true size; it is not kept.
     if (!capture_.read(pixels_))
       throw DeviceError(name + ": the camera delivers no image; check its cable and other users");
     info_.width_px = pixels_.cols;

@@ -64,7 +64,7 @@ void follow_iso(std::ifstream& stream, ContainerExtent& extent) {
   }
 }
 
-// An EBML number: the leading zero bits of its first byte tell its length. Nothing for the reserved "unknown size".
+// An EBML number: the leading zero bits of its first byte give its length. Nothing for the reserved "unknown size".
 std::optional<std::uint64_t> ebml_number(const Bytes& bytes, std::size_t& at) {
   std::size_t length = 1;
   while (length <= 8 && (bytes[at] & (0x80U >> (length - 1))) == 0) ++length;

@@ -2,9 +2,9 @@
 
 namespace pellucida {
 
-/// Numbers frames by their time stamps, and so counts the ones in between that never came.
-/// A frame that comes `n` periods after the one before (rounded) has `n - 1` lost frames before it; jitter of less than
-/// half a period is no loss, and a stamp that stands still or goes back counts as the next frame.
+/// Numbers frames by their time stamps, and so counts the ones in between that never came. A frame that comes `n`
+/// periods after the one before (rounded) has `n - 1` lost frames before it; jitter of less than half a period is no
+/// loss, and a stamp that does not advance or goes back counts as the next frame.
 class GapCounter {
  public:
   /// `frame_rate_hz` > 0.

@@ -21,7 +21,7 @@ class TiffPages {
   /// Of the first page.
   const ImageFileInfo& info() const noexcept { return info_; }
 
-  /// The page the reader stands at, as grey. Throws InputError when it is broken.
+  /// The reader's current page, as grey. Throws InputError when it is damaged.
   GreyImage read() const;
 
   /// Goes to page `index` (0-based). Cheap for the next one. Throws InputError when the file breaks off before it.

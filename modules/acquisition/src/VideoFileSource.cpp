@@ -107,7 +107,7 @@ class VideoFileSource final : public FrameSource {
 
   std::string cut_text() const { return extent_.cut_off() ? " (the file is cut off)" : ""; }
 
-  // The stream has ended: was that its end? The file's own structure tells of a cut for certain. The frame count counts
+  // The stream has ended: was that its end? The file's own structure shows a cut with certainty. The frame count counts
   // where a container keeps it (AVI, MP4); elsewhere it is only guessed from the duration, which sound may make longer.
   void check_end() const {
     const long expected = info_.frame_count.value_or(0);

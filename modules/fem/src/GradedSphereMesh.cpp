@@ -63,7 +63,7 @@ class Filling {
     while (!queue.empty() && queue.top().first > largest_area) {
       const auto [size, t] = queue.top();
       queue.pop();
-      if (size != excess(t)) continue;  // it was changed, and stands in the queue once more
+      if (size != excess(t)) continue;  // it was changed, and is in the queue once more
       if (patch_.points().size() > kMostNodes) throw UsageError("sphere mesh: the edges are too short");
       changed.clear();
       patch_.split(t, changed);

@@ -14,7 +14,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// Lame's lambda in terms of mu stands for incompressible: volumes change by a thousandth of a strain.
+/// Lame's lambda in terms of mu that counts as incompressible: volumes change by a thousandth of a strain.
 constexpr double kIncompressible = 2000.0;
 /// Elements are so much shorter than the shell's triangles.
 constexpr double kEdgeRatio = 0.7;

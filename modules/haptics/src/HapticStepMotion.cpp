@@ -123,7 +123,7 @@ void HapticStep::lead(const TipTarget& target, Tick& tick, GuardInput& guard) no
 
   tick.wanted_um = target_um + ahead_um;
   tick.fixtures = apply(fixtures_, tick.wanted_um, wanted_um_per_s, tick.scale_um_per_m, fixture_part);
-  // The manipulator's lag counts for both, measured on the proxy it was told.
+  // The manipulator's lag counts for both, measured on the proxy it was commanded.
   const Eigen::Vector3d apart_um = felt_.tip_um() - guards_.tip_um();
   GuardInput felt = guard;
   felt.wanted_um = tick.fixtures.allowed_um;

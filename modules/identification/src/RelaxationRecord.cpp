@@ -14,7 +14,7 @@
 namespace pellucida {
 namespace {
 
-/// Fewer samples than this tell nothing of a part of the record.
+/// Fewer samples than this are not enough for a part of the record.
 constexpr std::size_t kLeastSamples = 10;
 
 struct Sample {

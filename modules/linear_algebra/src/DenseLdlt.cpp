@@ -8,7 +8,7 @@
 namespace pellucida {
 namespace {
 
-/// Columns eliminated together before the rest hears of it.
+/// Columns eliminated together before the rest is updated.
 constexpr int kBlockColumns = 24;
 /// Columns of the matrix that a micro-kernel updates at once.
 constexpr int kTileColumns = 4;

@@ -35,7 +35,7 @@ std::vector<int> minimum_degree(const NodeGraph& graph, const std::vector<int>& 
   return order;
 }
 
-/// Cuts parts of one graph. `part_` tells which nodes belong to the part at hand.
+/// Cuts parts of one graph. `part_` states which nodes belong to the present part.
 class Dissection {
  public:
   explicit Dissection(const NodeGraph& graph)

@@ -13,7 +13,7 @@ constexpr double kRebuildRatio = 0.004;
 /// or the needle's offset by this; a holder that turned by so much is followed.
 constexpr double kOffsetStep_um = 0.75;
 constexpr double kHolderTurn_rad = 0.002;
-/// How deep the risk of puncture is told, in puncture indentations.
+/// How deep the risk of puncture is reported, in puncture indentations.
 constexpr double kRiskDepth_ratio = 1.3;
 /// A stiffness' slope by depth is taken over this.
 constexpr double kSlopeStep_um = 0.5;

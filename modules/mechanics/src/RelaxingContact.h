@@ -8,7 +8,7 @@ namespace pellucida {
 /// Without arms it is that force. One thread at a time.
 class RelaxingContact {
  public:
-  /// `hand_frequency_Hz` > 0: what stiffness and damping are told for.
+  /// `hand_frequency_Hz` > 0: the frequency for which stiffness and damping are given.
   RelaxingContact(const CellProfile& profile, double hand_frequency_Hz);
 
   /// Out of contact: what comes begins from 0 here.

@@ -21,7 +21,7 @@ std::vector<NormalObservationTerm::Observed> observe_revolved(const TriangleMesh
 /// Every node laid on the revolved contour, at its nearest place along its normal.
 Eigen::Matrix3Xd lay_on_contour(const TriangleMesh& rest, const Eigen::Matrix3Xd& x_um, const ShapeAuditor& section);
 
-/// The force of the needle along the push, uN, as a model tells it whose nodes are all prescribed (`laid_um`, 3 x n,
+/// The force of the needle along the push, uN, according to a model whose nodes are all prescribed (`laid_um`, 3 x n,
 /// frame C): the sum of the connectors' forces under the tip. Biased even with a perfect shape, since each little
 /// mismatch counts with the membrane's full stiffness, and drowned by noise: for teaching only.
 double naive_force_uN(const MembraneModel& model, const Eigen::Matrix3Xd& laid_um);

@@ -8,8 +8,8 @@
 
 namespace pellucida {
 
-/// A device for the hand with the window's buttons beside its own: any hand can be told to deposit, to retract or to
-/// let go by whoever sits at the window.
+/// An input device with the window's buttons beside its own: from the window, any hand can deposit, retract or
+/// disengage.
 class ConsoleDevice final : public HapticDevice {
  public:
   explicit ConsoleDevice(std::unique_ptr<HapticDevice> device)
@@ -21,7 +21,7 @@ class ConsoleDevice final : public HapticDevice {
   SimulatedHand* person() noexcept { return person_; }
   TouchCueDevice* cue() noexcept { return cue_; }
 
-  /// Any thread: masks of HandButton held at the window, and of those that don't count, whoever holds them.
+  /// Any thread: masks of HandButton held at the window, and of those to be ignored wherever they are held.
   void set_buttons(std::uint32_t held, std::uint32_t withheld) noexcept {
     held_.store(held, std::memory_order_relaxed);
     withheld_.store(withheld, std::memory_order_relaxed);

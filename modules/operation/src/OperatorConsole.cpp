@@ -120,7 +120,7 @@ void OperatorConsole::scale(int index) {
   }
 }
 
-// The hand lets go; a stop that the device itself asked for stays.
+// Releases the hand; a stop requested by the device itself stays.
 void OperatorConsole::set_down() {
   if (!rig_) return;
   stopped_ = stopped_ || rig_->status().tick.hand_state == HandState::kStopped;

@@ -12,7 +12,7 @@ namespace pellucida {
 namespace {
 
 constexpr std::size_t kQueueCount = 2;
-constexpr double kRiskStep_um = 5.0;  // between the depths whose risk of puncture is told
+constexpr double kRiskStep_um = 5.0;  // between the depths whose risk of puncture is reported
 
 // How good a scene is for the one picture of a run: force first, then how much was seen.
 double picture_score(const Scene& scene) {

@@ -18,7 +18,7 @@ namespace pellucida {
 
 /// Writes every frame of a live run, in order, on a thread of its own. A frame is announced when it arrives and settled
 /// when its fate is known (measured, or replaced by a newer one before it could be): frames settle in any order and
-/// from any thread, and are written in the order they arrived. A full queue drops whole frames, counted and told as
+/// from any thread, and are written in the order they arrived. A full queue drops whole frames, counted and reported as
 /// events.
 class Recorder {
  public:

@@ -38,7 +38,7 @@ void replace_file(const std::filesystem::path& file, std::string_view content) {
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) throw disk_error(file, errno);
   int reason = write_all(descriptor, content);
-  // Some file systems tell of a full disk only here.
+  // Some file systems report a full disk only here.
   if (::close(descriptor) != 0 && reason == 0) reason = errno;
   if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) reason = errno;
   if (reason != 0) {

@@ -71,7 +71,7 @@ std::vector<std::size_t> chosen_steps(const SessionReader& session, const std::s
   return chosen;
 }
 
-// The rows that could be read, as they stand.
+// The rows that could be read, as they are.
 template <class Row>
 void copy_table(const fs::path& target, std::string_view header, const SessionTable<Row>& table) {
   CsvFile file(target, header);

@@ -18,8 +18,7 @@ inline constexpr const char* kMeasurements = "measurements.csv";
 inline constexpr const char* kEvents = "events.csv";
 inline constexpr const char* kHaptics = "haptics";
 inline constexpr const char* kDamaged = "damaged";
-/// A data file with nothing in it: stands in `session.pvd` for parts a step lacks, so that all steps have the same
-/// blocks.
+/// An empty data file: listed in `session.pvd` for parts a step lacks, so that all steps have the same blocks.
 inline constexpr const char* kEmpty = "empty.vtp";
 inline constexpr const char* kEventsHeader = "time_s,kind,detail";
 }  // namespace session_name

@@ -138,7 +138,7 @@ void OperatorModel::shake() noexcept {
 
 void OperatorModel::see(const OperatorView& view) noexcept {
   if (!view.tip_um.eigen().allFinite()) return;
-  // Before the first tick the hand was told nothing.
+  // Before the first tick nothing was commanded.
   const long lag = std::min(std::lround(plan_.lag_s / kStep_s), static_cast<long>(intended_m_.size()) - 1);
   const long told = tick_ - 1 - lag;
   const PlainVector3 intended_m =
@@ -235,7 +235,7 @@ void OperatorModel::decide(const Seen& seen) noexcept {
   const Eigen::Vector3d noise_um(options_.lateral_noise_um, options_.lateral_noise_um, depth_noise_um_);
   const Eigen::Vector3d seen_um = seen.view.tip_um.eigen() + noise_um.cwiseProduct(sight_error_um_.eigen());
 
-  // What the hand was told since, and what it is still being told.
+  // The motion commanded since, and the one still being commanded.
   Eigen::Vector3d end_m = base_m_.eigen() + kHaltTime_s * drift_m_per_s_.eigen();
   for (int k = 0; k < move_count_; ++k) end_m += moves_[static_cast<std::size_t>(k)].way_m.eigen();
   const Eigen::Vector3d told = plan_.scale_um_per_m * turned(end_m - seen.intended_m.eigen()).eigen();

@@ -76,7 +76,7 @@ class VirtualMicroscope::Impl {
  private:
   bool ended() const noexcept { return info_.frame_count && next_index_ >= *info_.frame_count; }
 
-  // Until the next frame is to be exposed; how many were missed, because nobody asked for them in time.
+  // Until the next frame is to be exposed; how many were missed, because they were not requested in time.
   long wait() {
     const double rate_hz = scenario_.image.frame_rate_hz;
     const auto now = std::chrono::steady_clock::now();

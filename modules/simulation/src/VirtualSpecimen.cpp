@@ -119,7 +119,7 @@ double dimple_radius_um(const Contour_um& outer) {
 }
 
 double revolved_volume_um3(const Contour_um& section) {
-  // V = pi * integral of x^2 dz over a half; the sign of x tells the half, and both are averaged.
+  // V = pi * integral of x^2 dz over a half; the sign of x gives the half, and both are averaged.
   double sum = 0;
   const Eigen::Index n = section.cols();
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -59,11 +59,11 @@ void EppendorfManipulator::open() {
 void EppendorfManipulator::close() noexcept {
   if (!line_) return;
   try {
-    // As the last thing: stand, and give joystick and keys back to the person.
+    // Finally: stop, and return joystick and keys to the user.
     line_->ask(EppendorfCode::kStop, options_.answer_timeout_s);
     line_->ask(EppendorfCode::kManualControl, options_.answer_timeout_s);
   } catch (const std::exception&) {
-    // It is gone: nothing is left to be told.
+    // It has disappeared: there is nothing left to command.
   }
   line_.reset();
 }

@@ -88,7 +88,7 @@ void ManipulatorStage::serve(double now_s) {
     std::lock_guard lock(mutex_);
     ++counts_.command_count;
   } else if (has_command_ && !held_ && (fresh || now_s - command_seen_s_ > options_.command_timeout_s)) {
-    // Silence, or numbers nobody can mean: stand still.
+    // Silence, or impossible numbers: stop.
     held_ = true;
     manipulator_.command(standing(commands_.value()), now_s);
     std::lock_guard lock(mutex_);

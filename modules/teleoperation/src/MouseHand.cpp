@@ -9,7 +9,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kLongestGap_s = 0.1;  // a key held while nobody read does not make the hand leap
+constexpr double kLongestGap_s = 0.1;  // a key held while there was no read does not make the hand jump
 
 double unit_clamped(double value) noexcept {
   return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0;

@@ -12,7 +12,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kLongestSilence_s = 0.1;  // of the driver: a hundred of its ticks
-constexpr double kForceValidFor_s = 0.02;  // a force nobody renews is let go
+constexpr double kForceValidFor_s = 0.02;  // a force that is not renewed is released
 constexpr double kMPerMm = 0.001;
 
 double steady_now_s() noexcept {

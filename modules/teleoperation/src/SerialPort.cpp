@@ -40,7 +40,7 @@ std::string last_message() {
   return message;
 }
 
-/// Why `path` can't be opened, as far as it can be told without opening it; empty when nothing speaks against it.
+/// Why `path` can't be opened, as far as can be determined without opening it; empty when there is no objection.
 std::string trouble_with(const std::string& path) {
   if (access(path.c_str(), F_OK) != 0) return "there is no " + path + "; plug the device in, or name another port";
   if (access(path.c_str(), R_OK | W_OK) != 0) return no_permission(path);
@@ -114,7 +114,7 @@ void SerialPort::write(std::string_view bytes, double timeout_s) {
 std::size_t SerialPort::read(char* into, std::size_t capacity, double timeout_s) {
   const int count = sp_blocking_read_next(port_.get(), into, capacity, milliseconds(timeout_s));
   if (count < 0) lost("reading");
-  // A port pulled out may read as silence: asking how much waits tells.
+  // A port pulled out may read as silence: asking how much waits reveals it.
   if (count == 0 && sp_input_waiting(port_.get()) < 0) lost("reading");
   return static_cast<std::size_t>(count);
 }

@@ -32,7 +32,7 @@ struct Pyramid {
   std::vector<double> noises;
 };
 
-// The closed edge a candidate stands for, in px of its level.
+// The closed edge of a candidate, in px of its level.
 struct Judged {
   RingEdge ring;
   int level = 0;

@@ -117,7 +117,7 @@ bool EdgeTemplate::learn(const float* profiles, const Eigen::Matrix2Xd& normals,
 void EdgeTemplate::build(EdgeKind kind) {
   valid_ = true;
   // The edge's width: half the way between the steepest places to both sides of a line, the first ones met from its
-  // middle, for the other membrane's line may stand in the window too.
+  // middle, because the other membrane's line may be in the window too.
   const auto mean_slope = [&](int k) { return kind.line * (harmonics_(k + 1, 0) - harmonics_(k - 1, 0)); };
   int left = kHalf - 1, right = kHalf + 1;
   while (left > 1 && mean_slope(left - 1) < mean_slope(left)) --left;
@@ -139,7 +139,7 @@ void EdgeTemplate::build(EdgeKind kind) {
     if (is_line) {
       // Optics and pixels have blurred the line, and with a step beside it that has moved its extremum. How far shows
       // when it is blurred once more, by half the line's own variance: half of that way is taken back, and a fifth is
-      // how far it may still be off, for how sharp the line was in truth nobody knows.
+      // how far it may still be off, because the line's true sharpness is unknown.
       blur(curve, 0.7 * width_);
       const double moved = std::clamp(extremum(curve, kind.line) - double{look.center}, -1.5, 1.5);
       look.center -= static_cast<float>(0.5 * moved);

@@ -73,7 +73,7 @@ class FrameSampler {
     const float fy = std::clamp(y, 0.0F, static_cast<float>(height - 1));
     const int ix = static_cast<int>(fx), iy = static_cast<int>(fy);
     const float tx = fx - static_cast<float>(ix), ty = fy - static_cast<float>(iy);
-    // On the last column and row the weight of the missing neighbour is 0: the pixel itself stands in for it.
+    // On the last column and row the weight of the missing neighbour is 0: the pixel itself replaces it.
     const std::ptrdiff_t right = ix + 1 < width ? size : 0, below = iy + 1 < height ? row_bytes_ : 0;
     const unsigned char* p = data_ + iy * row_bytes_ + static_cast<std::ptrdiff_t>(ix) * size;
     const float a = read<Pixel>(p), b = read<Pixel>(p + right);

@@ -8,7 +8,7 @@ namespace pellucida {
 namespace {
 
 constexpr int kThinning = 4;             // every so many pixels, both ways
-constexpr int kSmallest = 16;            // thumbnails below that tell nothing
+constexpr int kSmallest = 16;            // smaller thumbnails carry no information
 constexpr double kSuspicious = 1.2;      // times the usual change
 constexpr double kLeastResponse = 0.04;  // of the phase correlation's peak
 constexpr double kLeastJump_px = 3.0;

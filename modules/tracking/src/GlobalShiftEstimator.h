@@ -8,7 +8,7 @@
 namespace pellucida {
 
 /// Notices that the whole picture has jumped between two frames (a knock on the stage) and by how much, from sparse
-/// copies of both: followers look near where things were, and need to be told when everything is somewhere else.
+/// copies of both: followers search near the last positions, and need to know when everything has moved.
 class GlobalShiftEstimator {
  public:
   /// Compares with the frame before and remembers this one. The jump in px where there is one (above 3 px, up to a

@@ -44,7 +44,7 @@ struct GrayImage {
 /// Copies `view` into `image` (whose memory is kept). Images below 8 x 8 are padded to that by repeating the border.
 void load(const ImageView& view, GrayImage& image);
 
-/// `image` blurred by a Gaussian of `sigma_px` and reduced by a whole `factor`: pixel (x, y) of the result stands for
+/// `image` blurred by a Gaussian of `sigma_px` and reduced by a whole `factor`: pixel (x, y) of the result represents
 /// (x, y) * factor of the input.
 GrayImage reduced(const GrayImage& image, double sigma_px, int factor);
 

@@ -224,7 +224,7 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   const Eigen::VectorXd& deviation = snake_.deviation(edges_);
   snake.sigma_px.resize(n);
   const double bound = kReach * look.step_px, width = look.edge.width() * look.step_px;
-  // An edge that is wide against the zona runs into the other one, and its centre is the less certain.
+  // An edge that is wide against the zona runs into the other one, and its centre is less certain.
   const double crowded = has_inner() && thickness_ > 0.0 ? width / (kCrowded * thickness_) : 0.0;
   const double doubt = 1.0 + std::min(10.0, std::pow(crowded, 8));
   // A line narrower than a pixel is drawn by too few of them; a contour alone has none beside it to be held against.

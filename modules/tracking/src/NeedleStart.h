@@ -16,10 +16,10 @@ struct NeedleGuess {
 };
 
 /// Follows a tool found by voting from the image's border inwards, block by block, as long as its cross-section stays
-/// alike: the first block tells what it looks like and where its two edges are, every further one is fitted with what
+/// alike: the first block shows what it looks like and where its two edges are, every further one is fitted with what
 /// the last ones looked like. The tip is where that ends, good to a block's length. Nothing when the tool shows no
-/// edges, ends within 12 px, or goes right through the image.
-/// `skip_px`: how far inside the image to begin, for a shaft that is out of focus at the border.
+/// edges, ends within 12 px, or goes right through the image. `skip_px`: how far inside the image to begin, for a shaft
+/// that is out of focus at the border.
 std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTool& tool, double noise,
                                         double skip_px = 0.0);
 

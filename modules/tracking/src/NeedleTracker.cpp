@@ -15,7 +15,7 @@ constexpr int kLearnFrames = 40;
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 
-// So many blurs ahead of the tip must be free of other bodies for a blurred end to be told.
+// So many blurs ahead of the tip must be free of other bodies for a blurred end to be located.
 constexpr double kEndBlurs = 2.5;
 
 // How far ahead of the tip the axis enters a circle; without end when it passes beside it.

@@ -10,7 +10,7 @@ constexpr std::size_t kMostPixels = 640;
 constexpr int kReferenceFrames = 16;    // the reference is the mean of that many
 constexpr double kJumpStep_px = 3.0;    // between the starts about a jump
 constexpr double kLeastContrast = 0.4;  // of the reference's, for a fit to be one
-constexpr double kTellable_px = 0.1;    // a motion counts as told when its standard deviation is below this
+constexpr double kTellable_px = 0.1;    // a motion counts as determined when its standard deviation is below this
 
 // Central differences over three rows: pixel noise makes no gradient of its own.
 Eigen::Vector2d smooth_gradient(const FrameSampler& image, const Eigen::Vector2d& p) {
@@ -43,7 +43,7 @@ bool RigidMotion::learn(const FrameSampler& image, const std::vector<Eigen::Vect
     all += pixel.gradient * pixel.gradient.transpose();
     pixels_.push_back(pixel);
   }
-  // Half of those kept tell most along the direction that is told worst, the others most in any.
+  // Half of those kept are the most informative along the worst-determined direction, the others in any.
   const Eigen::Vector2d worst = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(all).eigenvectors().col(0);
   const std::size_t kept = std::min(kMostPixels, pixels_.size()), half = kept / 2;
   std::sort(pixels_.begin(), pixels_.end(), [&](const Pixel& a, const Pixel& b) {

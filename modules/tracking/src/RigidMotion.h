@@ -27,14 +27,15 @@ struct RigidMove {
 };
 
 /// Follows a set of pixels that move together (the holding pipette) by least squares on their grey values, with gain
-/// and offset free: tells a drift or a turn of the stage from a deformation of the cell. The reference's gradients
-/// stand for the image's (turned with the motion), so that a round costs one sample a pixel (after Hager and Belhumeur
+/// and offset free: separates a drift or a turn of the stage from a deformation of the cell. The reference's gradients
+/// replace the image's (turned with the motion), so that a round costs one sample per pixel (after Hager and Belhumeur
 /// 1998).
 class RigidMotion {
  public:
-  /// Chooses among `candidates` (px) those of `image` that tell most, and keeps their look as the reference. Turns are
-  /// measured about `pivot`. False when, with pixel noise of standard deviation `noise`, a shift could not be told in
-  /// every direction to 0.1 px; turns are followed only where the pixels tell them to 0.1 px at their farthest.
+  /// Chooses among `candidates` (px) the most informative ones of `image`, and keeps their look as the reference. Turns
+  /// are measured about `pivot`. False when, with pixel noise of standard deviation `noise`, a shift could not be
+  /// determined in every direction to 0.1 px; turns are followed only where the pixels determine them to 0.1 px at
+  /// their farthest.
   bool learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& candidates, const Eigen::Vector2d& pivot,
              double noise);
 
@@ -69,7 +70,7 @@ class RigidMotion {
   std::vector<Pixel> pixels_;
   double noise_ = 0.0;
   double spread_ = 0.0;      // standard deviation of the reference's grey values
-  bool turns_ = false;       // whether the pixels tell a turn
+  bool turns_ = false;       // whether the pixels determine a turn
   int frames_averaged_ = 1;  // in the reference's grey values
   Eigen::Matrix2d shift_covariance_ = Eigen::Matrix2d::Zero();
   RigidMove motion_;

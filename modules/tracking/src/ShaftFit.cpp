@@ -64,7 +64,7 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
       normal += row * row.transpose();
       for (int i = 0; i < 4; ++i) basis[4 * j + i] = static_cast<float>(row[i]);
     }
-    // A little stiffness keeps what can't be told apart from being told wildly.
+    // A little stiffness keeps what can't be separated from diverging.
     normal += 1e-4 * normal.trace() * Eigen::Vector4d(1e-3, 1e-3, 1.0, 1.0).asDiagonal().toDenseMatrix() /
               (1.0 + blur_ * blur_);
     const Eigen::Matrix4d inverse = normal.inverse();

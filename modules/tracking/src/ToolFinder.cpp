@@ -107,7 +107,7 @@ std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle&
   const Gradients gradients = gradients_of(image, 2);
   const GrayImage& half = gradients.small;
   const cv::Mat &gx = gradients.x, &gy = gradients.y, &magnitude = gradients.magnitude;
-  // A reduced pixel stands for the middle of its block.
+  // A reduced pixel represents the middle of its block.
   const Eigen::Vector2d center = 0.5 * (cell.center - Eigen::Vector2d(0.5, 0.5));
   const double radius = 0.5 * cell.radius;
   std::vector<float> around;

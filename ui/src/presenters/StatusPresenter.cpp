@@ -8,7 +8,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kRateWindow_s = 2.0;
-// A force older than this no longer tells what the needle does now.
+// A force older than this no longer describes the present.
 constexpr double kOldForce_ms = 150.0;
 constexpr double kWeakConfidence = 0.5;
 

@@ -29,7 +29,7 @@ struct StatusTexts {
   Phrase frame_rate;
   Phrase lost;  ///< frames not measured, lost by the source, lost to the recorder
   Phrase recording;
-  Phrase notice;  ///< one line: what went wrong, or where things stand; may be empty
+  Phrase notice;  ///< one line: what went wrong, or the state of the run; may be empty
 };
 
 /// Turns a run's status and newest row into words. Knows no widgets; one thread.

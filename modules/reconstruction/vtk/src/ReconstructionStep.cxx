@@ -27,7 +27,7 @@ expected<Scene, StepFailure> ReconstructionStep::process(const Scene& scene) {
   filter_->SetInputConnection(producer->GetOutputPort());
   filter_->Update();
 
-  // A failure is told once, when it begins, not with every frame it lasts.
+  // A failure is reported once, when it begins, not with every frame it lasts.
   const bool failed = !filter_->GetFailure().empty();
   if (failed && !failing_) {
     result.events.push_back({scene.measurement.time_s, "lost", "no surface: " + filter_->GetFailure()});

@@ -45,7 +45,7 @@ vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
 
 void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height, double upper,
                     const std::string& title, HudAlign side, bool open_end) {
-  // The bar stands at the view's edge, its labels towards the middle.
+  // The bar is at the view's edge, its labels towards the middle.
   const bool right = side == HudAlign::kRight;
   const double bar_x = right ? x - kBarWidth : x;
   for (int i = 0; i < kBands; ++i) {

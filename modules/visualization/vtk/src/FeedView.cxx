@@ -289,7 +289,7 @@ void FeedView::set_caption(std::string utf8) {
 void FeedView::prepare(double width_px, double height_px) {
   if (!has_frame_ || width_px < 1.0 || height_px < 1.0) return;
   vtkCamera* camera = main_->GetActiveCamera();
-  // Whoever pans or zooms keeps that until the camera is reset.
+  // After panning or zooming the view stays until the camera is reset.
   const double* focus = camera->GetFocalPoint();
   if (fitted_ && fitted_scale_um_ > 0.0 &&
       (camera->GetParallelScale() != fitted_scale_um_ || focus[0] != fitted_focus_um_[0] ||

@@ -71,7 +71,7 @@ class HeaderView : public View {
   Measurement m_;
 };
 
-// Bytes to a file beside the wanted one, then renamed over it: nobody ever sees half a picture.
+// Bytes to a file beside the wanted one, then renamed over it: half a picture is never visible.
 void write_whole(const std::filesystem::path& file, const char* bytes, std::size_t count) {
   const auto fail = [&](const std::string& why) {
     throw OutputError("can't write the picture " + file.string() + ": " + why +

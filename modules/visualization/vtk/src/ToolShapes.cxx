@@ -87,7 +87,7 @@ std::vector<ProfilePoint> needle_profile(const NeedlePose& needle, double length
     if (point.along_um < profile.back().along_um + 1.0) continue;
     profile.push_back({point.along_um, std::max(point.radius_um, profile.back().radius_um)});
   }
-  // An outline too short to tell gives a straight shaft.
+  // An outline that is too short gives a straight shaft.
   if (profile.back().along_um < 0.98 * length_um) profile.push_back({length_um, profile.back().radius_um});
   return profile;
 }

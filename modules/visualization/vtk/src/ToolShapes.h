@@ -14,7 +14,7 @@ namespace pellucida {
 /// needle.
 std::optional<NeedlePose> needle_of(const Scene& scene);
 
-/// The holding pipette of a scene: the observation's, else nothing (an outline alone does not tell the mouth).
+/// The holding pipette of a scene: the observation's, else nothing (an outline alone does not show the mouth).
 std::optional<HolderPose> holder_of(const Scene& scene);
 
 /// A point of a tool's profile: `along_um` from the origin against the pushing direction, `radius_um` >= 0.
