@@ -203,7 +203,7 @@ TEST(Commands, BenchTrackingTimesTheTrackerAndItsParts) {
   EXPECT_GT(tracking["frames_per_s"].get<double>(), 0.0);
 }
 
-// Three simulated persons in all four modalities: files that a script can read, and the same ones again.
+// Three simulated operators in all four modalities: files that a script can read, and the same ones again.
 TEST(Commands, TrialTellsOfTheSimulatedOperatorInAllModalities) {
   const auto folder = test::fresh_folder("commands_trial", testing::TempDir());
   const auto run = [&](const std::string& name) {

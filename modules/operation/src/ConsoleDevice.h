@@ -26,7 +26,7 @@ class ConsoleDevice final : public HapticDevice {
     held_.store(held, std::memory_order_relaxed);
     withheld_.store(withheld, std::memory_order_relaxed);
   }
-  /// Any thread: what the simulated person did at the last reading.
+  /// Any thread: what the simulated operator did at the last reading.
   OperatorPhase phase() const noexcept { return phase_.load(std::memory_order_relaxed); }
 
   const DeviceSpecification& specification() const noexcept override { return device_->specification(); }
