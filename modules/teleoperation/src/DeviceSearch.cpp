@@ -53,15 +53,13 @@ void add_space_mouse(std::vector<DeviceReport>& reports) {
     return;
   }
   const std::string name = space_mouse_name();
-  reports.push_back(
-      {"hand", "spacemouse", true, name.empty() ? "the daemon answers; it does not say which device it has" : name});
+  reports.push_back({"hand", "spacemouse", true, name.empty() ? "the daemon answers without naming its device" : name});
 }
 
 void add_open_haptics(std::vector<DeviceReport>& reports) {
   const std::string trouble = open_haptics_trouble();
-  reports.push_back(
-      {"hand", "openhaptics", trouble.empty(),
-       trouble.empty() ? "the driver's library is there; a device is opened when it is chosen" : trouble});
+  reports.push_back({"hand", "openhaptics", trouble.empty(),
+                     trouble.empty() ? "the driver's library is present; a device is opened when chosen" : trouble});
 }
 
 void add_no_serial_port(const std::string& reason, std::vector<DeviceReport>& reports) {
@@ -78,7 +76,7 @@ void add_serial_ports(const std::vector<SerialPortInfo>& ports, std::vector<Devi
   for (const auto& port : ports) {
     const bool usable = port.trouble.empty();
     reports.push_back({"manipulator", "eppendorf:" + port.path, usable,
-                       usable ? "can be tried; ask whether one is there: pellucida devices --ask " + port.path
+                       usable ? "can be tried; to check for one: pellucida devices --ask " + port.path
                               : "the port can't be used; see above"});
   }
 }

@@ -58,7 +58,7 @@ GrayImage gray(const ImageView& view) {
 
 NeedleZone CellFollower::zone() const {
   const NeedleEstimate& n = needle_.estimate();
-  // A blurred tip's front is the less sharp.
+  // The front of a blurred tip is less sharp.
   const double tip_sigma = std::hypot(0.4, 0.5 * n.edge_blur);
   NeedleZone zone{n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_, tip_sigma};
   const double line = snakes_.line_width_px();
@@ -86,8 +86,8 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
   needle_.reset();
 }
 
-// The pixels of the holder, outside the cell: what tells the cell's rigid motion. Its rim is what shows a motion
-// along the pipette, so the pixels go close to the membrane and not far up the shaft.
+// The pixels of the holder, outside the cell: they show the cell's rigid motion. Its rim is what shows a motion along
+// the pipette, so the pixels go close to the membrane and not far up the shaft.
 void CellFollower::learn_holder_motion(const FrameInput& frame) {
   rigid_.reset();
   if (!holder_) return;
@@ -251,7 +251,7 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
   }
 }
 
-// Without a holder the side away from the needle tells the rigid motion. With one it is a check: the long walls of a
+// Without a holder the side away from the needle gives the rigid motion. With one it is a check: the long walls of a
 // pipette fit anywhere along themselves, and a cell may leave its holder; neither must look like an indentation. From
 // one frame to the next the far side moves with the holder, but for a share of the needle's own way; and while nothing
 // pushes the cell it is where the holder says.

@@ -28,7 +28,7 @@ double CellFollower::measure_membrane_depth() const {
 
 double CellFollower::membrane_sigma() const {
   if (!needle_.valid()) return 0.0;
-  // The few points beside the axis share what the rigidity ties together: their mean sigma stands for all.
+  // The few points beside the axis share what the rigidity ties together: their mean sigma represents all.
   const NeedleEstimate& n = needle_.estimate();
   const SnakeContour& outer = snakes_.outer();
   double sum = 0.0;
@@ -50,7 +50,7 @@ double CellFollower::rest_sigma() const {
 }
 
 double CellFollower::depth_sigma() const {
-  // Where the membrane under the needle is hidden, the tip that wraps it tells its depth.
+  // Where the membrane under the needle is hidden, the tip that it wraps gives its depth.
   const double tip =
       needle_.valid() && needle_.estimate().tip_sigma > 0.0 ? needle_.estimate().tip_sigma : kUnknownSigma_px;
   return std::hypot(std::min(membrane_sigma(), tip), rest_sigma());

@@ -7,7 +7,7 @@
 
 namespace pellucida {
 
-/// A gamepad or joystick this machine has.
+/// A gamepad or joystick of this machine.
 struct GamepadInfo {
   int index = 0;  ///< as SDL counts them now
   std::string name;
@@ -22,20 +22,20 @@ std::string gamepad_library_version();
 
 struct GamepadOptions {
   std::string name;            ///< part of its name; empty: the first one
-  double reach_m = 0.02;       ///< hand motion for a stick at its end
+  double reach_m = 0.02;       ///< hand motion for a fully deflected stick
   double rate_Hz = 250.0;      ///< readings a second
-  double full_rumble_N = 2.0;  ///< force that rumbles with all there is
+  double full_rumble_N = 2.0;  ///< force of the strongest rumble
 };
 
 /// A gamepad through SDL 2. Left stick: the image plane; right stick, up and down: along the depth (pulled is towards
 /// the person). It springs back: use rate control with `self_centring`. Buttons, in SDL's layout: A injects, B is the
-/// clutch, X retracts, Y or Back is the emergency stop. The contact is told by its rumble, where it has one.
+/// clutch, X retracts, Y or Back is the emergency stop. The contact is shown by its rumble, if it has one.
 ///
-/// Unplugged, it is lost; plugged in again (or another one that fits the name), it is back.
+/// When unplugged it is lost; when plugged in again (or another one that matches the name), it is back.
 class GamepadHand final : public PolledHand {
  public:
-  /// Throws DeviceError: none there, or none of that name (and which there are), or no SDL in this build; UsageError
-  /// for a number not above 0.
+  /// Throws DeviceError: none present, or none of that name (and which are present), or no SDL in this build;
+  /// UsageError for a number not above 0.
   explicit GamepadHand(const GamepadOptions& options = {});
   ~GamepadHand() override;
 
