@@ -1,9 +1,26 @@
 # One short function for each kind of target.
 
-# pellucida_add_module(NAME SOURCES ... [PUBLIC ...] [PRIVATE ...] [INCLUDE dir])
-# A static library pellucida_NAME, alias pellucida::NAME. INCLUDE is the folder of its public headers (default: include).
+# pellucida_add_header_set(NAME HEADERS ... LIBRARIES ... [EXECUTABLE])
+# Library headers compiled once for all targets that use the set. None of ours: a change to one would recompile everything.
+# EXECUTABLE: for programs, whose position-independent code is of another kind.
+function(pellucida_add_header_set NAME)
+  cmake_parse_arguments(ARG "EXECUTABLE" "" "HEADERS;LIBRARIES" ${ARGN})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/header_sets/${NAME}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "")
+  add_library(pellucida_headers_${NAME} OBJECT ${source})
+  target_link_libraries(pellucida_headers_${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options)
+  target_precompile_headers(pellucida_headers_${NAME} PRIVATE ${ARG_HEADERS})
+  if(ARG_EXECUTABLE)
+    set_target_properties(pellucida_headers_${NAME} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(pellucida_headers_${NAME} PRIVATE -fPIE)
+  endif()
+endfunction()
+
+# pellucida_add_module(NAME SOURCES ... [PUBLIC ...] [PRIVATE ...] [INCLUDE dir] [HEADER_SET name])
+# A static library pellucida_NAME, alias pellucida::NAME. INCLUDE is the folder of its public headers (default: include),
+# HEADER_SET one of PellucidaHeaderSets.cmake (default: plain).
 function(pellucida_add_module NAME)
-  cmake_parse_arguments(ARG "" "INCLUDE" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "INCLUDE;HEADER_SET" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   if(NOT ARG_INCLUDE)
     set(ARG_INCLUDE include)
   endif()
@@ -12,6 +29,10 @@ function(pellucida_add_module NAME)
   target_compile_features(pellucida_${NAME} PUBLIC cxx_std_20)
   target_include_directories(pellucida_${NAME} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_INCLUDE})
   target_link_libraries(pellucida_${NAME} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} pellucida::build_options)
+  if(NOT ARG_HEADER_SET)
+    set(ARG_HEADER_SET plain)
+  endif()
+  target_precompile_headers(pellucida_${NAME} REUSE_FROM pellucida_headers_${ARG_HEADER_SET})
 endfunction()
 
 # pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [TIMEOUT s] [WHOLE] [LONG])
@@ -24,6 +45,7 @@ function(pellucida_add_test NAME)
   endif()
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options GTest::gtest_main Threads::Threads)
+  target_precompile_headers(${NAME} REUSE_FROM pellucida_headers_tests)
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   # tests/<module> sees that module's private parts too.
   get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)

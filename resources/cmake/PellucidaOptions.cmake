@@ -4,6 +4,7 @@ option(PELLUCIDA_CORE_ONLY "Build only the targets without VTK, Qt, OpenCV and I
 option(PELLUCIDA_FUZZ "Build the fuzzers too; needs clang" OFF)
 option(PELLUCIDA_BUILD_TESTS "Build the tests and benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(PELLUCIDA_INSTALL "Install rules and the Debian package" ${PROJECT_IS_TOP_LEVEL})
+option(PELLUCIDA_UNITY "Compile files in batches and library headers once: a clean build in less than half the time" OFF)
 set(PELLUCIDA_SANITIZE "" CACHE STRING "Sanitizers to compile with, as -fsanitize takes them")
 
 # These hold in this project's folders; a project that adds this one keeps its own.
@@ -11,6 +12,15 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# Small batches: a change to one file recompiles the other seven. Without the option each file is compiled alone and
+# must include what it uses.
+set(CMAKE_UNITY_BUILD ${PELLUCIDA_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+if(NOT PELLUCIDA_UNITY)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+
 # Where things go and who compiles is the outermost project's to say.
 if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
@@ -19,6 +29,11 @@ if(PROJECT_IS_TOP_LEVEL)
   find_program(CCACHE_PROGRAM ccache)
   if(CCACHE_PROGRAM)
     set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+    if(PELLUCIDA_UNITY)
+      # What ccache asks for to keep precompiled headers; nothing of ours uses __DATE__ or __TIME__.
+      set(sloppiness pch_defines,time_macros,include_file_mtime,include_file_ctime)
+      list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=${sloppiness})
+    endif()
   endif()
 endif()
 
@@ -26,6 +41,14 @@ add_library(pellucida_build_options INTERFACE)
 add_library(pellucida::build_options ALIAS pellucida_build_options)
 # No contraction and no fast-math: a replay must give the same bits as the live run.
 target_compile_options(pellucida_build_options INTERFACE -Wall -Wextra -Wshadow -Wno-missing-field-initializers -ffp-contract=off)
+if(PELLUCIDA_UNITY)
+  # SDL's flags define it; a precompiled header is good only where the same is defined.
+  target_compile_definitions(pellucida_build_options INTERFACE _REENTRANT)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC takes each class of a batch that has a member from an unnamed namespace for one in a header.
+    target_compile_options(pellucida_build_options INTERFACE -Wno-subobject-linkage)
+  endif()
+endif()
 if(PELLUCIDA_WARNINGS_AS_ERRORS)
   target_compile_options(pellucida_build_options INTERFACE -Werror)
 endif()

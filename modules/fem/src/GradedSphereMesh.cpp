@@ -12,7 +12,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kMostNodes = 200000;
 /// Triangles larger than so many equilateral ones of the edge length asked for are split: first the very large ones,
 /// then ever smaller ones, evened out in between. At the last limit the mean edge comes out as asked for.
@@ -28,11 +27,11 @@ std::vector<Eigen::Vector3d> section_nodes(double radius_um, double start_angle_
   constexpr int kSteps = 20000;
   std::vector<double> cumulative(kSteps + 1, 0.0);
   for (int k = 0; k < kSteps; ++k) {
-    const double angle = start_angle_rad + 2.0 * kPi * (k + 0.5) / kSteps;
+    const double angle = start_angle_rad + 2.0 * std::numbers::pi * (k + 0.5) / kSteps;
     const double length = edge_length_um(radius_um * section_point(angle));
     if (!(length > 0.0)) throw UsageError("sphere mesh: an edge length must be above 0 um");
     cumulative[static_cast<std::size_t>(k) + 1] =
-        cumulative[static_cast<std::size_t>(k)] + 2.0 * kPi * radius_um / kSteps / length;
+        cumulative[static_cast<std::size_t>(k)] + 2.0 * std::numbers::pi * radius_um / kSteps / length;
   }
   if (cumulative.back() > static_cast<double>(kMostNodes)) throw UsageError("sphere mesh: the edges are too short");
 
@@ -43,7 +42,8 @@ std::vector<Eigen::Vector3d> section_nodes(double radius_um, double start_angle_
     const double target = cumulative.back() * n / count;
     while (cumulative[cell + 1] < target) ++cell;
     const double part = (target - cumulative[cell]) / (cumulative[cell + 1] - cumulative[cell]);
-    nodes.push_back(section_point(start_angle_rad + 2.0 * kPi * (static_cast<double>(cell) + part) / kSteps));
+    nodes.push_back(
+        section_point(start_angle_rad + 2.0 * std::numbers::pi * (static_cast<double>(cell) + part) / kSteps));
   }
   return nodes;
 }

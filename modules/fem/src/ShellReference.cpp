@@ -16,8 +16,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 GradedSphere make_mesh(const ShellSpecimen& specimen, const ShellContact& contact, double edge_length_ratio) {
   const Eigen::Vector3d tip = contact_direction(specimen, contact), holder = holder_direction(contact);
   const auto angle = [](const Eigen::Vector3d& p, const Eigen::Vector3d& direction) {
@@ -158,7 +156,7 @@ ShellSection ShellReference::section(const ShellStep& step) const {
   std::vector<std::pair<double, int>> order;
   for (int n = 0; n < count; ++n) order.emplace_back(std::atan2(rest(0, n), rest(2, n)), n);
   for (auto& [angle, node] : order) {
-    if (angle >= kPi) angle -= 2.0 * kPi;
+    if (angle >= std::numbers::pi) angle -= 2.0 * std::numbers::pi;
   }
   std::sort(order.begin(), order.end());
 

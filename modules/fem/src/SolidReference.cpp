@@ -13,7 +13,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Lame's lambda in terms of mu that counts as incompressible: volumes change by a thousandth of a strain.
 constexpr double kIncompressible = 2000.0;
 /// Elements are so much shorter than the shell's triangles.
@@ -42,7 +41,7 @@ Eigen::VectorXd bond_weights(const AxisymmetricMesh& mesh, bool tip_side,
       const double share = (part + 0.5) / kParts;
       const Eigen::Vector3d p = (1.0 - share) * a + share * b;
       if ((p.z() > 0.0) != tip_side) continue;
-      const double amount = std::max(0.0, density(p.x())) * 2.0 * kPi * p.x() * (b - a).norm() / kParts;
+      const double amount = std::max(0.0, density(p.x())) * 2.0 * std::numbers::pi * p.x() * (b - a).norm() / kParts;
       weights[mesh.outer[k]] += (1.0 - share) * amount;
       weights[mesh.outer[k + 1]] += share * amount;
     }
@@ -82,7 +81,8 @@ class SolidReference::Impl {
       : mesh_(make_axisymmetric_mesh(
             specimen.mid_radius_um, specimen.thickness_um,
             [&](double angle) {
-              return kEdgeRatio * options.edge_length_ratio * edge_length_um(specimen, contact, angle, kPi - angle);
+              return kEdgeRatio * options.edge_length_ratio *
+                     edge_length_um(specimen, contact, angle, std::numbers::pi - angle);
             },
             options.across)),
         solid_(mesh_, shear_modulus(specimen), lame_lambda(specimen)),

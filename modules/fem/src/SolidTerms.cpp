@@ -14,8 +14,6 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 using Vector18 = Eigen::Matrix<double, 18, 1>;
 using Matrix18 = Eigen::Matrix<double, 18, 18>;
 
-constexpr double kPi = std::numbers::pi;
-
 double determinant(const Vector5& f) {
   return (f[0] * f[3] - f[1] * f[2]) * f[4];
 }
@@ -61,7 +59,8 @@ SolidTerm::SolidTerm(const AxisymmetricMesh& mesh, double shear_modulus_uN_per_u
       }
       const Eigen::Matrix<double, 2, 9> gradient = jacobian.inverse().transpose() * slope;
       Point& point = element.points[q];
-      point.volume = 2.0 * kPi * radius * std::abs(jacobian.determinant()) * kGaussWeight[q % 3] * kGaussWeight[q / 3];
+      point.volume = 2.0 * std::numbers::pi * radius * std::abs(jacobian.determinant()) * kGaussWeight[q % 3] *
+                     kGaussWeight[q / 3];
       point.modes << 1.0, xi, eta;
       point.b.setZero();
       for (Eigen::Index k = 0; k < 9; ++k) {
@@ -217,7 +216,7 @@ double RevolvedLiquidTerm::volume_um3(const Eigen::Matrix3Xd& x_um) const {
         r += shape[n] * x_um(0, surface_[k + n]);
         dz += slope[n] * x_um(2, surface_[k + n]);
       }
-      volume -= kPi * kGaussWeight[q] * r * r * dz;
+      volume -= std::numbers::pi * kGaussWeight[q] * r * r * dz;
     }
   }
   return volume;
@@ -236,7 +235,7 @@ void RevolvedLiquidTerm::add_slope(const Eigen::Matrix3Xd& x_um, double factor, 
         r += shape[n] * x_um(0, surface_[k + n]);
         dz += slope[n] * x_um(2, surface_[k + n]);
       }
-      const double weight = -kPi * kGaussWeight[q] * factor;
+      const double weight = -std::numbers::pi * kGaussWeight[q] * factor;
       for (std::size_t n = 0; n < 3; ++n) {
         sum(0, surface_[k + n]) += weight * 2.0 * r * dz * shape[n];
         sum(2, surface_[k + n]) += weight * r * r * slope[n];
@@ -267,7 +266,7 @@ double RevolvedLiquidTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* g
           r += shape[n] * x_um(0, surface_[k + n]);
           dz += slope[n] * x_um(2, surface_[k + n]);
         }
-        const double weight = -2.0 * kPi * kGaussWeight[q] * factor;
+        const double weight = -2.0 * std::numbers::pi * kGaussWeight[q] * factor;
         std::size_t n = 0;
         for (std::size_t a = 0; a < 3; ++a) {
           for (std::size_t b = 0; b <= a; ++b, ++n) {

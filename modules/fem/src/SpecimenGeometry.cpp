@@ -10,8 +10,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 void require(bool holds, const std::string& message) {
   if (!holds) throw UsageError("finite elements: " + message);
 }
@@ -24,10 +22,10 @@ ShellContact contact_for_configuration(int configuration, double offset_um) {
     case 1:
       return contact;
     case 2:
-      contact.holder_angle_rad = 0.25 * kPi;
+      contact.holder_angle_rad = 0.25 * std::numbers::pi;
       return contact;
     case 3:
-      contact.holder_angle_rad = 0.5 * kPi;
+      contact.holder_angle_rad = 0.5 * std::numbers::pi;
       return contact;
     case 4:
       contact.lateral_offset_um = offset_um;
@@ -50,15 +48,15 @@ void check_geometry(const ShellSpecimen& specimen, const ShellContact& contact) 
   require(contact.tip_bond_per_um > 0.0 && contact.holder_bond_per_um > 0.0, "both bonds must be above 0");
   require(contact.holder_half_width_um > 0.0 && contact.holder_ring_um >= 0.0, "the holder's ring must have a width");
   require(contact.holder_ring_um + contact.holder_half_width_um < outer, "the holder's ring must fit on the cell");
-  require(contact.holder_angle_rad >= 0.0 && contact.holder_angle_rad <= 0.5 * kPi,
+  require(contact.holder_angle_rad >= 0.0 && contact.holder_angle_rad <= 0.5 * std::numbers::pi,
           "the holder's angle must be between 0 and 90 degrees");
 
   // Tool against tool, along the sphere.
   require(std::abs(contact.lateral_offset_um) < 0.8 * outer, "the needle must meet the cell: offset below 0.8 radii");
-  const double between = kPi - contact.holder_angle_rad - std::asin(contact.lateral_offset_um / outer);
+  const double between = std::numbers::pi - contact.holder_angle_rad - std::asin(contact.lateral_offset_um / outer);
   const double reach = std::asin((contact.holder_ring_um + contact.holder_half_width_um) / outer) +
                        2.0 * std::asin(0.5 * contact.tip_radius_um / outer);
-  require(std::min(between, 2.0 * kPi - between) > reach,
+  require(std::min(between, 2.0 * std::numbers::pi - between) > reach,
           "tip and holder bear on the same place; turn the holder away");
 }
 

@@ -6,7 +6,7 @@
 namespace pellucida {
 namespace {
 
-PlainVector3 in_plane(const Eigen::Vector2d& v) noexcept {
+PlainVector3 at_height_zero(const Eigen::Vector2d& v) noexcept {
   return {v.x(), v.y(), 0.0};
 }
 
@@ -26,18 +26,18 @@ ContactModel contact_model(const Observation& observation, const ForceEstimate& 
 
   if (observation.outer) {
     model.cell_seen = true;
-    model.center_um = in_plane(observation.center_um);
+    model.center_um = at_height_zero(observation.center_um);
     model.outer_radius_um = observation.rest_outer_radius_um;
     model.inner_radius_um = observation.rest_inner_radius_um;
   }
   if (observation.holder) {
     model.holder_seen = true;
-    model.holder_mouth_um = in_plane(observation.holder->mouth_um);
-    model.holder_direction = in_plane(observation.holder->direction);
+    model.holder_mouth_um = at_height_zero(observation.holder->mouth_um);
+    model.holder_direction = at_height_zero(observation.holder->direction);
   }
   if (!observation.needle) return model;
-  model.tip_um = in_plane(observation.needle->tip_um);
-  model.push = in_plane(observation.needle->direction);
+  model.tip_um = at_height_zero(observation.needle->tip_um);
+  model.push = at_height_zero(observation.needle->direction);
 
   if (!std::isfinite(estimate.contact_force_uN) || !estimate.tip_force_uN.allFinite()) return model;
   model.valid = true;

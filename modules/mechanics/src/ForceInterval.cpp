@@ -9,7 +9,7 @@ namespace {
 /// Two-sided 95 % of a normal distribution.
 constexpr double kInterval = 1.96;
 /// No profile's error counts for more than this.
-constexpr double kLargestRatio = 0.6;
+constexpr double kLargestErrorRatio = 0.6;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void add_model_errors(const CellProfile& profile, double force_uN, double rest_s
                       ForceErrors& errors) noexcept {
   double ratio = 0.0, floor_uN = 0.0;
   for (const ProfileError& error : profile.errors) {
-    const double largest = std::min(error.largest_ratio, kLargestRatio);
+    const double largest = std::min(error.largest_ratio, kLargestErrorRatio);
     // The model's force may be too small by that share of the true one.
     const double two_sigma = -std::log1p(-largest);
     const double peak_uN = error.largest_of_peak_ratio * profile.puncture_force_uN;

@@ -17,7 +17,7 @@ constexpr double kLongestBentStep_um = 1.0;
 /// A step that fails is halved down to this.
 constexpr double kShortestStep_um = 0.05;
 /// No single call spends more iterations: from rest to the deepest point takes about a hundred.
-constexpr int kMostIterations = 400;
+constexpr int kMostStepIterations = 400;
 
 }  // namespace
 
@@ -92,7 +92,7 @@ IndentationState Indenter::advance_to(double depth_um) {
     total.factorizations += report.factorizations;
     total.shifts += report.shifts;
     total.residual_uN = report.residual_uN;
-    if (total.iterations >= kMostIterations && depth_um_ != depth_um) {
+    if (total.iterations >= kMostStepIterations && depth_um_ != depth_um) {
       total.status = SolveStatus::kIterationBudget;
       break;
     }

@@ -11,7 +11,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kMiddleRadius_um = 50.0;
 constexpr double kHalfThickness_um = 2.5;
 constexpr int kPointCount = 400;
@@ -38,7 +37,8 @@ Eigen::VectorXd material_angles(double apex_rad) {
   auto density = [](double angle) { return 1.0 + 2.5 * std::exp(-angle * angle / (2 * 0.3 * 0.3)); };
   Eigen::VectorXd cumulative(kFine + 1);
   cumulative(0) = 0;
-  for (int i = 0; i < kFine; ++i) cumulative(i + 1) = cumulative(i) + density(-kPi + 2 * kPi * (i + 0.5) / kFine);
+  for (int i = 0; i < kFine; ++i)
+    cumulative(i + 1) = cumulative(i) + density(-std::numbers::pi + 2 * std::numbers::pi * (i + 0.5) / kFine);
 
   Eigen::VectorXd angles(kPointCount);
   int cell = 0;
@@ -46,7 +46,7 @@ Eigen::VectorXd material_angles(double apex_rad) {
     const double target = cumulative(kFine) * k / kPointCount;
     while (cumulative(cell + 1) < target) ++cell;
     const double part = (target - cumulative(cell)) / (cumulative(cell + 1) - cumulative(cell));
-    angles(k) = -kPi + 2 * kPi * (cell + part) / kFine;
+    angles(k) = -std::numbers::pi + 2 * std::numbers::pi * (cell + part) / kFine;
   }
   // The apex itself is a material point.
   angles(kPointCount / 2) = 0.0;
@@ -61,7 +61,7 @@ Contour_um smooth_surface(const Eigen::VectorXd& node_angle, const Eigen::Vector
                           const Eigen::VectorXd& angles) {
   const Eigen::VectorXd ux = node_x.array() - radius_um * node_angle.array().sin();
   const Eigen::VectorXd uz = node_z.array() - radius_um * node_angle.array().cos();
-  const PeriodicSpline across(node_angle, ux, 2 * kPi), along(node_angle, uz, 2 * kPi);
+  const PeriodicSpline across(node_angle, ux, 2 * std::numbers::pi), along(node_angle, uz, 2 * std::numbers::pi);
 
   // Local average of a spline with a Gaussian that fades with the distance from the apex.
   const double apex = angles(angles.size() / 2);
@@ -111,7 +111,7 @@ void mirror_half(const Eigen::VectorXd& angle, const Eigen::VectorXd& r, const E
     const Eigen::Index source = std::abs(i - (n - 1));
     const double side = i < n - 1 ? -1.0 : 1.0;
     const bool pole = source == 0 || source == n - 1;
-    whole_angle(i) = side * (source == n - 1 ? kPi : angle(source));
+    whole_angle(i) = side * (source == n - 1 ? std::numbers::pi : angle(source));
     whole_x(i) = pole ? 0.0 : side * r(source);
     whole_z(i) = z(source);
   }
@@ -134,7 +134,7 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   reference.outer_radius_um_ = kMiddleRadius_um + kHalfThickness_um;
   reference.inner_radius_um_ = kMiddleRadius_um - kHalfThickness_um;
   // Configuration 4 is configuration 1 with the needle moved sideways.
-  reference.holder_angle_rad_ = configuration == 4 ? 0.0 : (configuration - 1) * kPi / 4;
+  reference.holder_angle_rad_ = configuration == 4 ? 0.0 : (configuration - 1) * std::numbers::pi / 4;
   reference.offset_um_ = configuration == 4 ? kOffset_um : 0.0;
   const double apex_rad = std::asin(reference.offset_um_ / reference.outer_radius_um_);
   reference.angle_rad_ = material_angles(apex_rad);

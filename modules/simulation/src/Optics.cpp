@@ -9,8 +9,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Narrowest line that the pixels can carry, um.
 double line_sigma(const Scenario& s, double wanted_um) {
   return std::max(wanted_um, 0.5 * s.image.pixel_size_um);
@@ -97,7 +95,8 @@ cv::Mat1f make_field_of_light(const Scenario& s) {
   cv::Mat1f debris(image.height_px, image.width_px, 1.0f);
   draw_debris(debris, s.debris.count, s.debris.max_radius_um, image.pixel_size_um, s.seed);
   cv::Mat1f field(image.height_px, image.width_px);
-  const double angle = s.optics.gradient_angle_deg * kPi / 180, half = std::hypot(image.width_px, image.height_px) / 2;
+  const double angle = s.optics.gradient_angle_deg * std::numbers::pi / 180,
+               half = std::hypot(image.width_px, image.height_px) / 2;
   for (int y = 0; y < field.rows; ++y)
     for (int x = 0; x < field.cols; ++x) {
       const double u = (x - field.cols / 2.0) / half, v = (y - field.rows / 2.0) / half;

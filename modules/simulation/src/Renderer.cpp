@@ -12,8 +12,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Columns [first, last] of a row whose lateral distance to an axis is at most `reach`, and whose place along it is at
 // least `begin`; all lengths in px. `point` relative to the axis's origin: (x - ox, y - oy).
 struct Strip {
@@ -128,7 +126,7 @@ void Renderer::draw_cell(const Truth& truth, const SpecimenState& state) {
   draw_grain(map_center, window);
 
   // The side the light seems to come from; fixed in the image.
-  const Eigen::Vector2d lit(std::cos(-kPi / 4), std::sin(-kPi / 4));
+  const Eigen::Vector2d lit(std::cos(-std::numbers::pi / 4), std::sin(-std::numbers::pi / 4));
   const auto lit_across = static_cast<float>(lit.dot(across)), lit_axis = static_cast<float>(lit.dot(axis));
 
   const auto contrast = static_cast<float>(scenario_.optics.contrast),
@@ -283,7 +281,7 @@ void Renderer::draw_needle(const NeedlePose& needle, double out_of_plane_um) {
   Strip strip{needle.tip_um / pixel_um, along, across, (tools.needle_shaft_radius_um + kBand_um) / pixel_um,
               -kBand_um / pixel_um};
   const auto tip = static_cast<float>(tools.needle_tip_radius_um);
-  const auto slope = static_cast<float>(std::tan(tools.needle_taper_deg * kPi / 180));
+  const auto slope = static_cast<float>(std::tan(tools.needle_taper_deg * std::numbers::pi / 180));
   const float cosine = 1 / std::sqrt(1 + slope * slope);
   for (int y = 0, first, last; y < light_.rows; ++y) {
     if (!strip.columns(y, light_.cols, first, last)) continue;

@@ -11,7 +11,7 @@
 namespace pellucida {
 namespace {
 
-void require(const char* name, double value, double low, double high) {
+void require_arm(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return;
   throw UsageError("arm." + std::string(name) + " is " + csv_number(value) + "; allowed: " + csv_number(low) + " to " +
                    csv_number(high));
@@ -22,9 +22,9 @@ void require(const char* name, double value, double low, double high) {
 SimulatedHand::SimulatedHand(const OperatorOptions& options, const OperatorPlan& plan, const ArmOptions& arm,
                              std::uint64_t seed)
     : operator_(options, plan, seed), arm_(arm) {
-  require("mass_kg", arm.mass_kg, 0.02, 5);
-  require("damping_N_s_per_m", arm.damping_N_s_per_m, 0.5, 100);
-  require("stiffness_N_per_m", arm.stiffness_N_per_m, 20, 5000);
+  require_arm("mass_kg", arm.mass_kg, 0.02, 5);
+  require_arm("damping_N_s_per_m", arm.damping_N_s_per_m, 0.5, 100);
+  require_arm("stiffness_N_per_m", arm.stiffness_N_per_m, 20, 5000);
 
   // The arm's own answer to a trembling equilibrium.
   const std::complex<double> s(0.0, 2 * std::numbers::pi * options.tremor_Hz);

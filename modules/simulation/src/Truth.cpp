@@ -10,8 +10,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // A section's contour in the image, turned so that its signed area is positive.
 MembraneContour place(Membrane membrane, const Contour_um& section, const SpecimenPose& pose) {
   MembraneContour contour;
@@ -38,7 +36,7 @@ Contour_um shrink(const Contour_um& section, double inwards_um) {
 
 // Direction in degrees; what rounding leaves of a right angle is taken away.
 double degrees(const Eigen::Vector2d& direction) {
-  const double angle = std::atan2(direction.y(), direction.x()) * 180 / kPi;
+  const double angle = std::atan2(direction.y(), direction.x()) * 180 / std::numbers::pi;
   return std::round(angle * 1e9) / 1e9 + 0.0;
 }
 
@@ -84,7 +82,7 @@ HolderPose place_holder(const VirtualSpecimen& specimen, const Eigen::Vector2d& 
   for (int sign : {1, -1})
     for (int k = 0; k <= 12; ++k) {
       // Each wall's end is a half circle towards the cell: from outside to inside, then from inside to outside.
-      const double angle = kPi * k / 12, across = rim.wall_radius_um * std::cos(angle);
+      const double angle = std::numbers::pi * k / 12, across = rim.wall_radius_um * std::cos(angle);
       add(sign * rim.ring_radius_um + across, rim.distance_um - rim.wall_radius_um * std::sin(angle));
     }
   add(-holder.outer_radius_um, rim.distance_um + length_um);
@@ -99,7 +97,8 @@ double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexce
   const double r = tools.needle_tip_radius_um;
   if (back_um < r) return std::sqrt(std::max(0.0, r * r - (r - back_um) * (r - back_um)));
   // A cone at first, then ever closer to the shaft's width.
-  const double widening = tools.needle_shaft_radius_um - r, slope = std::tan(tools.needle_taper_deg * kPi / 180);
+  const double widening = tools.needle_shaft_radius_um - r,
+               slope = std::tan(tools.needle_taper_deg * std::numbers::pi / 180);
   return widening <= 0 ? r : r + widening * -std::expm1(-(back_um - r) * slope / widening);
 }
 
@@ -178,7 +177,7 @@ void TruthWriter::write(const Truth& truth) {
   for (double value :
        {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(), seen.needle->tip_um.y(),
         seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3,
-        seen.rotation_rad * 180 / kPi, truth.lateral_force_uN, truth.deposited_pL})
+        seen.rotation_rad * 180 / std::numbers::pi, truth.lateral_force_uN, truth.deposited_pL})
     rows_ << ',' << csv_number(value);
   rows_ << '\n' << std::flush;
 

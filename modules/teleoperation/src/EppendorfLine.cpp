@@ -1,9 +1,9 @@
 #include "pellucida/teleoperation/EppendorfLine.h"
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 
+#include "SteadyTime.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
@@ -12,10 +12,6 @@ namespace {
 constexpr int kBaud = 19200;
 constexpr double kWriteTimeout_s = 0.5;
 constexpr long kFarEnough_um = 100;  // half a um of rounding is half a percent there
-
-double steady_now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Noise as it can be shown on a terminal.
 std::string printable(std::string text) {

@@ -9,7 +9,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kLongestGap_s = 0.1;  // a key held while there was no read does not make the hand jump
+constexpr double kLongestReadGap_s = 0.1;  // a key held while there was no read does not make the hand jump
 
 double unit_clamped(double value) noexcept {
   return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0;
@@ -75,7 +75,7 @@ bool MouseHand::read(double now_s, HandSample& sample) noexcept {
   inputs_.refresh();
   cues_.refresh();
   const Input& input = inputs_.value();
-  const double dt_s = last_read_s_ < 0.0 ? 0.0 : std::clamp(now_s - last_read_s_, 0.0, kLongestGap_s);
+  const double dt_s = last_read_s_ < 0.0 ? 0.0 : std::clamp(now_s - last_read_s_, 0.0, kLongestReadGap_s);
   last_read_s_ = now_s;
 
   // What the mouse and the keys did since the last reading, frame H.

@@ -6,18 +6,15 @@
 #include <limits>
 
 #include "OpenHapticsEntryPoints.h"
+#include "SteadyTime.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
 namespace {
 
-constexpr double kLongestSilence_s = 0.1;  // of the driver: a hundred of its ticks
-constexpr double kForceValidFor_s = 0.02;  // a force that is not renewed is released
+constexpr double kLongestDriverSilence_s = 0.1;  // of the driver: a hundred of its ticks
+constexpr double kForceValidFor_s = 0.02;        // a force that is not renewed is released
 constexpr double kMPerMm = 0.001;
-
-double steady_now_s() noexcept {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 struct Reading {
   PlainVector3 position_m, velocity_m_per_s;
@@ -153,7 +150,7 @@ OpenHapticsHand::~OpenHapticsHand() = default;
 bool OpenHapticsHand::read(double now_s, HandSample& sample) noexcept {
   if (driver_->readings.refresh() || !read_once_) heard_s_ = now_s;
   read_once_ = true;
-  if (now_s - heard_s_ > kLongestSilence_s) driver_->lost.store(true, std::memory_order_release);
+  if (now_s - heard_s_ > kLongestDriverSilence_s) driver_->lost.store(true, std::memory_order_release);
   const bool lost = driver_->lost.load(std::memory_order_acquire);
   const Reading& reading = driver_->readings.value();
   sample.time_s = now_s;

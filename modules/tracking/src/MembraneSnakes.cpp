@@ -9,9 +9,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kSearchStep = 1.0;        // px between samples of the search for where an edge roughly is
-constexpr double kSoftRigidity = 20.0;     // times the rigidity, for a faint step that single normals see badly
 constexpr int kSoftSmoothing = 8;          // times neighbouring profiles of a faint step are averaged
-constexpr double kNeedleMargin = 2.5;      // px: half width of the needle's own dark edge, with its halo
 constexpr double kReferenceSpacing = 2.0;  // px between points at which an edge known to kReferenceSigma weighs 1
 constexpr double kReferenceSigma = 0.4;
 constexpr double kShapeShare = 0.1;     // of the predicted shape's own bending that the snake resists

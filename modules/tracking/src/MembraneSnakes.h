@@ -12,6 +12,11 @@
 
 namespace pellucida {
 
+/// Times the rigidity, for a faint step that single normals see badly.
+inline constexpr double kSoftRigidity = 20.0;
+/// px: half width of the needle's own dark edge, with its halo.
+inline constexpr double kNeedleMargin = 2.5;
+
 /// What the snakes need to know of the needle: where its own dark edges would be taken for a membrane.
 struct NeedleZone {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();         ///< px

@@ -2,24 +2,16 @@
 #include <cmath>
 
 #include "ContourMath.h"
+#include "Median.h"
 #include "MembraneSnakes.h"
 
 namespace pellucida {
 namespace {
 
-constexpr double kStep = 0.5;            // px between samples on a normal
-constexpr double kLeastWorth = 0.30;     // agreement times score of a contour that counts
-constexpr double kSoftRigidity = 20.0;   // times the rigidity, for a faint step that single normals see badly
-constexpr double kLeastSureness = 0.26;  // the same of the surer contour, times the detection's score
-constexpr double kNeedleMargin = 2.5;    // px: half width of the needle's own dark edge, with its halo
+constexpr double kStep = 0.5;                              // px between samples on a normal
+constexpr double kLeastWorth = 0.30;                       // agreement times score of a contour that counts
+constexpr double kLeastSureness = 0.26;                    // the same of the surer contour, times the detection's score
 constexpr double kFinestStep = 0.25, kCoarsestStep = 2.5;  // px between samples of a look
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -90,7 +82,7 @@ void MembraneSnakes::learn_strength(const FrameSampler& image, SnakeContour& sna
     const double agreement = rows > 0 ? alike / rows : 0.0;
     snake.agreement = snake.strength > 0.0 ? 0.9 * snake.agreement + 0.1 * agreement : agreement;
   }
-  const double now = median_of(std::move(heights));
+  const double now = median_of(heights);
   if (now <= 0.0) return;
   snake.strength = snake.strength > 0.0 ? 0.9 * snake.strength + 0.1 * now : now;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Median.h"
+
 namespace pellucida {
 namespace {
 
@@ -14,13 +16,6 @@ constexpr double kWidthFloor = 0.009;
 // Samples closer than a pixel share its noise.
 double shared_noise(double step) {
   return std::max(1.0, 1.0 / step);
-}
-
-double median_of(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

@@ -17,14 +17,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ColorByte.h"
 #include "Letters.h"
 
 namespace pellucida {
 namespace {
-
-unsigned char to_byte(double part) {
-  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
-}
 
 void apply(const HudText& style, double ratio, vtkTextProperty* property) {
   set_typeface(property, style.bold);

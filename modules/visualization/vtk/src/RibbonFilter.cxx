@@ -15,15 +15,13 @@
 #include <array>
 #include <cmath>
 
+#include "ColorByte.h"
+
 namespace pellucida {
 namespace {
 
 // Points across the ribbon: soft rim, full colour, full colour, soft rim.
 constexpr int kAcross = 4;
-
-unsigned char to_byte(double part) {
-  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
-}
 
 // A line's points without repeated ones.
 std::vector<Eigen::Vector3d> points_of(vtkPolyData* input, vtkIdType count, const vtkIdType* ids) {
