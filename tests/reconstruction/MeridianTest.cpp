@@ -53,6 +53,9 @@ TEST(Meridian, DegenerateContoursAreRefusedWithAReason) {
   const auto fractions = graded_fractions(9, 1.0);
   const auto contour_um = test::ellipse(100, kCenter_um, kAxis, 50.0, 50.0);
   EXPECT_FALSE(cut_meridians(contour_um, {500.0, 80.0}, kAxis, fractions));
+  // On the axis, but beyond the contour: it holds no part of this cell.
+  EXPECT_FALSE(cut_meridians(contour_um, kCenter_um + 60.0 * kAxis, kAxis, fractions));
+  EXPECT_FALSE(cut_meridians(contour_um, kCenter_um - 60.0 * kAxis, kAxis, fractions));
   EXPECT_FALSE(cut_meridians(contour_um.leftCols(5), kCenter_um, kAxis, fractions));
   Contour_um broken = contour_um;
   broken(0, 3) = std::numeric_limits<double>::quiet_NaN();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "pellucida/core/Error.h"
 #include "reconstruction/TestContours.h"
@@ -86,6 +87,43 @@ TEST(Revolve, ADimpledCellMeetsPappus) {
   const auto result = revolve(contour, kCenter_um, axis, options(3.0, 161));
   ASSERT_TRUE(result);
   EXPECT_NEAR(volume_um3(result->mesh) / (2.0 * kPi * moment_um3), 1.0, 0.002);
+}
+
+// A sphere of radius R with a paraboloid pressed in from its rim at height h, deeper than the centre: the cell at the
+// peak of a deep push. V = sphere - 2 pi integral of rho (sqrt(R^2 - rho^2) - dimple(rho)) over the mouth.
+TEST(Revolve, ADimpleDeeperThanTheCentreIsRevolved) {
+  constexpr double kRadius_um = 52.0, kMouth_um = 30.0, kBottom_um = -8.0;
+  const double rim_um = std::sqrt(kRadius_um * kRadius_um - kMouth_um * kMouth_um);
+  const double rim_rad = std::asin(kMouth_um / kRadius_um);
+  const auto axis = unit(2.1);
+  const Eigen::Vector2d side(-axis.y(), axis.x());
+  // From the bottom of the dimple to its rim and round to the far pole, then back on the other side.
+  std::vector<Eigen::Vector2d> half;
+  for (int i = 0; i < 400; ++i) {
+    const double share = (i + 0.5) / 400.0;
+    half.emplace_back(kBottom_um + (rim_um - kBottom_um) * share * share, kMouth_um * share);
+  }
+  for (int i = 0; i < 800; ++i) {
+    const double polar_rad = rim_rad + (kPi - rim_rad) * (i + 0.5) / 800.0;
+    half.emplace_back(kRadius_um * std::cos(polar_rad), kRadius_um * std::sin(polar_rad));
+  }
+  const auto count = static_cast<Eigen::Index>(half.size());
+  Contour_um contour(2, 2 * count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Vector2d& p = half[static_cast<std::size_t>(i)];
+    contour.col(i) = kCenter_um + p.x() * axis + p.y() * side;
+    contour.col(2 * count - 1 - i) = kCenter_um + p.x() * axis - p.y() * side;
+  }
+
+  const auto result = revolve(contour, kCenter_um, axis, options(3.0, 161));
+  ASSERT_TRUE(result) << result.error();
+  EXPECT_TRUE(is_closed_and_oriented(result->mesh));
+  const double cap_um3 = (std::pow(kRadius_um, 3) - std::pow(rim_um, 3)) / 3.0;
+  const double bowl_um3 = 0.5 * kMouth_um * kMouth_um * 0.5 * (kBottom_um + rim_um);
+  const double exact_um3 = 4.0 / 3.0 * kPi * std::pow(kRadius_um, 3) - 2.0 * kPi * (cap_um3 - bowl_um3);
+  EXPECT_NEAR(volume_um3(result->mesh) / exact_um3, 1.0, 0.002);
+  // The needle's pole is the bottom of the dimple.
+  EXPECT_NEAR((result->mesh.nodes_um.col(0).head<2>() - kCenter_um).dot(axis), kBottom_um, 0.05);
 }
 
 TEST(Revolve, StartPointDoesNotMatter) {

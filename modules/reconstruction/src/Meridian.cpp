@@ -1,7 +1,7 @@
 #include "Meridian.h"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,23 +14,37 @@ struct Crossing {
   double height_um = 0.0;
 };
 
-// The crossing nearest to the centre on one side of it (sign +1: towards the needle).
-Crossing nearest_crossing(const Eigen::Matrix2Xd& local, double sign) {
-  Crossing best;
-  double best_distance_um = std::numeric_limits<double>::infinity();
+// The ends of the body on the axis. The axis enters the contour at every second crossing from the far end on; of the
+// stretches inside, the body is the one that holds the centre or, where the dimple is deeper than the centre, the
+// longest: others are the lips of the dimple.
+struct Poles {
+  Crossing needle;
+  Crossing far;
+};
+
+std::vector<Crossing> crossings_by_height(const Eigen::Matrix2Xd& local) {
+  std::vector<Crossing> crossings;
   const Eigen::Index n = local.cols();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Vector2d a = local.col(i);
     const Eigen::Vector2d b = local.col((i + 1) % n);
     if ((a.y() >= 0.0) == (b.y() >= 0.0)) continue;
-    const double height_um = a.x() + (b.x() - a.x()) * a.y() / (a.y() - b.y());
-    const double distance_um = sign * height_um;
-    if (distance_um > 0.0 && distance_um < best_distance_um) {
-      best_distance_um = distance_um;
-      best = {i, height_um};
-    }
+    crossings.push_back({i, a.x() + (b.x() - a.x()) * a.y() / (a.y() - b.y())});
   }
-  return best;
+  std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.height_um < b.height_um; });
+  return crossings;
+}
+
+std::optional<Poles> find_poles(const Eigen::Matrix2Xd& local) {
+  const std::vector<Crossing> crossings = crossings_by_height(local);
+  std::optional<Poles> longest;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    const Poles poles{.needle = crossings[i + 1], .far = crossings[i]};
+    if (poles.far.height_um < 0.0 && poles.needle.height_um > 0.0) return poles;
+    const double length_um = poles.needle.height_um - poles.far.height_um;
+    if (!longest || length_um > longest->needle.height_um - longest->far.height_um) longest = poles;
+  }
+  return longest;
 }
 
 // The points from one pole to the other, following the contour one way.
@@ -96,15 +110,15 @@ expected<MeridianPair, std::string> cut_meridians(const Contour_um& contour_um, 
   to_local.row(1) = Eigen::RowVector2d(-axis.y(), axis.x());
   const Eigen::Matrix2Xd local = to_local * (contour_um.colwise() - center_um);
 
-  const Crossing needle_pole = nearest_crossing(local, 1.0);
-  const Crossing far_pole = nearest_crossing(local, -1.0);
-  if (needle_pole.index < 0 || far_pole.index < 0) {
-    return unexpected<std::string>("the cell's centre is not inside the contour");
+  if (local.row(0).maxCoeff() <= 0.0 || local.row(0).minCoeff() >= 0.0) {
+    return unexpected<std::string>("the contour lies wholly to one side of the cell's centre");
   }
+  const std::optional<Poles> poles = find_poles(local);
+  if (!poles) return unexpected<std::string>("the axis through the cell's centre does not cross the contour");
 
   // Two ways round from pole to pole; which is the positive side depends on the contour's sense.
-  auto one = walk(local, needle_pole, far_pole, true);
-  auto other = walk(local, needle_pole, far_pole, false);
+  auto one = walk(local, poles->needle, poles->far, true);
+  auto other = walk(local, poles->needle, poles->far, false);
   if (mean_side(one) < mean_side(other)) std::swap(one, other);
 
   MeridianPair pair;

@@ -21,8 +21,9 @@ Eigen::VectorXd graded_fractions(int count, double pole_density_ratio);
 
 /// Cuts `contour_um` (closed, 2 x n, n >= 8) at the axis through `center_um` along the unit vector `axis` (towards the
 /// needle). The side of +t is that of t = (-axis.y, axis.x). The result depends neither on the contour's start point
-/// nor on its sense. Fails, with the reason, when the centre is not inside the contour or the contour has a number that
-/// is not finite.
+/// nor on its sense. A dimple may be deeper than the centre: the needle-side pole is then its bottom, at a height below
+/// 0. Fails, with the reason, when the axis does not cross the contour, the contour lies wholly to one side of the
+/// centre, or it has a number that is not finite.
 expected<MeridianPair, std::string> cut_meridians(const Contour_um& contour_um, const Eigen::Vector2d& center_um,
                                                   const Eigen::Vector2d& axis, const Eigen::VectorXd& arc_fraction);
 
