@@ -1,6 +1,5 @@
 #include "pellucida/visualization_vtk/FeedView.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkCutter.h>
@@ -10,8 +9,6 @@
 #include <vtkImageSliceMapper.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkStripper.h>
 
@@ -19,59 +16,17 @@
 #include <cmath>
 
 #include "DashFilter.h"
-#include "RibbonFilter.h"
+#include "FeedLines.h"
+#include "FeedMarks.h"
 #include "ToolShapes.h"
 #include "pellucida/core_vtk/SceneBlockFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
-#include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/Scaling.h"
 
 namespace pellucida {
 namespace {
 
 constexpr double kLineWidth = 2.0;
 constexpr double kCellMargin = 1.7;  // half the view's height, in radii of the cell
-
-// Lines with a dark underlay, so that they read on bright and dark parts of the image alike.
-struct Lines {
-  vtkNew<RibbonFilter> ribbon;
-  vtkNew<RibbonFilter> under_ribbon;
-  vtkNew<vtkActor> actor;
-  vtkNew<vtkActor> under;
-
-  // `level` orders lines one above the other.
-  void build(vtkAlgorithmOutput* input, vtkRenderer* renderer, int level) {
-    under_ribbon->SetColors({palette::kWindow});
-    under_ribbon->SetOpacity(0.6);
-    for (auto [filter, one] : {std::pair{ribbon.Get(), actor.Get()}, std::pair{under_ribbon.Get(), under.Get()}}) {
-      filter->SetInputConnection(input);
-      vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputConnection(filter->GetOutputPort());
-      one->SetMapper(mapper);
-      one->GetProperty()->LightingOff();
-      // Blended in the order of drawing: the pass for clear things would mix a line with its underlay.
-      one->ForceOpaqueOn();
-      one->PickableOff();
-      one->VisibilityOff();
-    }
-    // The camera looks along +z: smaller z is nearer.
-    actor->SetPosition(0.0, 0.0, -2.0 * level);
-    under->SetPosition(0.0, 0.0, -2.0 * level + 1.0);
-    renderer->AddActor(under);
-    renderer->AddActor(actor);
-  }
-
-  void set_width(double width, double um_per_px) {
-    ribbon->SetWidthUm(width * um_per_px);
-    under_ribbon->SetWidthUm((width + 2.0) * um_per_px);
-    for (RibbonFilter* one : {ribbon.Get(), under_ribbon.Get()}) one->SetRimUm(1.2 * um_per_px);
-  }
-
-  void show(bool shown) {
-    actor->SetVisibility(shown);
-    under->SetVisibility(shown);
-  }
-};
 
 bool has_points(const Frozen<vtkPolyData>& part) {
   return part && const_cast<vtkPolyData*>(part.get())->GetNumberOfPoints() > 0;
@@ -99,9 +54,9 @@ struct FeedView::Pipeline {
   vtkNew<vtkCutter> section;
   vtkNew<vtkStripper> section_lines;
   vtkNew<DashFilter> dashes;
-  Lines membrane_lines;
-  Lines tool_lines;
-  Lines model_lines;
+  FeedLines membrane_lines;
+  FeedLines tool_lines;
+  FeedLines model_lines;
 };
 
 FeedView::FeedView(StageSource* source) : source_(source), pipeline_(std::make_unique<Pipeline>()) {
@@ -335,104 +290,22 @@ void FeedView::draw_hud(HudCanvas& hud, double width, double height) {
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }
-  if (plan_) draw_plan(hud);
-  draw_tip(hud);
-  draw_legend(hud, height);
-  draw_scale_bar(hud, height);
+  const ToHud place = [this](const Eigen::Vector2d& p_um) {
+    const double world_um[3] = {p_um.x(), p_um.y(), 0.0};
+    const auto [x, y] = to_hud(world_um);
+    return Eigen::Vector2d(x, y);
+  };
+  if (plan_) draw_plan(hud, *plan_, place);
+  const auto needle = needle_of(source_->GetScene());
+  if (tools_shown_ && needle) draw_tip(hud, *needle, place);
+  draw_legend(hud, legend_, height);
+  draw_scale_bar(hud, 2.0 * main_->GetActiveCamera()->GetParallelScale() / height);
   if (!caption_.empty()) {
     const HudText style{.color = palette::kText, .align = HudAlign::kRight};
     const double caption_width = hud.text_width(caption_, style);
     hud.rounded(width - caption_width - 28.0, height - 38.0, caption_width + 18.0, 26.0, 5.0, palette::kWindow, 0.72);
     hud.text(width - 19.0, height - 25.0, caption_, style);
   }
-}
-
-void FeedView::draw_legend(HudCanvas& hud, double height) const {
-  if (legend_.empty()) return;
-  constexpr double kRow = 20.0;
-  double text_width = 0.0;
-  for (const LegendRow& row : legend_) text_width = std::max(text_width, hud.text_width(row.text));
-  const double plate_height = kRow * static_cast<double>(legend_.size()) + 12.0;
-  hud.rounded(10.0, height - 10.0 - plate_height, text_width + 52.0, plate_height, 6.0, palette::kWindow, 0.72);
-  double y = height - 16.0 - 0.5 * kRow;
-  for (const LegendRow& row : legend_) {
-    if (row.dashed) {
-      for (const double x : {20.0, 28.0, 36.0}) hud.rectangle(x, y - 1.25, 5.0, 2.5, row.color);
-    } else {
-      hud.rectangle(20.0, y - 1.5, 22.0, 3.0, row.color);
-    }
-    hud.text(51.0, y, row.text);
-    y -= kRow;
-  }
-}
-
-void FeedView::draw_scale_bar(HudCanvas& hud, double height) const {
-  const double um_per_px = 2.0 * main_->GetActiveCamera()->GetParallelScale() / height;
-  const double length_um = nice_floor(130.0 * um_per_px);
-  const double length = length_um / um_per_px;
-  const std::string label = readout::plain(length_um) + " µm";
-  hud.rounded(10.0, 10.0, length + 28.0, 40.0, 6.0, palette::kWindow, 0.72);
-  hud.rectangle(24.0, 20.0, length, 3.0, palette::kText);
-  hud.rectangle(24.0, 17.0, 1.5, 9.0, palette::kText);
-  hud.rectangle(24.0 + length - 1.5, 17.0, 1.5, 9.0, palette::kText);
-  hud.text(24.0 + 0.5 * length, 37.0, label, {.align = HudAlign::kCentre});
-}
-
-// The way dashed, its corridor as a faint band while the guide is on, a bar across it at entry and depth stop, a cross
-// at the target.
-void FeedView::draw_plan(HudCanvas& hud) const {
-  constexpr double kDash = 7.0, kGap = 5.0, kBar = 8.0, kCross = 6.0;
-  const auto place = [&](const Eigen::Vector2d& p_um) {
-    const double world_um[3] = {p_um.x(), p_um.y(), 0.0};
-    const auto [x, y] = to_hud(world_um);
-    return Eigen::Vector2d(x, y);
-  };
-  const Eigen::Vector2d start = place(plan_->approach_um);
-  const Eigen::Vector2d end = place(plan_->target_um);
-  const double length = (end - start).norm();
-  if (!(length > 1.0)) return;
-  const Eigen::Vector2d along = (end - start) / length;
-  const Eigen::Vector2d across(-along.y(), along.x());
-
-  if (plan_->guided && plan_->corridor_um > 0.0) {
-    const double um = (plan_->target_um - plan_->approach_um).norm();
-    const double width = 2.0 * plan_->corridor_um * length / um;
-    hud.line(start.x(), start.y(), end.x(), end.y(), width, palette::kPlan, 0.14);
-  }
-  for (double s = 0.0; s < length; s += kDash + kGap) {
-    const Eigen::Vector2d a = start + s * along;
-    const Eigen::Vector2d b = start + std::min(s + kDash, length) * along;
-    hud.line(a.x(), a.y(), b.x(), b.y(), 1.5, palette::kPlan, 0.9);
-  }
-  const auto bar = [&](const Eigen::Vector2d& p_um, double half, double width) {
-    const Eigen::Vector2d p = place(p_um);
-    const Eigen::Vector2d a = p - half * across;
-    const Eigen::Vector2d b = p + half * across;
-    hud.line(a.x(), a.y(), b.x(), b.y(), width + 2.0, palette::kWindow, 0.6);
-    hud.line(a.x(), a.y(), b.x(), b.y(), width, palette::kPlan);
-  };
-  bar(plan_->entry_um, kBar, 2.0);
-  bar(plan_->depth_stop_um, 1.5 * kBar, 3.5);
-  hud.disc(end.x(), end.y(), kCross + 2.0, palette::kWindow, 0.5);
-  hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, palette::kPlan);
-  hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, palette::kPlan);
-}
-
-// The needle's tip as a ring, and its axis ahead of the tip as a thin line.
-void FeedView::draw_tip(HudCanvas& hud) const {
-  if (!tools_shown_) return;
-  const auto needle = needle_of(source_->GetScene());
-  if (!needle) return;
-  constexpr double kAhead_um = 22.0;
-  const double tip_um[3] = {needle->tip_um.x(), needle->tip_um.y(), 0.0};
-  const double ahead_um[3] = {tip_um[0] + kAhead_um * needle->direction.x(),
-                              tip_um[1] + kAhead_um * needle->direction.y(), 0.0};
-  const auto [x, y] = to_hud(tip_um);
-  const auto [ahead_x, ahead_y] = to_hud(ahead_um);
-  hud.line(x, y, ahead_x, ahead_y, 1.25, palette::kNeedle, 0.8);
-  hud.disc(x, y, 5.5, palette::kWindow, 0.75);
-  hud.disc(x, y, 4.0, palette::kNeedle);
-  hud.disc(x, y, 1.75, palette::kWindow);
 }
 
 }  // namespace pellucida

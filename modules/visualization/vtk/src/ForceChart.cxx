@@ -137,6 +137,14 @@ void ForceChart::clear() {
   changed_ = true;
 }
 
+const std::vector<TracePoint>& ForceChart::points() const {
+  return kind_ == ForceChartKind::kForceTime ? history_.over_time() : history_.current_touch();
+}
+
+std::optional<TracePoint> ForceChart::newest() const {
+  return points().empty() ? std::nullopt : std::optional(points().back());
+}
+
 void ForceChart::set_time_window_s(double window_s) {
   time_window_s_ = window_s;
   changed_ = true;
@@ -176,7 +184,7 @@ void ForceChart::style_axes(double ratio) {
 void ForceChart::fill() {
   Plots& p = *plots_;
   const bool over_time = kind_ == ForceChartKind::kForceTime;
-  const auto& points = over_time ? history_.over_time() : history_.current_touch();
+  const std::vector<TracePoint>& points = this->points();
 
   // Rows before the window's beginning are left out, but for one that lets the curve run in from the left.
   std::size_t first = 0;
@@ -208,7 +216,7 @@ void ForceChart::set_ranges() {
       if (std::isfinite(point.indentation_um)) greatest_um = std::max(greatest_um, point.indentation_um);
     }
   };
-  measure(over_time ? history_.over_time() : history_.current_touch());
+  measure(points());
   if (!over_time) measure(history_.previous_touch());
   const double ratio = std::max(hud_ratio(), 1e-3);
   const int* size = main_->GetSize();
@@ -240,8 +248,7 @@ void ForceChart::prepare(double width_px, double height_px) {
 }
 
 void ForceChart::draw_hud(HudCanvas& hud, double width, double height) {
-  const bool empty = (kind_ == ForceChartKind::kForceTime ? history_.over_time() : history_.current_touch()).empty();
-  if (!empty) {
+  if (!points().empty()) {
     if (kind_ == ForceChartKind::kForceTime) draw_marks(hud);
     return;
   }

@@ -18,6 +18,13 @@ enum class FeedFraming {
   kFrame,  ///< the whole frame
 };
 
+/// A line of the feed's legend.
+struct LegendRow {
+  std::string text;
+  Color color;
+  bool dashed = false;
+};
+
 /// The microscope's picture as it appears in the eyepiece (x right, y down), with what was found in it: membranes,
 /// tools, the needle's tip and axis, and the model's own section in the image plane, dashed. A scale bar of a round
 /// length and a legend of the lines come with it. Drag pans, wheel zooms (PanZoomStyle). The overlay always belongs to
@@ -50,19 +57,10 @@ class FeedView : public View {
 
  private:
   struct Pipeline;
-  struct LegendRow {
-    std::string text;
-    Color color;
-    bool dashed = false;
-  };
 
   void refresh_window_level(vtkImageData* frame);
   void refresh_cell_frame();
   void refresh_legend();
-  void draw_legend(HudCanvas& hud, double height) const;
-  void draw_scale_bar(HudCanvas& hud, double height) const;
-  void draw_tip(HudCanvas& hud) const;
-  void draw_plan(HudCanvas& hud) const;
 
   StageSource* source_;
   std::unique_ptr<Pipeline> pipeline_;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "pellucida/core/Measurement.h"
 #include "pellucida/visualization/TraceHistory.h"
@@ -21,6 +22,8 @@ class ForceChart : public View {
 
   void append(const Measurement& m);
   void clear();
+  /// The newest point, as it is marked.
+  std::optional<TracePoint> newest() const;
   /// Width of the time axis in s; 0 (the default) shows all. Of no effect on kForceIndentation.
   void set_time_window_s(double window_s);
 
@@ -30,6 +33,7 @@ class ForceChart : public View {
 
  private:
   struct Plots;
+  const std::vector<TracePoint>& points() const;
   void style_axes(double ratio);
   void fill();
   void set_ranges();

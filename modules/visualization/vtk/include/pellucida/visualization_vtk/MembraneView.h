@@ -1,11 +1,14 @@
 #pragma once
 #include <memory>
+#include <string>
 
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization/Scaling.h"
 #include "pellucida/visualization_vtk/View.h"
 
 namespace pellucida {
+
+struct MembraneActors;
 
 /// Meaning of the outer membrane's colour.
 enum class SurfaceColoring { kPlain, kTension, kDisplacement };
@@ -24,6 +27,9 @@ class MembraneView : public View {
   /// Frames cell and tool tips, seen from the front and above.
   void reset_camera();
 
+  /// The needle's force as it is written beside the bold arrow; empty where the arrow isn't drawn.
+  const std::string& contact_label() const noexcept { return contact_label_; }
+
   void set_coloring(SurfaceColoring coloring);
   void show_arrows(bool shown);
   void show_tools(bool shown);
@@ -41,17 +47,14 @@ class MembraneView : public View {
   void draw_hud(HudCanvas& hud, double width, double height) override;
 
  private:
-  struct Pipeline;
-
   void refresh_arrows(vtkPolyData* surface);
   void refresh_coloring(vtkPolyData* surface);
   void refresh_tools();
   void refresh_contact_force();
-  void draw_axes(HudCanvas& hud) const;
   void draw_contact_label(HudCanvas& hud) const;
 
   StageSource* source_;
-  std::unique_ptr<Pipeline> pipeline_;
+  std::unique_ptr<MembraneActors> actors_;
   SurfaceColoring coloring_ = SurfaceColoring::kPlain;
   NiceRange force_range_uN_{0.001};
   NiceRange tension_range_uN_per_um_{0.0001};
@@ -67,6 +70,7 @@ class MembraneView : public View {
   double arrow_scale_ = 1.0;
   double center_um_[3] = {0.0, 0.0, 0.0};
   double radius_um_ = 50.0;
+  std::string contact_label_;
   double contact_tail_um_[3] = {0.0, 0.0, 0.0};
 };
 
