@@ -107,8 +107,10 @@ TEST(ForceObserver, StatesWithoutContactGiveZeroOrNothing) {
 
   const ForceEstimate contact = ramp(observer, 15.0, 0.0, std::numbers::pi);
   EXPECT_GT(contact.contact_force_uN, 0.5);
-  const ForceEstimate punctured =
-      observer.process(make_observation(CellState::kPunctured, 40.0, 0.0, std::numbers::pi, 60));
+  // The tip goes on into the cell, the membrane has come back.
+  Observation through = make_observation(CellState::kPunctured, 18.0, 0.0, std::numbers::pi, 23);
+  through.indentation_um = 2.0;
+  const ForceEstimate punctured = observer.process(through);
   EXPECT_DOUBLE_EQ(punctured.contact_force_uN, 0.0);
   EXPECT_DOUBLE_EQ(punctured.pressure_Pa, 0.0);
 
@@ -119,6 +121,35 @@ TEST(ForceObserver, StatesWithoutContactGiveZeroOrNothing) {
     EXPECT_FALSE(nothing.reason.empty());
     EXPECT_EQ(nothing.rest_um.cols(), 0);
   }
+}
+
+// A tip lost in the cell's texture looks to the tracker as if it were far past the membrane.
+TEST(ForceObserver, APunctureThatTheMembraneDoesNotBearOutIsAContactInDoubt) {
+  ForceObserver observer(testing::coarse_profile());
+  const ForceEstimate before = ramp(observer, 15.0, 0.0, std::numbers::pi);
+  Observation ahead = make_observation(CellState::kPunctured, 23.0, 0.0, std::numbers::pi, 23);
+  ahead.indentation_um = 15.5;
+  const ForceEstimate e = observer.process(ahead);
+  EXPECT_FALSE(e.punctured);
+  EXPECT_FALSE(e.puncture);
+  EXPECT_TRUE(e.puncture_doubted);
+  EXPECT_EQ(e.judged_state(ahead.state), CellState::kContact);
+  EXPECT_GT(e.contact_force_uN, before.contact_force_uN);
+  EXPECT_GT(e.contact_force_upper_uN - e.contact_force_lower_uN,
+            2.0 * (before.contact_force_upper_uN - before.contact_force_lower_uN));
+  EXPECT_TRUE(e.warnings & kNeedleSlip);
+}
+
+TEST(ForceObserver, FewCellsBearSuchAForceIsAWarning) {
+  const CellProfile profile = testing::coarse_profile();
+  ForceObserver observer(profile);
+  const ForceEstimate usual = ramp(observer, 0.8 * profile.puncture_indentation_um, 0.0, std::numbers::pi);
+  EXPECT_FALSE(usual.warnings & kSeldomBorne);
+  observer.reset();
+  const ForceEstimate deep = ramp(observer, 1.25 * profile.puncture_indentation_um, 0.0, std::numbers::pi);
+  ASSERT_GT(deep.contact_force_uN, 1.35 * profile.puncture_force_uN);
+  EXPECT_TRUE(deep.warnings & kSeldomBorne);
+  EXPECT_NE(describe(deep.warnings, profile.name).find(profile.name), std::string::npos);
 }
 
 TEST(ForceObserver, MissingPartsAreSaidNotGuessed) {

@@ -189,40 +189,62 @@ TEST(MechanicsStep, AMissingForceIsExplainedOnce) {
   EXPECT_EQ(first->events[0].kind, "note");
   EXPECT_NE(first->events[0].detail.find("needle"), std::string::npos);
   EXPECT_TRUE(std::isnan(first->measurement.contact_force_uN));
-  EXPECT_TRUE(step.process(scene)->events.empty());
+  // The event once, the reason beside every frame that lacks its force.
+  const auto second = step.process(scene);
+  EXPECT_TRUE(second->events.empty());
+  EXPECT_NE(second->remarks.reason.find("needle"), std::string::npos);
+}
+
+/// A push along x in frame `frame`, with tip and membrane at these depths.
+Scene pushed_scene(double tip_um, double membrane_um, CellState state, long frame) {
+  Scene scene = make_scene(membrane_um, 0.0, 12, 23);
+  Observation o = *scene.observation;
+  o.time_s = static_cast<double>(frame) / 30.0;
+  o.frame_index = frame;
+  o.state = state;
+  o.needle->direction = {-1.0, 0.0};
+  o.needle->tip_um = o.center_um + Eigen::Vector2d(52.5 - tip_um, 0.0);
+  scene.observation = std::make_shared<const Observation>(o);
+  scene.measurement = measurement_from(o);
+  return scene;
+}
+
+TEST(MechanicsStep, APunctureTheMembraneDoesNotBearOutIsNoEvent) {
+  MechanicsStep step(testing::coarse_profile());
+  for (long frame = 1; frame <= 12; ++frame) {
+    const double depth_um = static_cast<double>(frame);
+    step.process(pushed_scene(depth_um, depth_um, CellState::kContact, frame));
+  }
+  Scene ahead = pushed_scene(21.0, 13.0, CellState::kPunctured, 13);
+  ahead.events.push_back({13.0 / 30.0, "puncture", "membrane left at 13.0 um"});
+  const auto out = step.process(ahead);
+  EXPECT_EQ(out->measurement.state, CellState::kContact);
+  EXPECT_EQ(out->contact.state, CellState::kContact);
+  EXPECT_GT(out->measurement.contact_force_uN, 0.1);
+  ASSERT_EQ(out->events.size(), 1u);
+  EXPECT_EQ(out->events[0].kind, "warning");
+  EXPECT_NE(out->remarks.warning.find("does not follow"), std::string::npos) << out->remarks.warning;
 }
 
 TEST(MechanicsStep, APunctureIsToldOnceInTheFrameThatShowsIt) {
   MechanicsStep step(testing::coarse_profile());
-  const auto scene_of = [](double tip_um, double membrane_um, CellState state, long frame) {
-    Scene scene = make_scene(membrane_um, 0.0, 12, 23);
-    Observation o = *scene.observation;
-    o.time_s = static_cast<double>(frame) / 30.0;
-    o.frame_index = frame;
-    o.state = state;
-    o.needle->direction = {-1.0, 0.0};
-    o.needle->tip_um = o.center_um + Eigen::Vector2d(52.5 - tip_um, 0.0);
-    scene.observation = std::make_shared<const Observation>(o);
-    scene.measurement = measurement_from(o);
-    return scene;
-  };
   for (long frame = 1; frame <= 20; ++frame) {
     const auto out = step.process(
-        scene_of(1.0 * static_cast<double>(frame), 1.0 * static_cast<double>(frame), CellState::kContact, frame));
+        pushed_scene(1.0 * static_cast<double>(frame), 1.0 * static_cast<double>(frame), CellState::kContact, frame));
     EXPECT_TRUE(out->events.empty()) << frame;
     EXPECT_EQ(out->measurement.state, CellState::kContact);
     EXPECT_GT(out->measurement.stiffness_uN_per_um, 0.0);
     EXPECT_NEAR(out->measurement.lateral_force_uN, 0.0, 0.02);
   }
   // Before the tracker says so.
-  const auto broken = step.process(scene_of(21.0, 10.0, CellState::kContact, 21));
+  const auto broken = step.process(pushed_scene(21.0, 10.0, CellState::kContact, 21));
   ASSERT_EQ(broken->events.size(), 1u);
   EXPECT_EQ(broken->events[0].kind, "puncture");
   EXPECT_NE(broken->events[0].detail.find("work"), std::string::npos) << broken->events[0].detail;
   EXPECT_EQ(broken->measurement.state, CellState::kPunctured);
   EXPECT_EQ(broken->measurement.contact_force_uN, 0.0);
   // The tracker's own event, a frame later, would be the same puncture again.
-  Scene later = scene_of(22.0, 4.0, CellState::kPunctured, 22);
+  Scene later = pushed_scene(22.0, 4.0, CellState::kPunctured, 22);
   later.events.push_back({22.0 / 30.0, "puncture", "membrane left at 4.0 um"});
   EXPECT_TRUE(step.process(later)->events.empty());
 }

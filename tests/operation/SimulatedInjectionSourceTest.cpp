@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pellucida/pipeline/BatchRun.h"
 
@@ -65,6 +66,28 @@ TEST(SimulatedInjectionSource, TheSameSeedsGiveTheSameInjection) {
   EXPECT_EQ(first.ticks.back().tip_um.eigen(), second.ticks.back().tip_um.eigen());
   options.seed = 2;
   EXPECT_NE(first.ticks.back().tip_um.eigen(), run(options).ticks.back().tip_um.eigen());
+}
+
+// Operators who see a flat picture lead the tip so that the tracker loses it in the cell's texture and takes it for far
+// past the membrane.
+TEST(SimulatedInjectionSource, NoPunctureIsReportedBeforeTheMembraneGivesWay) {
+  for (const unsigned seed : {1u, 2u}) {
+    SimulatedInjectionOptions options;
+    options.person.modality = Modality::kFlatImage;
+    options.seed = seed;
+    options.max_duration_s = 3.4;
+    const Ran ran = run(options);
+    double deepest_uN = 0.0;
+    for (const Measurement& row : ran.measured.rows) {
+      const bool may_be_punctured = ran.outcome.puncture_s >= 0.0 && row.time_s >= ran.outcome.puncture_s - 1e-9;
+      if (!may_be_punctured) {
+        ASSERT_NE(row.state, CellState::kPunctured) << "seed " << seed << ", " << row.time_s << " s";
+      }
+      if (std::isfinite(row.contact_force_uN)) deepest_uN = std::max(deepest_uN, row.contact_force_uN);
+    }
+    // The contact goes on: well beyond where it was taken for a puncture.
+    EXPECT_GT(deepest_uN, 1.0) << seed;
+  }
 }
 
 TEST(SimulatedInjectionSource, WithoutHapticsNothingIsFelt) {

@@ -20,7 +20,7 @@ ContactModel contact_model(const Observation& observation, const ForceEstimate& 
   ContactModel model;
   model.time_s = arrival_s;
   model.frame_index = observation.frame_index;
-  model.state = estimate.punctured ? CellState::kPunctured : observation.state;
+  model.state = estimate.judged_state(observation.state);
   model.confidence = observation.confidence;
   model.depth_um = at_least_zero(estimate.depth_um);
 

@@ -17,6 +17,8 @@ constexpr double kUsualMismatch_um = 0.2;
 constexpr double kUsualMismatch_ratio = 0.02;
 /// Beyond so many times what is usual the shape isn't the model's.
 constexpr double kMismatch = 2.5;
+/// A force at which all but this share of the profile's cells would be punctured is seldom borne.
+constexpr double kSeldomBorne_ratio = 0.2;
 /// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
 constexpr double kUnknownHolder_ratio = 0.3;
 
@@ -50,7 +52,9 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
     estimate.asymmetry_force_uN = stiffness_uN_per_um * shape.unexplained_asymmetry_um;
     if (shape.unexplained_asymmetry_um > kMismatch * usual_um) warnings |= kNotOfRevolution;
   }
-  if (std::abs(in.placement.slipped_um()) > kSlip_um) warnings |= kNeedleSlip;
+  if (estimate.puncture_doubted || std::abs(in.placement.slipped_um()) > kSlip_um) warnings |= kNeedleSlip;
+  const double punctured = puncture_probability(in.profile, in.force.force_uN, errors.relative());
+  if (punctured > 1.0 - kSeldomBorne_ratio) warnings |= kSeldomBorne;
   estimate.warnings = static_cast<ForceWarning>(warnings);
 }
 

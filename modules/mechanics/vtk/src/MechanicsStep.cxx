@@ -122,9 +122,13 @@ class MechanicsStep::Impl {
     out.measurement.puncture_probability = e.puncture_probability;
     tell(e, *scene.observation, out);
 
-    // Why there is no force, said once: a note when the reason is new.
-    const bool should_measure =
-        scene.observation->state == CellState::kContact || scene.observation->state == CellState::kFree;
+    // Why there is no force: with every frame, and once as a note when the reason is new.
+    const CellState state = out.measurement.state;
+    const bool should_measure = state == CellState::kContact || state == CellState::kFree;
+    out.remarks = {.reason = should_measure ? e.reason : std::string(),
+                   .warning = describe(e.warnings, observer_.profile().name),
+                   .point_load_uN = e.opinions.point_load_uN,
+                   .table_uN = e.opinions.table_uN};
     if (should_measure && !e.reason.empty() && e.reason != said_) {
       out.events.push_back({scene.observation->time_s, "note", "no force: " + e.reason});
     }
@@ -174,16 +178,17 @@ class MechanicsStep::Impl {
 
   /// Events of the contact: a puncture, once; a warning, when it is new; a palpation, when it counts.
   void tell(const ForceEstimate& e, const Observation& o, Scene& out) {
-    if (e.punctured) out.measurement.state = CellState::kPunctured;
+    out.measurement.state = e.judged_state(o.state);
+    // One event a puncture, with its force; none from the tracker, whose word may come late, or be doubted.
+    if (e.puncture || e.puncture_doubted || (told_puncture_ && e.punctured)) {
+      std::erase_if(out.events, [](const Event& event) { return event.kind == "puncture"; });
+    }
     if (e.puncture) {
       const Puncture& p = *e.puncture;
-      std::erase_if(out.events, [](const Event& event) { return event.kind == "puncture"; });
       out.events.push_back({o.time_s, "puncture",
                             format("at %.2f uN and %.1f um, work %.1f uN um; membrane back at %.1f um", p.peak_force_uN,
                                    p.depth_um, p.work_uN_um, o.indentation_um)});
       told_puncture_ = true;
-    } else if (told_puncture_ && e.punctured) {
-      std::erase_if(out.events, [](const Event& event) { return event.kind == "puncture"; });
     }
     if (!e.punctured) told_puncture_ = false;
 
@@ -193,9 +198,11 @@ class MechanicsStep::Impl {
       detail += format(": contour %.1f um from the model, left and right %.1f um apart beyond it",
                        e.shape.residual_rms_um, e.shape.unexplained_asymmetry_um);
       if (fresh & kNotOfRevolution) detail += format(", which may cost %.2f uN", e.asymmetry_force_uN);
+      if (fresh & kSeldomBorne) detail += "; " + describe(kSeldomBorne, observer_.profile().name);
       out.events.push_back({o.time_s, "warning", std::move(detail)});
     }
-    warned_ = o.state == CellState::kContact ? static_cast<ForceWarning>(warned_ | e.warnings) : kNoForceWarning;
+    warned_ = out.measurement.state == CellState::kContact ? static_cast<ForceWarning>(warned_ | e.warnings)
+                                                           : kNoForceWarning;
 
     const CellScale scale = observer_.scale();
     if (!std::isnan(e.puncture_probability) && scale.ratio != told_scale_.ratio) {

@@ -3,10 +3,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "pellucida/mechanics/ForceCrossCheck.h"
 #include "pellucida/mechanics/ForceInterval.h"
-#include "pellucida/mechanics/PunctureMonitor.h"
+#include "pellucida/mechanics/Puncture.h"
 #include "pellucida/mechanics/ShapeAudit.h"
 
 namespace pellucida {
@@ -14,12 +15,15 @@ namespace pellucida {
 /// Reasons to distrust a force; one or more of these, combined with |.
 enum ForceWarning : unsigned {
   kNoForceWarning = 0,
-  kShapeMismatch = 1,   ///< the contour is not the model's: wrong configuration, a tool elsewhere, a wrinkled cell
-  kNeedleSlip = 2,      ///< the needle has left its line since the contact began, or the membrane does not follow it
-  kNotOfRevolution = 4  ///< left and right of the contour differ by more than the model explains
+  kShapeMismatch = 1,    ///< the contour is not the model's: wrong configuration, a tool elsewhere, a wrinkled cell
+  kNeedleSlip = 2,       ///< the needle has left its line since the contact began, or the membrane does not follow it
+  kNotOfRevolution = 4,  ///< left and right of the contour differ by more than the model explains
+  kSeldomBorne = 8       ///< few cells of the profile bear such a force: this may be a cell of another kind
 };
-/// "mismatch", "slip", "asymmetry", joined by "+"; empty for none.
+/// "mismatch", "slip", "asymmetry", "profile", joined by "+"; empty for none.
 std::string to_string(ForceWarning warnings);
+/// The same for a person, one line; empty for none. `profile_name` is that of the profile in use.
+std::string describe(ForceWarning warnings, std::string_view profile_name);
 
 /// The model's result for one frame. Numbers that could not be measured are NaN; the arrays are empty when there is no
 /// model shape (no cell seen). No other number is ever NaN.
@@ -54,10 +58,11 @@ struct ForceEstimate {
   ShapeAudit shape;                 ///< the contour against the model
   double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
   ForceWarning warnings = kNoForceWarning;
-  bool punctured = false;                      ///< the membrane has left the tip: the force is 0
-  std::optional<Puncture> puncture;            ///< in the first frame that shows it
-  double work_uN_um = 0.0;                     ///< of the needle on the cell in this contact
-  ForceCrossCheck opinions;                    ///< the force according to other models
+  bool punctured = false;            ///< the membrane has left the tip: the force is 0
+  bool puncture_doubted = false;     ///< the tracker says punctured, the membrane still follows: measured as a contact
+  std::optional<Puncture> puncture;  ///< in the first frame that shows it
+  double work_uN_um = 0.0;           ///< of the needle on the cell in this contact
+  ForceCrossCheck opinions;          ///< the force according to other models
   double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
   double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
 
@@ -66,6 +71,12 @@ struct ForceEstimate {
   std::string reason;              ///< one line when not converged or not measured; empty otherwise
   bool holder_assumed = false;     ///< no holder seen so far: taken to lie opposite the needle
   bool thickness_assumed = false;  ///< the inner membrane was not seen at rest: the profile's thickness
+
+  /// The state after the verdict on a puncture; `tracked` is the observation's.
+  CellState judged_state(CellState tracked) const noexcept {
+    if (punctured) return CellState::kPunctured;
+    return puncture_doubted ? CellState::kContact : tracked;
+  }
 
   /// The cell frame C in W: z towards the needle, y along W's z, origin at the cell's centre.
   Eigen::Matrix3d rotation_WC = Eigen::Matrix3d::Identity();

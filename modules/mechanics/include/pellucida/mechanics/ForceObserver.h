@@ -25,9 +25,10 @@ struct ForceOptions {
 /// gives the cell's frame and the push (a needle beside the centre pushes at an angle); the holder where it was
 /// tracked; the filtered indentation, taken as the needle's depth; then the mass-spring-damper membrane in equilibrium
 /// with the needle that deep, started from the last frame's shape; then the exact read-out of the tip's bond. The rest
-/// of the contour audits the result: it widens the interval and raises warnings. Where the profile has relaxation arms
-/// the force, and with it everything on the nodes, is what remains of it since the contact began (`Relaxation`). One
-/// thread at a time; not real-time safe (allocates).
+/// of the contour audits the result: it widens the interval and raises warnings. Whether the membrane has given way is
+/// decided from tip, membrane, contour and the tracker's state together; in doubt the force goes on, with a wider
+/// interval and a warning. Where the profile has relaxation arms the force, and with it everything on the nodes, is
+/// what remains of it since the contact began (`Relaxation`). One thread at a time; not real-time safe (allocates).
 class ForceObserver {
  public:
   explicit ForceObserver(CellProfile profile, ForceOptions options = {});
@@ -53,9 +54,10 @@ class ForceObserver {
   /// The scale in use.
   CellScale scale() const noexcept;
 
-  /// States `free` and `punctured` give a force of 0 and the shape at rest; `no_cell` and `lost` give nothing;
-  /// `contact` gives the force at the observed indentation, or nothing with the reason when needle or numbers are
-  /// missing; or 0 where the membrane has left the tip in this frame (`punctured`).
+  /// State `free` gives a force of 0 and the shape at rest; `no_cell` and `lost` give nothing; `contact` gives the
+  /// force at the observed indentation, or nothing with the reason when needle or numbers are missing. A puncture,
+  /// tracked or not, gives 0 (`punctured`) once the membrane is seen to have left the tip; before, a tracked one counts
+  /// as a contact (`puncture_doubted`).
   ForceEstimate process(const Observation& observation);
 
   /// Forgets the cell.

@@ -7,6 +7,7 @@
 
 #include "pellucida/core/ContactModel.h"
 #include "pellucida/core/Event.h"
+#include "pellucida/core/ForceRemarks.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/core_vtk/Frozen.h"
@@ -27,6 +28,7 @@ struct Scene {
   Frozen<vtkPolyData> model;      ///< the mass-spring-damper mesh in its solved shape (triangles)
   std::shared_ptr<const Observation> observation;  ///< the same contours and tools as plain numbers
   Measurement measurement;                         ///< the row of `measurements.csv`
+  ForceRemarks remarks;                            ///< why there is no force, why to doubt it, other models
   ContactModel contact;                            ///< what the 1 kHz thread learns from this frame
   std::vector<Event> events;                       ///< events of this frame
 };

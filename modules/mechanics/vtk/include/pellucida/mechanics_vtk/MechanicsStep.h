@@ -13,11 +13,12 @@ namespace pellucida {
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
 /// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, and volume_um3 where nothing has yet.
-/// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h). Events: `puncture` in the frame that shows
-/// it, with the largest force, depth and work (the state of that frame is then `punctured`, and a tracker's later event
-/// of the same puncture is dropped); `warning` when the force becomes less certain, by name; `palpation` when the
-/// cell's scale has been learnt; `note` why there is no force. Makes `model`: triangles in the solved shape, frame W,
-/// with point arrays
+/// Fills `remarks`: why there is no force, why it should be doubted, the force according to other models.
+/// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h).
+/// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
+/// `punctured` then; a tracker's own event of it is left out, and one that the membrane does not bear out); `warning`
+/// when the force becomes less certain, by name; `palpation` when the cell's scale has been learnt; `note` why there is
+/// no force. Makes `model`: triangles in the solved shape, frame W, with point arrays
 ///   | array              | components | unit   | what                                                     |
 ///   | force_uN           | 3          | uN     | the membrane's own elastic force on the node             |
 ///   | displacement_um    | 3          | um     | from rest                                                |
