@@ -37,6 +37,24 @@ std::string force_line(const BatchResult& result) {
                 m.contact_force_upper_uN, m.indentation_um, m.time_s);
 }
 
+// What speaks against the peak's force, a line each; and what other models say of the same push.
+std::string remark_lines(const BatchResult& result) {
+  if (!result.peak) return {};
+  const ForceRemarks& remarks = result.peak->remarks;
+  std::string lines;
+  if (!remarks.reason.empty()) lines += "         no force: " + remarks.reason + '\n';
+  if (!remarks.warning.empty()) lines += "         warning: " + remarks.warning + '\n';
+  std::string others;
+  if (std::isfinite(remarks.point_load_uN)) others += format("point-load formula %.2f uN", remarks.point_load_uN);
+  if (std::isfinite(remarks.table_uN)) {
+    others += others.empty() ? "" : ", ";
+    others += format("finite-element table %.2f uN", remarks.table_uN);
+  }
+  if (others.empty()) return lines;
+  others += format("; spread of all %.0f %%, no part of the interval", result.peak->measurement.model_spread_percent);
+  return lines + "others   " + others + '\n';
+}
+
 // "1.20 times the profile's, +- 7 %; puncture likely from 38 um on" where the cell was palpated.
 std::string scale_line(const BatchResult& result) {
   std::string line = format("%.2f times the profile's forces, +- %.0f %%", result.cell_scale.ratio,
@@ -112,7 +130,8 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
 
 std::string summary(const BatchResult& result, const std::filesystem::path& folder) {
   std::string text = "frames   " + state_line(result) + '\n';
-  text += "force    " + force_line(result) + '\n';
+  text += "profile  " + result.profile.name + " (" + result.profile.description + ")\n";
+  text += "force    " + force_line(result) + '\n' + remark_lines(result);
   text += "cell     " + cell_line(result) + '\n';
   if (!result.puncture_risk.empty()) text += "scale    " + scale_line(result) + '\n';
   const auto median_ms = [&](const char* step) { return 1e-3 * result.step_us.at(step).quantile(0.5); };

@@ -20,7 +20,8 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
                             const std::string& command_line,
                             const std::function<void(SessionWriter&, const Scene&)>& beside = {});
 
-/// Five lines that say what was found: frames by state, peak force with its interval, cell, speed, session.
+/// What was found, a line each: frames by state, profile, peak force with its interval, what speaks against it, what
+/// other models say, cell, speed, session.
 std::string summary(const BatchResult& result, const std::filesystem::path& folder);
 
 /// Rethrows what broke the input; throws NothingMeasuredError when no frame showed a cell.

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pellucida/core/Error.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
@@ -30,6 +32,42 @@ TEST(BatchRun, ABrokenInputLeavesWhatCameBefore) {
     EXPECT_EQ(result.rows.size(), 7U);
     ASSERT_TRUE(result.input_fault);
     EXPECT_THROW(std::rethrow_exception(result.input_fault), InputError);
+  }
+}
+
+// At 53 um the embryo's dimple is deeper than its centre.
+TEST(BatchRun, TheEmbryoHasItsSurfaceToTheEnd) {
+  auto scenario = load_scenario("embryo");
+  scenario.motion.approach_speed_um_per_s = 120.0;
+  scenario.motion.indentation_speed_um_per_s = 40.0;
+  scenario.motion.hold_s = 0.2;
+  VirtualMicroscope microscope(scenario);
+  double deepest_um = 0.0;
+  double rest_um3 = 0.0;
+  run_batch(microscope, {.pipeline = {.profile = "mouse-embryo"}}, [&](const Scene& scene) {
+    if (!scene.observation->outer) return;
+    ASSERT_TRUE(scene.surface) << scene.measurement.frame;
+    const double volume_um3 = scene.measurement.volume_um3;
+    if (rest_um3 == 0.0) rest_um3 = volume_um3;
+    EXPECT_NEAR(volume_um3 / rest_um3, 1.0, 0.08) << scene.measurement.frame;
+    deepest_um = std::max(deepest_um, scene.measurement.indentation_um);
+  });
+  EXPECT_GT(deepest_um, 50.0);
+}
+
+// The kind of cell can't be seen where sizes are alike: an embryo under the oocyte's profile reads too little. That it
+// bears more than such oocytes do is all that shows.
+TEST(BatchRun, ACellThatBearsMoreThanItsProfileIsAWarning) {
+  auto scenario = load_scenario("embryo");
+  scenario.motion.approach_speed_um_per_s = 120.0;
+  scenario.motion.indentation_speed_um_per_s = 40.0;
+  for (const auto& [profile, is_warned] : {std::pair{"mouse-oocyte", true}, std::pair{"mouse-embryo", false}}) {
+    VirtualMicroscope microscope(scenario);
+    const auto result = run_batch(microscope, {.pipeline = {.profile = profile}}, {});
+    EXPECT_EQ(result.profile.name, profile);
+    ASSERT_TRUE(result.peak);
+    EXPECT_EQ(result.peak->remarks.warning.find("check that the profile") != std::string::npos, is_warned) << profile;
+    EXPECT_TRUE(std::isfinite(result.peak->remarks.point_load_uN));
   }
 }
 

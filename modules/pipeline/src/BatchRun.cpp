@@ -176,6 +176,7 @@ BatchResult run_batch(FrameSource& source, const BatchOptions& options, const st
   result.step_us["mechanics"] = force.mechanics_us;
   result.step_us["writing"] = collector.writing_us;
   result.elapsed_s = clock.now_s();
+  result.profile = chain.profile;
   result.cell_scale = chain.mechanics.scale();
   if (options.pipeline.palpation) result.puncture_risk = chain.mechanics.puncture_risk(kRiskStep_um);
   return result;

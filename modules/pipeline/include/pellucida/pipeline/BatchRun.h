@@ -8,6 +8,7 @@
 
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
+#include "pellucida/membrane/CellProfile.h"
 #include "pellucida/pipeline/Distribution.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 
@@ -26,6 +27,7 @@ struct BatchResult {
   std::optional<Scene> peak;              ///< the scene of the largest contact force, or of the best tracked frame
   std::map<std::string, Distribution> step_us;  ///< by step: tracking, reconstruction, mechanics, writing
   Distribution frame_to_force_us;               ///< from a frame's arrival to its force
+  CellProfile profile;                          ///< that the forces are scaled by
   CellScale cell_scale;                         ///< of the forces, relative to the profile's
   std::vector<PunctureRisk> puncture_risk;      ///< by depth; only after a palpation
   double elapsed_s = 0.0;
