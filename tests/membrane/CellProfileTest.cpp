@@ -8,6 +8,8 @@
 #include <random>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
+#include "support/DocsPage.h"
 
 namespace pellucida {
 namespace {
@@ -78,6 +80,18 @@ TEST_F(CellProfileFile, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(to_json(again), text);
 }
 
+TEST(ShippedProfiles, KeysAreOnThePage) {
+  CellProfile profile;
+  ProfileReference reference;
+  ProfileError error;
+  RelaxationArm arm;
+  const std::string page = markdown(fields_of(profile)) + "\n### with relaxation_arms\n\n" +
+                           markdown(relaxation_fields_of(profile)) + "\n### relaxation_arms, an entry\n\n" +
+                           markdown(fields_of(arm)) + "\n### references, an entry\n\n" +
+                           markdown(fields_of(reference)) + "\n### errors, an entry\n\n" + markdown(fields_of(error));
+  EXPECT_TRUE(docs_section_is("profiles.md", "## Keys", page));
+}
+
 TEST_F(CellProfileFile, AMissingKeyIsNamed) {
   auto json = nlohmann::json::parse(to_json(load_profile("mouse-oocyte")));
   json["msd"]["body"].erase("k2_ratio");
@@ -107,6 +121,17 @@ TEST_F(CellProfileFile, EveryNumberIsChecked) {
     const std::string key = pointer.substr(pointer.rfind('/') + 1);
     EXPECT_NE(text.find(key), std::string::npos) << pointer << ": " << text;
   }
+}
+
+TEST_F(CellProfileFile, AFaultSaysWhereAndWhatIsAllowed) {
+  auto json = nlohmann::json::parse(to_json(load_profile("mouse-oocyte")));
+  json["contact"]["holder_half_width_um"] = 20;
+  EXPECT_NE(fault(json.dump()).find("cell.json: contact.holder_half_width_um is 20; allowed: above 0, up to 17.5"),
+            std::string::npos);
+  json["contact"]["holder_half_width_um"] = 5;
+  json["errors"][0]["to_um"] = "deep";
+  EXPECT_NE(fault(json.dump()).find("cell.json: errors[0]: to_um is \"deep\", but must be a number"),
+            std::string::npos);
 }
 
 TEST_F(CellProfileFile, AFileThatIsNoJsonIsAnInputError) {

@@ -6,7 +6,9 @@
 #include <fstream>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
+#include "support/DocsPage.h"
 
 namespace pellucida {
 namespace {
@@ -51,9 +53,18 @@ TEST(Scenario, ReadsEveryGroup) {
 }
 
 TEST(Scenario, SaysWhichKeyIsUnknown) {
-  EXPECT_NE(message_of<UsageError>(R"({"optics": {"blur": 1}})").find("optics.blur is an unknown key"),
-            std::string::npos);
-  EXPECT_NE(message_of<UsageError>(R"({"camera": {}})").find("camera is an unknown key"), std::string::npos);
+  EXPECT_EQ(message_of<UsageError>(R"({"lamp": {"blur": 1}})"),
+            "scenario 'test': lamp.blur is an unknown key; known: step_time_s, step_ratio, flicker_ratio, flicker_hz");
+  EXPECT_EQ(
+      message_of<UsageError>(R"({"camera": {}})"),
+      "scenario 'test': camera is an unknown key; known: description, seed, image, cell, tools, motion, puncture, "
+      "optics, drift, lamp, debris, bystander");
+}
+
+TEST(Scenario, DefaultsAreInTheirRangesAndOnThePage) {
+  Scenario scenario;
+  EXPECT_NO_THROW(validate(scenario));
+  EXPECT_TRUE(docs_section_is("scenarios.md", "## Keys", markdown(fields_of(scenario))));
 }
 
 TEST(Scenario, SaysWhichValueIsOutOfRange) {

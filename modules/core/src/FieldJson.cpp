@@ -106,8 +106,8 @@ Json parse_json_object(std::string_view text, const std::string& what) {
 Json read_json_object(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
-    throw InputError(file.string() + ": can't be read, or is empty; check the path and its permissions");
+  text << stream.rdbuf();
+  if (!stream || text.bad()) throw InputError(file.string() + ": can't be read; check the path and its permissions");
   return parse_json_object(text.str(), file.string());
 }
 

@@ -9,6 +9,8 @@
 
 namespace pellucida {
 
+class FieldList;  // core/FieldTable.h
+
 /// Constants of the membrane's mass-spring-damper model in one node region, as ratios: what multiplies E h and D.
 struct RegionConstants {
   double k2_ratio = 0.0;     ///< K2 / (E h), > 0
@@ -18,39 +20,40 @@ struct RegionConstants {
 
 /// The error of the model against a reference curve, as found when the profile was made.
 struct ProfileError {
-  int configuration = 0;               ///< 1..4, see `setup_for_configuration`
-  std::string reference;               ///< what it was compared with
-  double largest_ratio = 0.0;          ///< largest |model - reference| / reference over the depths compared
-  double largest_of_peak_ratio = 0.0;  ///< largest |model - reference| / force at the deepest point
-  double from_um = 0.0;                ///< depths compared
+  int configuration = 0;  ///< see `setup_for_configuration`
+  std::string reference;
+  double largest_ratio = 0.0;
+  double largest_of_peak_ratio = 0.0;
+  double from_um = 0.0;
   double to_um = 0.0;
 };
 
 /// A curve that the constants were fitted to.
 struct ProfileReference {
-  int configuration = 0;          ///< 1..4
-  double holder_angle_deg = 0.0;  ///< between the axes of needle and holder
-  double offset_um = 0.0;         ///< of the needle beside the cell's centre
-  int node_count = 0;             ///< of the finite-element mesh
-  double to_um = 0.0;             ///< deepest point
+  int configuration = 0;
+  double holder_angle_deg = 0.0;
+  double offset_um = 0.0;
+  int node_count = 0;
+  double to_um = 0.0;
 };
 
-/// Everything that turns a shape into a force for one kind of cell; no such number is hidden in code. Loaded from JSON.
+/// Everything that turns a shape into a force for one kind of cell; no such number is hidden in code. Loaded from
+/// JSON. Meaning, unit and range of each number: docs/profiles.md.
 struct CellProfile {
   std::string name;
   std::string description;
   std::vector<std::array<std::string, 2>> sources;  ///< (what, where it comes from)
 
   // Geometry at rest.
-  double mid_radius_um = 0.0;  ///< middle surface of the zona
-  double thickness_um = 0.0;   ///< of the zona
+  double mid_radius_um = 0.0;
+  double thickness_um = 0.0;
   double inner_radius_um = 0.0;
 
   // Material. The two moduli do not agree (docs/method.md, 3.7): the table's is kept for the record, the effective one
   // is used.
-  double young_modulus_kPa = 0.0;            ///< Table I
-  double effective_young_modulus_kPa = 0.0;  ///< with it, configuration 1 passes the puncture point
-  double force_scale_relative_sigma = 0.0;   ///< standard deviation of the effective scale over its value
+  double young_modulus_kPa = 0.0;
+  double effective_young_modulus_kPa = 0.0;
+  double force_scale_relative_sigma = 0.0;
   double poisson_ratio = 0.5;
   double puncture_force_uN = 0.0;
   double puncture_indentation_um = 0.0;
@@ -58,18 +61,18 @@ struct CellProfile {
   // Contact. Radii on the outer surface, from the tool's axis. Bond densities as ratios to the modulus, so that the
   // modulus is the only force scale.
   double tip_radius_um = 0.0;
-  double tip_bond_per_um = 0.0;  ///< peak density / E, 1/um
-  double holder_ring_um = 0.0;   ///< radius of the ring of contact with the holding pipette
+  double tip_bond_per_um = 0.0;
+  double holder_ring_um = 0.0;
   double holder_half_width_um = 0.0;
-  double holder_bond_per_um = 0.0;  ///< peak density / E, 1/um
+  double holder_bond_per_um = 0.0;
 
   // Mass-spring-damper constants by region, and the angles (from needle, from holder) where the regions end.
   RegionConstants tip, body, holder;
   double tip_angle_rad = 0.0;
   double holder_angle_rad = 0.0;
-  double volume_stiffness_ratio = 0.0;  ///< kv / E
-  double damping_uN_s_per_um = 0.0;     ///< b of eq. (1); the quasi-static solution doesn't use it
-  double node_mass_kg = 0.0;            ///< m of eq. (2); likewise
+  double volume_stiffness_ratio = 0.0;
+  double damping_uN_s_per_um = 0.0;  ///< b of eq. (1); the quasi-static solution doesn't use it
+  double node_mass_kg = 0.0;         ///< m of eq. (2); likewise
 
   // The mesh the constants hold for.
   int mesh_frequency = 0;
@@ -95,6 +98,16 @@ CellProfile load_profile(std::string_view name_or_file);
 
 /// Reads a profile file. Throws InputError with file and key.
 CellProfile read_profile(const std::filesystem::path& file);
+
+/// The keys of a profile file, with meaning, unit and range; docs/profiles.md is printed from them. Those of the
+/// relaxation belong to a profile with arms only.
+FieldList fields_of(CellProfile& profile);
+FieldList relaxation_fields_of(CellProfile& profile);
+
+/// The keys of one entry of its lists.
+FieldList fields_of(ProfileReference& reference);
+FieldList fields_of(ProfileError& error);
+FieldList fields_of(RelaxationArm& arm);
 
 /// The profile as the JSON text of its file (two spaces of indent).
 std::string to_json(const CellProfile& profile);
