@@ -4,8 +4,10 @@
 #include <iostream>
 #include <optional>
 
+#include "commands/FieldOption.h"
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/simulation/FrameWriter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 
@@ -73,8 +75,10 @@ void add_simulate_command(CLI::App& app) {
       ->required();
   command->add_option("--truth", arguments->truth,
                       "CSV of the truth, one row per frame; contours in a second file beside it (um, uN, Pa)");
-  command->add_option("--duration-s", arguments->duration_s, "seconds, 0..3600 (default: until the needle has moved)");
-  command->add_option("--fps", arguments->frame_rate_hz, "frames a second, 1..1000 (default: the scenario's)");
+  Scenario defaults;
+  const FieldList fields = fields_of(defaults);
+  add_field_option(*command, "--duration-s", *fields.find("image.duration_s"), arguments->duration_s, "the scenario's");
+  add_field_option(*command, "--fps", *fields.find("image.frame_rate_hz"), arguments->frame_rate_hz, "the scenario's");
   command->add_option("--seed", arguments->seed, "of noise, grain and debris (default: the scenario's)");
   command->callback([arguments] { simulate(*arguments); });
 }

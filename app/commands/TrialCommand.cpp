@@ -6,11 +6,14 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "commands/FieldOption.h"
 #include "commands/Progress.h"
 #include "commands/TrialPicture.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/evaluation/TrialSeries.h"
 #include "pellucida/evaluation/TrialSummary.h"
 
@@ -25,7 +28,7 @@ struct TrialArguments {
   bool no_picture = false;
   int trials = 200, jobs = 0;
   std::uint64_t seed = 1;
-  double force_scale_N_per_uN = TrialOptions{}.force_scale_N_per_uN;
+  std::optional<double> force_scale_N_per_uN;
   std::string modality = "all", scenario = "injection";
   std::string output;
 };
@@ -60,7 +63,7 @@ void run_trials(const TrialArguments& arguments) {
   options.trials = arguments.trials;
   options.seed = arguments.seed;
   options.jobs = arguments.jobs;
-  options.trial.force_scale_N_per_uN = arguments.force_scale_N_per_uN;
+  if (arguments.force_scale_N_per_uN) options.trial.force_scale_N_per_uN = *arguments.force_scale_N_per_uN;
   options.trial.slows_on_force = !arguments.no_slowing;
   const TrialScene scene(load_scenario(arguments.scenario));
   std::vector<TrialOutcome> outcomes;
@@ -93,9 +96,9 @@ void add_trial_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--scenario", a->scenario, "the cell, by name or file; one that can be punctured")
       ->capture_default_str();
-  command->add_option("--force-scale", a->force_scale_N_per_uN, "hand force for a force at the cell, N/uN")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+  TrialOptions defaults;
+  const FieldList fields = fields_of(defaults);
+  add_field_option(*command, "--force-scale", *fields.find("trial.force_scale_N_per_uN"), a->force_scale_N_per_uN);
   command->add_flag("--no-slowing", a->no_slowing,
                     "a felt force moves the operator's arm, but does not make the operator slow down");
   command->add_option("--jobs", a->jobs, "threads (default: one per core)")->check(CLI::Range(1, 256));

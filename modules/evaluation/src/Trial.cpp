@@ -10,7 +10,7 @@
 #include "TrialMeter.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/core/Table.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/haptics/HapticServo.h"
 #include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/simulation/SimulatedHand.h"
@@ -30,22 +30,21 @@ bool has_haptics(Modality modality) noexcept {
   return modality == Modality::kSpaceAndHaptics || modality == Modality::kSpaceAndFixture;
 }
 
-void require(const char* name, double value, double low, double high) {
-  if (value >= low && value <= high) return;
-  throw UsageError("trial." + std::string(name) + " is " + csv_number(value) + "; allowed: " + csv_number(low) +
-                   " to " + csv_number(high));
-}
+using T = TrialOptions;
+constexpr Field<T> kOptions[] = {
+    {"motion_scale_um_per_m", "um/m", &T::motion_scale_um_per_m, {100.0, 1e5}, "way of the tip for a way of the hand"},
+    {"force_scale_N_per_uN", "N/uN", &T::force_scale_N_per_uN, {0.0, 1.0}, "hand force for a force at the cell"},
+    {"approach_distance_um", "um", &T::approach_distance_um, {1.0, 100.0}, "from the approach point to the membrane"},
+    {"guide_radius_um", "um", &T::guide_radius_um, {0.0, 20.0}, "free play of the rectilinear guide"},
+    {"guide_width_um", "um", &T::guide_width_um, {0.01, 20.0}, "over which its stiffness sets in"},
+    {"tolerance_um", "um", &T::tolerance_um, {0.1, 50.0}, "of the deposit about the target"},
+    {"max_overshoot_um", "um", &T::max_overshoot_um, {0.0, 50.0}, "of the tip beyond the target"},
+    {"least_deposit_ratio", "", &T::least_deposit_ratio, {0.0, 1.0}, "of what was expelled, in the cell"},
+    {"time_limit_s", "s", &T::time_limit_s, {1.0, 600.0}, "of the whole trial"},
+};
 
-void check(const TrialOptions& options) {
-  require("motion_scale_um_per_m", options.motion_scale_um_per_m, 100.0, 1e5);
-  require("force_scale_N_per_uN", options.force_scale_N_per_uN, 0.0, 1.0);
-  require("approach_distance_um", options.approach_distance_um, 1.0, 100.0);
-  require("guide_radius_um", options.guide_radius_um, 0.0, 20.0);
-  require("guide_width_um", options.guide_width_um, 0.01, 20.0);
-  require("tolerance_um", options.tolerance_um, 0.1, 50.0);
-  require("max_overshoot_um", options.max_overshoot_um, 0.0, 50.0);
-  require("least_deposit_ratio", options.least_deposit_ratio, 0.0, 1.0);
-  require("time_limit_s", options.time_limit_s, 1.0, 600.0);
+void check(TrialOptions options) {
+  if (const auto fault = range_fault(fields_of(options))) throw UsageError(*fault);
 }
 
 Eigen::Vector3d start_of(const InjectionPlan& plan, const Placement& place) {
@@ -156,6 +155,10 @@ class Workplace {
 };
 
 }  // namespace
+
+FieldList fields_of(TrialOptions& options) {
+  return FieldList().add("trial", kOptions, options);
+}
 
 TrialScene::TrialScene(const Scenario& scenario) : scenario_(scenario), force_(VirtualSpecimen(scenario).force()) {
   if (!scenario.puncture.enabled)

@@ -9,6 +9,8 @@
 
 namespace pellucida {
 
+class FieldList;  // core/FieldTable.h
+
 /// One trial of a SIMULATED operator: what the modality provides, and what counts as success.
 struct TrialOptions {
   Modality modality = Modality::kFlatImage;
@@ -17,15 +19,18 @@ struct TrialOptions {
   double motion_scale_um_per_m = 1e4;  ///< 10 um of the tip for 1 mm of the hand
   double force_scale_N_per_uN = 0.05;  ///< with haptics: 0.4 N at the hand when a cell gives way at 7.5 uN
   bool slows_on_force = true;          ///< false: a felt force moves the arm, but not the operator's mind
-  double approach_distance_um = 10.0;  ///< from the approach point to the membrane
-  double guide_radius_um = 0.0;        ///< free play of the rectilinear guide
-  double guide_width_um = 0.5;         ///< over which its stiffness sets in
-  double tolerance_um = 8.0;           ///< of the deposit about the target: about a mouse pronucleus' radius
-  double max_overshoot_um = 20.0;      ///< of the tip beyond the target: a third of the way on to the far membrane
-  double least_deposit_ratio = 0.9;    ///< of what was expelled, in the cell
-  double time_limit_s = 30.0;          ///< of the whole trial
-  ContactCameraOptions camera;         ///< its seed is the trial's
+  double approach_distance_um = 10.0;
+  double guide_radius_um = 0.0;
+  double guide_width_um = 0.5;
+  double tolerance_um = 8.0;       ///< about a mouse pronucleus' radius
+  double max_overshoot_um = 20.0;  ///< a third of the way on to the far membrane
+  double least_deposit_ratio = 0.9;
+  double time_limit_s = 30.0;
+  ContactCameraOptions camera;  ///< its seed is the trial's
 };
+
+/// Its numbers, with meaning, unit and range, as "trial.NAME".
+FieldList fields_of(TrialOptions& options);
 
 /// The outcome. Numbers that were not reached are NaN.
 struct TrialOutcome {

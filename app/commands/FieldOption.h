@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace pellucida {
+
+struct FieldPlace;
+
+/// An option that sets a field: help text (meaning, unit, default) and range check are the field's; `default_words`
+/// where the default isn't the field's value. `value` must live as long as the command. Only for a field that is a
+/// number.
+CLI::Option* add_field_option(CLI::App& command, const std::string& option, const FieldPlace& field,
+                              std::optional<double>& value, const std::string& default_words = "");
+
+}  // namespace pellucida
