@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/haptics/DeviceCatalog.h"
 #include "pellucida/haptics/HapticSettings.h"
 #include "pellucida/haptics/PassivityObserver.h"
 #include "pellucida/haptics/ScalingCheck.h"
 #include "pellucida/haptics/VirtualCoupling.h"
+#include "support/DocsPage.h"
 
 namespace pellucida {
 namespace {
@@ -87,6 +89,11 @@ TEST(HapticSettings, DefaultsHaveNoFaultOnAnyDeviceAtAnyUsualScale) {
   }
 }
 
+TEST(HapticSettings, DefaultsAreOnThePage) {
+  HapticSettings settings;
+  EXPECT_TRUE(docs_section_is("developer/hand-settings.md", "## Settings", markdown(fields_of(settings))));
+}
+
 TEST(HapticSettings, FaultsAreNamed) {
   const DeviceSpecification device = find_device("Touch");
   const auto fault_after = [&](auto change) {
@@ -99,10 +106,16 @@ TEST(HapticSettings, FaultsAreNamed) {
   EXPECT_NE(fault_after([](HapticSettings& s) {
               s.fixtures.guide.enabled = true;
               s.fixtures.guide.axis = Vector(1.0, 1.0, 0.0);
-            }).find("fixture guide: length of axis"),
+            }).find("fixtures.guide: length of axis"),
             std::string::npos);
   EXPECT_NE(fault_after([](HapticSettings& s) { s.force_scale_N_per_uN = 1.0; }).find("take a force scale of"),
             std::string::npos);
+  EXPECT_EQ(fault_after([](HapticSettings& s) { s.coupling.stiffness_N_per_m = 1e4; }),
+            "coupling.stiffness_N_per_m is 10000; allowed: 0 to 400");
+  EXPECT_EQ(fault_after([](HapticSettings& s) { s.limits.blind_age_s = 0.05; }),
+            "limits.blind_age_s is 0.05; allowed: 0.1 or more");
+  EXPECT_EQ(fault_after([](HapticSettings& s) { s.limits.late_tick_s = -1.0; }),
+            "limits.late_tick_s is -1; allowed: 0 to 10");
   EXPECT_NE(fault_after([](HapticSettings& s) { s.low_pass_Hz = std::nan(""); }).find("low_pass_Hz"),
             std::string::npos);
 }

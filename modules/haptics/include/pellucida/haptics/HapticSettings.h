@@ -11,6 +11,8 @@
 
 namespace pellucida {
 
+class FieldList;  // core/FieldTable.h
+
 /// All settings that may be changed while the hand works. Trivially copyable: it goes through `LatestValue`.
 struct HapticSettings {
   double force_scale_N_per_uN = 0.0;  ///< hand force per force at the cell; 0: the contact is not felt
@@ -33,6 +35,9 @@ static_assert(std::is_trivially_copyable_v<HapticSettings>);
 /// device can render for that cell, link and fixtures at half the device's largest stiffness, no fixture enabled.
 HapticSettings default_settings(const DeviceSpecification& device, double motion_scale_um_per_m,
                                 const CellStrength& cell = {});
+
+/// The numbers of the settings, with meaning, unit and range; docs/developer/hand-settings.md is printed from them.
+FieldList fields_of(HapticSettings& settings);
 
 /// Why the device can't use these settings at that motion scale: a number out of range, or the text of the refused
 /// scaling with the nearest accepted one. Nothing when they are valid.
