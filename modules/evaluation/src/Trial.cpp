@@ -30,19 +30,6 @@ bool has_haptics(Modality modality) noexcept {
   return modality == Modality::kSpaceAndHaptics || modality == Modality::kSpaceAndFixture;
 }
 
-using T = TrialOptions;
-constexpr Field<T> kOptions[] = {
-    {"motion_scale_um_per_m", "um/m", &T::motion_scale_um_per_m, {100.0, 1e5}, "way of the tip for a way of the hand"},
-    {"force_scale_N_per_uN", "N/uN", &T::force_scale_N_per_uN, {0.0, 1.0}, "hand force for a force at the cell"},
-    {"approach_distance_um", "um", &T::approach_distance_um, {1.0, 100.0}, "from the approach point to the membrane"},
-    {"guide_radius_um", "um", &T::guide_radius_um, {0.0, 20.0}, "free play of the rectilinear guide"},
-    {"guide_width_um", "um", &T::guide_width_um, {0.01, 20.0}, "over which its stiffness sets in"},
-    {"tolerance_um", "um", &T::tolerance_um, {0.1, 50.0}, "of the deposit about the target"},
-    {"max_overshoot_um", "um", &T::max_overshoot_um, {0.0, 50.0}, "of the tip beyond the target"},
-    {"least_deposit_ratio", "", &T::least_deposit_ratio, {0.0, 1.0}, "of what was expelled, in the cell"},
-    {"time_limit_s", "s", &T::time_limit_s, {1.0, 600.0}, "of the whole trial"},
-};
-
 void check(TrialOptions options) {
   if (const auto fault = range_fault(fields_of(options))) throw UsageError(*fault);
 }
@@ -157,6 +144,22 @@ class Workplace {
 }  // namespace
 
 FieldList fields_of(TrialOptions& options) {
+  using T = TrialOptions;
+  static constexpr Field<T> kOptions[] = {
+      {"motion_scale_um_per_m",
+       "um/m",
+       &T::motion_scale_um_per_m,
+       {100.0, 1e5},
+       "way of the tip for a way of the hand"},
+      {"force_scale_N_per_uN", "N/uN", &T::force_scale_N_per_uN, {0.0, 1.0}, "hand force for a force at the cell"},
+      {"approach_distance_um", "um", &T::approach_distance_um, {1.0, 100.0}, "from the approach point to the membrane"},
+      {"guide_radius_um", "um", &T::guide_radius_um, {0.0, 20.0}, "free play of the rectilinear guide"},
+      {"guide_width_um", "um", &T::guide_width_um, {0.01, 20.0}, "over which its stiffness sets in"},
+      {"tolerance_um", "um", &T::tolerance_um, {0.1, 50.0}, "of the deposit about the target"},
+      {"max_overshoot_um", "um", &T::max_overshoot_um, {0.0, 50.0}, "of the tip beyond the target"},
+      {"least_deposit_ratio", "", &T::least_deposit_ratio, {0.0, 1.0}, "of what was expelled, in the cell"},
+      {"time_limit_s", "s", &T::time_limit_s, {1.0, 600.0}, "of the whole trial"},
+  };
   return FieldList().add("trial", kOptions, options);
 }
 

@@ -14,22 +14,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-using D = DeviceSpecification;
-constexpr FieldNeed kRequired = FieldNeed::kRequired;
-constexpr FieldRange kSome{0.0, 1e9};
-constexpr Field<D> kFields[] = {
-    {"name", "", &D::name, {}, "unique, case ignored", kRequired},
-    {"max_force_N", "N", &D::max_force_N, kSome, "peak; 0: the device gives no force", kRequired},
-    {"max_continuous_force_N", "N", &D::max_continuous_force_N, kSome, "0: not known"},
-    {"max_stiffness_N_per_m", "N/m", &D::max_stiffness_N_per_m, kSome, "of a virtual wall that stays stable",
-     kRequired},
-    {"max_damping_N_s_per_m", "N s/m", &D::max_damping_N_s_per_m, kSome, "the same", kRequired},
-    {"physical_damping_N_s_per_m", "N s/m", &D::physical_damping_N_s_per_m, kSome,
-     "of the device itself; 0: not known"},
-    {"workspace_radius_m", "m", &D::workspace_radius_m, above(0.0, 1e9), "of the hand's way", kRequired},
-    {"resolution_m", "m", &D::resolution_m, kSome, "of the position; 0: not known"},
-    {"source", "", &D::source, {}, "of the numbers", kRequired},
-};
+FieldList fields_of(DeviceSpecification& device) {
+  using D = DeviceSpecification;
+  constexpr FieldNeed kRequired = FieldNeed::kRequired;
+  constexpr FieldRange kSome{0.0, 1e9};
+  static constexpr Field<D> kFields[] = {
+      {"name", "", &D::name, {}, "unique, case ignored", kRequired},
+      {"max_force_N", "N", &D::max_force_N, kSome, "peak; 0: the device gives no force", kRequired},
+      {"max_continuous_force_N", "N", &D::max_continuous_force_N, kSome, "0: not known"},
+      {"max_stiffness_N_per_m", "N/m", &D::max_stiffness_N_per_m, kSome, "of a virtual wall that stays stable",
+       kRequired},
+      {"max_damping_N_s_per_m", "N s/m", &D::max_damping_N_s_per_m, kSome, "the same", kRequired},
+      {"physical_damping_N_s_per_m", "N s/m", &D::physical_damping_N_s_per_m, kSome,
+       "of the device itself; 0: not known"},
+      {"workspace_radius_m", "m", &D::workspace_radius_m, above(0.0, 1e9), "of the hand's way", kRequired},
+      {"resolution_m", "m", &D::resolution_m, kSome, "of the position; 0: not known"},
+      {"source", "", &D::source, {}, "of the numbers", kRequired},
+  };
+  return FieldList().add("", kFields, device);
+}
 
 std::string lower_case(std::string_view text) {
   std::string lower(text);
@@ -40,7 +43,7 @@ std::string lower_case(std::string_view text) {
 DeviceSpecification read_device(const Json& device, const std::string& where) {
   if (!device.is_object()) throw InputError(where + ": must be an object with name, limits and source");
   DeviceSpecification read;
-  auto fault = read_fields(device, FieldList().add("", kFields, read));
+  auto fault = read_fields(device, fields_of(read));
   if (!fault) fault = fault_of(read);
   if (fault) throw InputError(where + (read.name.empty() ? "" : " (" + read.name + ")") + ": " + *fault);
   return read;
@@ -50,7 +53,7 @@ DeviceSpecification read_device(const Json& device, const std::string& where) {
 
 std::optional<std::string> fault_of(const DeviceSpecification& specification) {
   DeviceSpecification checked = specification;
-  if (auto fault = range_fault(FieldList().add("", kFields, checked))) return fault;
+  if (auto fault = range_fault(fields_of(checked))) return fault;
   const bool gives_force = specification.max_force_N > 0.0;
   if (gives_force && specification.max_stiffness_N_per_m <= 0.0) {
     return "max_stiffness_N_per_m must be above 0 for a device that gives force";

@@ -4,7 +4,7 @@
 #include "pellucida/haptics/HapticSettings.h"
 
 namespace pellucida {
-namespace {
+namespace hand_tables {
 
 constexpr FieldRange kFlag, kTime_s{0.0, 10.0}, kSome{0.0, 1e9}, kLength_um{1e-3, 1e4}, kAtLeastZero{0.0};
 
@@ -137,9 +137,10 @@ constexpr Field<FixtureSet> kFixtures[] = {
     {"max_force_N", "N", &FixtureSet::max_force_N, kSome, "of all together at the hand"},
 };
 
-}  // namespace
+}  // namespace hand_tables
 
 FieldList fields_of(HapticSettings& s) {
+  using namespace hand_tables;
   FixtureSet& fixtures = s.fixtures;
   FieldList fields;
   fields.add("", kLoop, s)

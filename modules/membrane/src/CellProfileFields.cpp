@@ -2,7 +2,7 @@
 #include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
-namespace {
+namespace profile_tables {
 
 using P = CellProfile;
 constexpr FieldNeed kRequired = FieldNeed::kRequired;
@@ -120,9 +120,10 @@ constexpr Field<ProfileError> kError[] = {
     {"to_um", "um", &ProfileError::to_um, {0, 1e4}, "and to", kRequired},
 };
 
-}  // namespace
+}  // namespace profile_tables
 
 FieldList fields_of(CellProfile& p) {
+  using namespace profile_tables;
   FieldList fields;
   fields.add("", kTop, p)
       .add("geometry", kGeometry, p)
@@ -137,19 +138,19 @@ FieldList fields_of(CellProfile& p) {
 }
 
 FieldList relaxation_fields_of(CellProfile& p) {
-  return FieldList().add("", kRelaxation, p);
+  return FieldList().add("", profile_tables::kRelaxation, p);
 }
 
 FieldList fields_of(ProfileReference& reference) {
-  return FieldList().add("", kReference, reference);
+  return FieldList().add("", profile_tables::kReference, reference);
 }
 
 FieldList fields_of(ProfileError& error) {
-  return FieldList().add("", kError, error);
+  return FieldList().add("", profile_tables::kError, error);
 }
 
 FieldList fields_of(RelaxationArm& arm) {
-  return FieldList().add("", kArm, arm);
+  return FieldList().add("", profile_tables::kArm, arm);
 }
 
 }  // namespace pellucida

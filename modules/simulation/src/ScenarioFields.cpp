@@ -2,7 +2,7 @@
 #include "pellucida/simulation/Scenario.h"
 
 namespace pellucida {
-namespace {
+namespace scenario_tables {
 
 constexpr FieldRange kNone;  // of a text or a flag
 constexpr FieldRange kPlace_um{-1e4, 1e4}, kDegrees{-360, 360};
@@ -142,9 +142,10 @@ constexpr Field<Bystander> kBystander[] = {
     {"bubble_y_um", "um", &Bystander::bubble_y_um, kPlace_um, "its centre, down"},
 };
 
-}  // namespace
+}  // namespace scenario_tables
 
 FieldList fields_of(Scenario& s) {
+  using namespace scenario_tables;
   FieldList fields;
   fields.add("", kTop, s)
       .add("image", kImage, s.image)
