@@ -41,8 +41,10 @@ constexpr Field<M> kColumns[] = {
     {"asymmetry_um", "um", &M::asymmetry_um, kAny,
      "RMS of the part of the contour that no surface of revolution about the axis through the contact point can show"},
     {"model_spread_percent", "%", &M::model_spread_percent, kAny,
-     "disagreement of three models of the force (this one, the point-load formula, the finite-element table), standard "
-     "deviation over mean"},
+     "how far three models of the force differ: this one, the point-load formula, the finite-element table; standard "
+     "deviation over mean. For comparison only: no part of the interval. The formula takes the zona for a flat, "
+     "clamped membrane, so 30 to 50 % are usual on a good measurement "
+     "([method.md](method.md#38-from-the-contour-to-the-force))"},
     {"puncture_probability",
      "0..1",
      &M::puncture_probability,
