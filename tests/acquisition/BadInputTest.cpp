@@ -10,43 +10,43 @@ namespace {
 
 using namespace test;
 
-constexpr SourceOptions kScale{.pixel_size_um = 0.825, .frame_rate_hz = 30.0};
+constexpr SourceOptions kAnyScale{.pixel_size_um = 0.825, .frame_rate_hz = 30.0};
 
 TEST(BadInput, WhatIsNotThereOrEmpty) {
   const TemporaryFolder folder;
   expect_error(ExitCode::kInputUnreadable, "nowhere.avi: no such file or folder",
-               [&] { open_source(folder / "nowhere.avi", kScale); });
+               [&] { open_source(folder / "nowhere.avi", kAnyScale); });
   put(folder / "empty.avi", "");
   expect_error(ExitCode::kInputUnreadable, "empty.avi: empty file (0 bytes)",
-               [&] { open_source(folder / "empty.avi", kScale); });
+               [&] { open_source(folder / "empty.avi", kAnyScale); });
   fs::create_directories(folder / "sub");
   expect_error(ExitCode::kInputUnreadable, "no PNG, TIFF, JPEG or BMP image in this folder",
-               [&] { open_source(folder / "sub", kScale); });
+               [&] { open_source(folder / "sub", kAnyScale); });
   expect_error(ExitCode::kInputUnreadable, "/dev/null: neither a file nor a folder",
-               [&] { open_source("/dev/null", kScale); });
-  expect_error(ExitCode::kInputUnreadable, "no such file", [&] { open_source("", kScale); });
+               [&] { open_source("/dev/null", kAnyScale); });
+  expect_error(ExitCode::kInputUnreadable, "no such file", [&] { open_source("", kAnyScale); });
 }
 
 TEST(BadInput, WhatIsNoVideo) {
   const TemporaryFolder folder;
   put(folder / "text.avi", "This is a text file.\nIt is called a video.\n");
   expect_error(ExitCode::kInputUnreadable, "text.avi: a text file, not a video or an image",
-               [&] { open_source(folder / "text.avi", kScale); });
+               [&] { open_source(folder / "text.avi", kAnyScale); });
   std::string noise(5000, '\0');
   cv::RNG random(3);
   for (char& c : noise) c = static_cast<char>(random.uniform(0, 256));
   put(folder / "noise.avi", noise);
   expect_error(ExitCode::kInputUnreadable, "noise.avi: neither a video nor an image this build can read",
-               [&] { open_source(folder / "noise.avi", kScale); });
+               [&] { open_source(folder / "noise.avi", kAnyScale); });
   put(folder / "playlist.m3u8", "#EXTM3U\n#EXTINF:1,\n/etc/hostname\n");
-  expect_error(ExitCode::kInputUnreadable, "a text file", [&] { open_source(folder / "playlist.m3u8", kScale); });
+  expect_error(ExitCode::kInputUnreadable, "a text file", [&] { open_source(folder / "playlist.m3u8", kAnyScale); });
 }
 
 TEST(BadInput, ContentCountsNotTheName) {
   const TemporaryFolder folder;
   cv::imwrite(folder / "a.png", picture(0));
   fs::rename(folder / "a.png", folder / "a.avi");
-  EXPECT_EQ(open_source(folder / "a.avi", kScale)->info().frame_rate_origin, "still");
+  EXPECT_EQ(open_source(folder / "a.avi", kAnyScale)->info().frame_rate_origin, "still");
 }
 
 TEST(BadInput, PixelsOfOtherKinds) {
@@ -55,11 +55,11 @@ TEST(BadInput, PixelsOfOtherKinds) {
   write_tiff(folder / "signed.tif", {.bits = 16, .format = SAMPLEFORMAT_INT, .description = ""});
   write_tiff(folder / "wide.tif", {.count = 2, .bits = 32, .description = ""});
   expect_error(ExitCode::kInputUnreadable, "float.tif: holds 32 bit float pixels; convert it to 8 or 16 bit grey",
-               [&] { open_source(folder / "float.tif", kScale); });
+               [&] { open_source(folder / "float.tif", kAnyScale); });
   expect_error(ExitCode::kInputUnreadable, "signed.tif: holds 16 bit signed pixels",
-               [&] { open_source(folder / "signed.tif", kScale); });
+               [&] { open_source(folder / "signed.tif", kAnyScale); });
   expect_error(ExitCode::kInputUnreadable, "wide.tif: holds 32 bit pixels",
-               [&] { open_source(folder / "wide.tif", kScale); });
+               [&] { open_source(folder / "wide.tif", kAnyScale); });
 }
 
 TEST(BadInput, OptionsOutOfRange) {
@@ -113,7 +113,7 @@ TEST(BadInput, ImagesCutAnywhereAreOneLineEach) {
     const std::string whole = text_of(folder / name);
     for (int i = 1; i < 20; ++i) {
       put(folder / name, whole.substr(0, whole.size() * static_cast<std::size_t>(i) / 20));
-      expect_error(ExitCode::kInputUnreadable, name, [&] { open_source(folder / name, kScale); });
+      expect_error(ExitCode::kInputUnreadable, name, [&] { open_source(folder / name, kAnyScale); });
     }
   }
 }
@@ -133,7 +133,7 @@ TEST(BadInput, FlippedBitsNeverCrash) {
       }
       put(folder / name, bytes);
       try {
-        const auto source = open_source(folder / name, kScale);
+        const auto source = open_source(folder / name, kAnyScale);
         source->next();
       } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::kInputUnreadable) << error.what();
@@ -144,12 +144,13 @@ TEST(BadInput, FlippedBitsNeverCrash) {
 
 TEST(BadInput, CamerasThatAreNotThere) {
   expect_error(ExitCode::kDeviceMissing, "v4l2:97: /dev/video97 can't be opened (No such file or directory); ",
-               [] { open_source("v4l2:97", kScale); });
+               [] { open_source("v4l2:97", kAnyScale); });
   expect_error(ExitCode::kWrongUsage, "\"front\" is no camera number; give v4l2:0",
-               [] { open_source("v4l2:front", kScale); });
+               [] { open_source("v4l2:front", kAnyScale); });
   expect_error(ExitCode::kDeviceMissing, "this build has no gstreamer source",
-               [] { open_source("gstreamer:videotestsrc", kScale); });
-  expect_error(ExitCode::kDeviceMissing, "this build has no genicam source", [] { open_source("genicam:1", kScale); });
+               [] { open_source("gstreamer:videotestsrc", kAnyScale); });
+  expect_error(ExitCode::kDeviceMissing, "this build has no genicam source",
+               [] { open_source("genicam:1", kAnyScale); });
 }
 
 // The exception's line is the only one: the libraries below say nothing of their own.
@@ -167,7 +168,7 @@ TEST(BadInput, LibrariesKeepSilent) {
   testing::internal::CaptureStderr();
   for (const char* name : {"a.mp4", "b.avi", "c.avi", "d.jpg", "e.tif"}) {
     try {
-      const auto source = open_source(folder / name, kScale);
+      const auto source = open_source(folder / name, kAnyScale);
       while (source->next()) {
       }
     } catch (const Error&) {

@@ -5,7 +5,7 @@ namespace {
 
 using namespace test;
 
-constexpr SourceOptions kScale{.pixel_size_um = 0.825, .frame_rate_hz = {}};
+constexpr SourceOptions kPixelsAlone{.pixel_size_um = 0.825, .frame_rate_hz = {}};
 
 TEST(Video, EachContainerGivesAllItsFrames) {
   const TemporaryFolder folder;
@@ -13,7 +13,7 @@ TEST(Video, EachContainerGivesAllItsFrames) {
       {"a.avi", "MJPG"}, {"b.mkv", "MJPG"}, {"c.mp4", "mp4v"}, {"d.avi", "FFV1"}};
   for (const auto& [name, codec] : kinds) {
     write_video(folder / name, 24, 25.0, codec);
-    const auto source = open_source(folder / name, kScale);
+    const auto source = open_source(folder / name, kPixelsAlone);
     EXPECT_EQ(source->info().width_px, 64) << name;
     EXPECT_EQ(source->info().height_px, 48) << name;
     EXPECT_EQ(source->info().bit_depth, 8) << name;
@@ -35,7 +35,7 @@ TEST(Video, EachContainerGivesAllItsFrames) {
 TEST(Video, LosslessPixelsAreExact) {
   const TemporaryFolder folder;
   write_video(folder / "a.avi", 3, 25.0, "FFV1");
-  const auto frames = all_frames(*open_source(folder / "a.avi", kScale));
+  const auto frames = all_frames(*open_source(folder / "a.avi", kPixelsAlone));
   ASSERT_EQ(frames.size(), 3U);
   EXPECT_TRUE(same_pixels(mat_of(frames[2]), picture(2, 64, 48)));
 }
@@ -43,7 +43,7 @@ TEST(Video, LosslessPixelsAreExact) {
 TEST(Video, StartsAnew) {
   const TemporaryFolder folder;
   write_video(folder / "a.avi", 10, 25.0);
-  const auto source = open_source(folder / "a.avi", kScale);
+  const auto source = open_source(folder / "a.avi", kPixelsAlone);
   const auto first = all_frames(*source);
   ASSERT_TRUE(source->restart());
   const auto second = all_frames(*source);
@@ -68,7 +68,7 @@ TEST(Video, GivenRateStretchesTime) {
 // Twelve frames at 10 frames/s of which 3, 4 and 8 were never written: their stamps are missing.
 TEST(Video, LostFramesAreCountedFromTheStamps) {
   const std::string file = PELLUCIDA_SOURCE_DIR "/tests/acquisition/data/three_frames_lost.mkv";
-  const auto frames = all_frames(*open_source(file, kScale));
+  const auto frames = all_frames(*open_source(file, kPixelsAlone));
   ASSERT_EQ(frames.size(), 9U);
   const long indices[] = {0, 1, 2, 5, 6, 7, 9, 10, 11};
   const long gaps[] = {0, 0, 0, 2, 0, 0, 1, 0, 0};
@@ -84,7 +84,7 @@ TEST(Video, CutOffGivesItsFramesThenSaysWhere) {
   for (const char* name : {"a.avi", "b.mkv"}) {
     write_video(folder / name, 60, 30.0);
     cut(folder / name, 0.5);
-    const auto source = open_source(folder / name, kScale);
+    const auto source = open_source(folder / name, kPixelsAlone);
     long last = -1;
     expect_error(ExitCode::kInputUnreadable, "broken off after frame", [&] {
       while (const auto frame = source->next()) last = frame->frame_index;
@@ -107,7 +107,7 @@ TEST(Video, Mp4WithoutItsIndexSaysSo) {
   write_video(folder / "a.mp4", 30, 30.0, "mp4v");
   cut(folder / "a.mp4", 0.5);
   expect_error(ExitCode::kInputUnreadable, "a.mp4: cut off (an MP4 without its index",
-               [&] { open_source(folder / "a.mp4", kScale); });
+               [&] { open_source(folder / "a.mp4", kPixelsAlone); });
 }
 
 }  // namespace

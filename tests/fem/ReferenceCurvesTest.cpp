@@ -9,12 +9,11 @@
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/fem/ShellReference.h"
+#include "support/SharedFolder.h"
 
 namespace pellucida {
 namespace {
 
-const std::filesystem::path kShared =
-    std::filesystem::path(PELLUCIDA_SOURCE_DIR) / ".." / "shared" / "mechanics" / "reference";
 /// On Table I's 17.9 kPa: with it the reference's thin shell passes 7.5 uN at 44 um (resources/reference).
 constexpr double kScale = 7.5 / 0.920359;
 
@@ -89,7 +88,8 @@ TEST_P(ShippedConfiguration, SectionIsMetWithinAThirdOfAMicrometre) {
 }
 
 TEST_P(ShippedConfiguration, LateralForceIsMet) {
-  const auto file = kShared / ("force_config" + std::to_string(GetParam()) + "_oocyte.csv");
+  const auto file =
+      test::shared_folder() / "mechanics" / "reference" / ("force_config" + std::to_string(GetParam()) + "_oocyte.csv");
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   const Table table = Table::read(file);
   const Eigen::VectorXd depth = table.column("indentation_um"), lateral = table.column("Fx_uN");
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(OfThePaper, Configuration, ::testing::Values(1, 2, 3, 4
 
 // The embryo differs from the oocyte by its modulus and goes deeper.
 TEST(Embryo, ForceIsMetWithinTwoPercent) {
-  const auto file = kShared / "force_config1_embryo.csv";
+  const auto file = test::shared_folder() / "mechanics" / "reference" / "force_config1_embryo.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   const Table table = Table::read(file);
   const Eigen::VectorXd depth = table.column("indentation_um"), force = table.column("force_uN");

@@ -12,12 +12,10 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/fem/ShellReference.h"
+#include "support/SharedFolder.h"
 
 namespace pellucida {
 namespace {
-
-const std::filesystem::path kShared =
-    std::filesystem::path(PELLUCIDA_SOURCE_DIR) / ".." / "shared" / "mechanics" / "reference";
 
 AxisymmetricMesh small_mesh() {
   return make_axisymmetric_mesh(
@@ -120,7 +118,7 @@ TEST_F(Solid, KeepsItsFigures) {
 // up to 6 % off its force; before and after it is met within its mesh spread. GetFEM's three-dimensional solid, which
 // doesn't, is met there; from 16 um on that one turns oval.
 TEST_F(Solid, MeetsTheSolidsOfAnotherProgram) {
-  const auto file = kShared / "force_config1_oocyte_solidFE.csv";
+  const auto file = test::shared_folder() / "mechanics" / "reference" / "force_config1_oocyte_solidFE.csv";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   const Table table = Table::read(file);
   const Eigen::VectorXd depth = table.column("indentation_um"), force = table.column("force_uN");
@@ -129,7 +127,8 @@ TEST_F(Solid, MeetsTheSolidsOfAnotherProgram) {
     const double allowed = depth[row] < 4.0 || depth[row] > 20.0 ? 0.025 : 0.065;
     EXPECT_NEAR(force_at(depth[row]), force[row], allowed * force[row]) << depth[row];
   }
-  const Table other = Table::read(kShared / "check_GetFEM3D_config1_oocyte.csv");
+  const Table other =
+      Table::read(test::shared_folder() / "mechanics" / "reference" / "check_GetFEM3D_config1_oocyte.csv");
   const Eigen::VectorXd other_depth = other.column("indentation_um"), other_force = other.column("force_uN");
   for (Eigen::Index row = 0; row < other.rows(); ++row) {
     if (other_depth[row] < 1.0 || other_depth[row] > 13.0) continue;

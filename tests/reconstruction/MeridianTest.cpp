@@ -9,7 +9,7 @@
 namespace pellucida {
 namespace {
 
-const Eigen::Vector2d kCenter_um(100.0, 80.0);
+const Eigen::Vector2d kCutCenter_um(100.0, 80.0);
 const Eigen::Vector2d kAxis(0.6, -0.8);
 
 TEST(Meridian, FractionsRunFromZeroToOneAndAreDenserAtTheNeedle) {
@@ -20,8 +20,8 @@ TEST(Meridian, FractionsRunFromZeroToOneAndAreDenserAtTheNeedle) {
 }
 
 TEST(Meridian, ACircleGivesTwoEqualHalfCircles) {
-  const auto contour_um = test::ellipse(720, kCenter_um, kAxis, 50.0, 50.0);
-  const auto pair = cut_meridians(contour_um, kCenter_um, kAxis, graded_fractions(33, 1.0));
+  const auto contour_um = test::ellipse(720, kCutCenter_um, kAxis, 50.0, 50.0);
+  const auto pair = cut_meridians(contour_um, kCutCenter_um, kAxis, graded_fractions(33, 1.0));
   ASSERT_TRUE(pair);
   for (int j = 0; j < 33; ++j) {
     const double polar_rad = std::numbers::pi * j / 32;
@@ -32,16 +32,16 @@ TEST(Meridian, ACircleGivesTwoEqualHalfCircles) {
 }
 
 TEST(Meridian, StartPointAndSenseDoNotMatter) {
-  const auto contour_um = test::ellipse(200, kCenter_um, kAxis, 40.0, 55.0);
+  const auto contour_um = test::ellipse(200, kCutCenter_um, kAxis, 40.0, 55.0);
   const auto fractions = graded_fractions(21, 0.4);
-  const auto reference = cut_meridians(contour_um, kCenter_um, kAxis, fractions);
+  const auto reference = cut_meridians(contour_um, kCutCenter_um, kAxis, fractions);
   ASSERT_TRUE(reference);
   for (const int shift : {1, 57, 133}) {
     Contour_um turned(2, 200);
     for (int i = 0; i < 200; ++i) turned.col(i) = contour_um.col((i + shift) % 200);
     const Contour_um reversed = turned.rowwise().reverse();
     for (const auto& variant : {turned, reversed}) {
-      const auto pair = cut_meridians(variant, kCenter_um, kAxis, fractions);
+      const auto pair = cut_meridians(variant, kCutCenter_um, kAxis, fractions);
       ASSERT_TRUE(pair);
       EXPECT_LT((pair->positive - reference->positive).cwiseAbs().maxCoeff(), 1e-9);
       EXPECT_LT((pair->negative - reference->negative).cwiseAbs().maxCoeff(), 1e-9);
@@ -51,15 +51,15 @@ TEST(Meridian, StartPointAndSenseDoNotMatter) {
 
 TEST(Meridian, DegenerateContoursAreRefusedWithAReason) {
   const auto fractions = graded_fractions(9, 1.0);
-  const auto contour_um = test::ellipse(100, kCenter_um, kAxis, 50.0, 50.0);
+  const auto contour_um = test::ellipse(100, kCutCenter_um, kAxis, 50.0, 50.0);
   EXPECT_FALSE(cut_meridians(contour_um, {500.0, 80.0}, kAxis, fractions));
   // On the axis, but beyond the contour: it holds no part of this cell.
-  EXPECT_FALSE(cut_meridians(contour_um, kCenter_um + 60.0 * kAxis, kAxis, fractions));
-  EXPECT_FALSE(cut_meridians(contour_um, kCenter_um - 60.0 * kAxis, kAxis, fractions));
-  EXPECT_FALSE(cut_meridians(contour_um.leftCols(5), kCenter_um, kAxis, fractions));
+  EXPECT_FALSE(cut_meridians(contour_um, kCutCenter_um + 60.0 * kAxis, kAxis, fractions));
+  EXPECT_FALSE(cut_meridians(contour_um, kCutCenter_um - 60.0 * kAxis, kAxis, fractions));
+  EXPECT_FALSE(cut_meridians(contour_um.leftCols(5), kCutCenter_um, kAxis, fractions));
   Contour_um broken = contour_um;
   broken(0, 3) = std::numeric_limits<double>::quiet_NaN();
-  const auto result = cut_meridians(broken, kCenter_um, kAxis, fractions);
+  const auto result = cut_meridians(broken, kCutCenter_um, kAxis, fractions);
   ASSERT_FALSE(result);
   EXPECT_NE(result.error().find("finite"), std::string::npos);
 }

@@ -11,11 +11,6 @@ namespace {
 
 using namespace test;
 
-bool mentions(const std::vector<std::string>& lines, const std::string& part) {
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const auto& line) { return line.find(part) != std::string::npos; });
-}
-
 // Finds the damage, mends it, and finds none any more.
 void expect_mended(const fs::path& session, const std::string& problem) {
   const SessionReport found = check_session(session, false);

@@ -8,11 +8,6 @@ namespace {
 
 using namespace test;
 
-bool mentions(const std::vector<std::string>& lines, const std::string& part) {
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const auto& line) { return line.find(part) != std::string::npos; });
-}
-
 class SessionExport : public testing::Test {
  protected:
   // Frames 0 to 4; the force rises with the frame.

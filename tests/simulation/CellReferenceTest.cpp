@@ -9,20 +9,14 @@
 #include "pellucida/core/Table.h"
 #include "pellucida/simulation/VirtualSpecimen.h"
 #include "simulation/SectionChecks.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-struct Which {
-  const char* cell;
-  int configuration;
-};
+using test::ReferenceCase;
 
-void PrintTo(const Which& which, std::ostream* out) {
-  *out << which.cell << ' ' << which.configuration;
-}
-
-class EveryReference : public testing::TestWithParam<Which> {
+class EveryReference : public testing::TestWithParam<ReferenceCase> {
  protected:
   CellReference reference_ = CellReference::load(GetParam().cell, GetParam().configuration);
 };
@@ -126,9 +120,10 @@ TEST_P(EveryReference, HolderAndCellDoNotOverlap) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, EveryReference,
-                         testing::Values(Which{"mouse-oocyte", 1}, Which{"mouse-oocyte", 2}, Which{"mouse-oocyte", 3},
-                                         Which{"mouse-oocyte", 4}, Which{"mouse-embryo", 1}, Which{"mouse-embryo", 2},
-                                         Which{"mouse-embryo", 3}, Which{"mouse-embryo", 4}),
+                         testing::Values(ReferenceCase{"mouse-oocyte", 1}, ReferenceCase{"mouse-oocyte", 2},
+                                         ReferenceCase{"mouse-oocyte", 3}, ReferenceCase{"mouse-oocyte", 4},
+                                         ReferenceCase{"mouse-embryo", 1}, ReferenceCase{"mouse-embryo", 2},
+                                         ReferenceCase{"mouse-embryo", 3}, ReferenceCase{"mouse-embryo", 4}),
                          [](const auto& which) {
                            return std::string(which.param.cell).substr(6) + std::to_string(which.param.configuration);
                          });

@@ -11,21 +11,16 @@
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "simulation/SectionChecks.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-Scenario scenario_of(const std::string& json) {
-  return parse_scenario(json, "test");
-}
+using test::scenario_of;
 
 const char* const kInjection = R"({"puncture": {"enabled": true}, "debris": {"count": 0}, "seed": 11})";
 
-std::vector<std::uint8_t> bytes_of(const Frame& frame) {
-  const ImageView view = view_of(frame.image.get());
-  const auto* first = static_cast<const std::uint8_t*>(view.data);
-  return {first, first + view.row_bytes * view.height_px};
-}
+using test::bytes_of;
 
 // A free hand's way as corners: second, offset and depth, um, and what was expelled by then, pL.
 struct Corner {

@@ -10,6 +10,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
@@ -35,11 +36,7 @@ class FrameWriterTest : public testing::Test {
   fs::path folder_;
 };
 
-std::vector<unsigned char> bytes_of(const Frame& frame) {
-  const ImageView view = view_of(frame.image.get());
-  const auto* first = static_cast<const unsigned char*>(view.data);
-  return {first, first + view.row_bytes * view.height_px};
-}
+using test::bytes_of;
 
 // Writes a short scene, opens it as any recording is opened, and compares every byte.
 void expect_lossless(const fs::path& output, const Scenario& scenario) {

@@ -6,13 +6,12 @@
 #include <set>
 
 #include "pellucida/simulation/VirtualSpecimen.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-Scenario scenario_of(const std::string& json) {
-  return parse_scenario(json, "test");
-}
+using test::scenario_of;
 
 const char* const kPuncturing = R"({"puncture": {"enabled": true}})";
 

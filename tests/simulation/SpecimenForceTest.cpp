@@ -8,18 +8,12 @@
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/simulation/CellReference.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-struct Which {
-  const char* cell;
-  int configuration;
-};
-
-void PrintTo(const Which& which, std::ostream* out) {
-  *out << which.cell << ' ' << which.configuration;
-}
+using test::ReferenceCase;
 
 // A turned frame, so that no component is hidden by a zero.
 SpecimenForce::Frame turned(double scale = 1.0) {
@@ -27,7 +21,7 @@ SpecimenForce::Frame turned(double scale = 1.0) {
   return {{270, 200, 0}, {std::cos(angle), std::sin(angle), 0}, {std::sin(angle), -std::cos(angle), 0}, scale};
 }
 
-class ForceField : public testing::TestWithParam<Which> {
+class ForceField : public testing::TestWithParam<ReferenceCase> {
  protected:
   SpecimenForce field_ = SpecimenForce::load(GetParam().cell, GetParam().configuration, turned());
   double offset_um_ = GetParam().configuration == 4 ? 10.0 : 0.0;
@@ -111,9 +105,10 @@ TEST_P(ForceField, SizeScalesLengthsAndForces) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, ForceField,
-                         testing::Values(Which{"mouse-oocyte", 1}, Which{"mouse-oocyte", 2}, Which{"mouse-oocyte", 3},
-                                         Which{"mouse-oocyte", 4}, Which{"mouse-embryo", 1}, Which{"mouse-embryo", 2},
-                                         Which{"mouse-embryo", 3}, Which{"mouse-embryo", 4}),
+                         testing::Values(ReferenceCase{"mouse-oocyte", 1}, ReferenceCase{"mouse-oocyte", 2},
+                                         ReferenceCase{"mouse-oocyte", 3}, ReferenceCase{"mouse-oocyte", 4},
+                                         ReferenceCase{"mouse-embryo", 1}, ReferenceCase{"mouse-embryo", 2},
+                                         ReferenceCase{"mouse-embryo", 3}, ReferenceCase{"mouse-embryo", 4}),
                          [](const auto& which) {
                            return std::string(which.param.cell).substr(6) + std::to_string(which.param.configuration);
                          });

@@ -5,13 +5,12 @@
 #include <numbers>
 
 #include "pellucida/simulation/VirtualMicroscope.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-Scenario scenario_of(const std::string& json) {
-  return parse_scenario(json, "test");
-}
+using test::scenario_of;
 
 TEST(StageMotion, KnocksGoThereAndBack) {
   const Scenario s = scenario_of(R"({"drift": {"jump_x_px": 30, "jump_y_px": -10, "jump_period_s": 0.5}})");

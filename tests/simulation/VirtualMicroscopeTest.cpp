@@ -9,19 +9,14 @@
 
 #include "pellucida/core_vtk/SceneData.h"
 #include "simulation/SectionChecks.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-Scenario scenario_of(const std::string& json) {
-  return parse_scenario(json, "test");
-}
+using test::scenario_of;
 
-std::vector<std::uint8_t> bytes_of(const Frame& frame) {
-  const ImageView view = view_of(frame.image.get());
-  const auto* first = static_cast<const std::uint8_t*>(view.data);
-  return {first, first + view.row_bytes * view.height_px};
-}
+using test::bytes_of;
 
 std::vector<std::vector<std::uint8_t>> all_frames(VirtualMicroscope& microscope) {
   std::vector<std::vector<std::uint8_t>> frames;

@@ -6,13 +6,12 @@
 
 #include "pellucida/simulation/Truth.h"
 #include "simulation/SectionChecks.h"
+#include "simulation/TestScenes.h"
 
 namespace pellucida {
 namespace {
 
-Scenario scenario_of(const std::string& json) {
-  return parse_scenario(json, "test");
-}
+using test::scenario_of;
 
 TEST(VirtualSpecimen, FreeContactFree) {
   VirtualSpecimen specimen(scenario_of("{}"));

@@ -41,7 +41,7 @@ class NotedManipulator final : public Manipulator {
   ManipulatorSpecification specification_;
 };
 
-PipetteCommand go_to(double x_um) {
+PipetteCommand inject_at(double x_um) {
   PipetteCommand command;
   command.tip_um.x = x_um;
   command.max_speed_um_per_s = 100.0;
@@ -56,8 +56,8 @@ TEST(ManipulatorStage, HandsOnTheNewestCommandOnce) {
   ManipulatorStage stage(manipulator, clock);
   stage.turn();
   EXPECT_TRUE(manipulator.commands.empty());
-  stage.commands().publish(go_to(1.0));
-  stage.commands().publish(go_to(2.0));
+  stage.commands().publish(inject_at(1.0));
+  stage.commands().publish(inject_at(2.0));
   stage.turn();
   clock.advance(0.01);
   stage.turn();
@@ -73,7 +73,7 @@ TEST(ManipulatorStage, HoldsThePipetteWhenTheLoopFallsSilent) {
   manipulator.open();
   ManualClock clock;
   ManipulatorStage stage(manipulator, clock);
-  stage.commands().publish(go_to(1.0));
+  stage.commands().publish(inject_at(1.0));
   stage.turn();
   for (int i = 0; i < 30; ++i) {
     clock.advance(0.01);
@@ -83,7 +83,7 @@ TEST(ManipulatorStage, HoldsThePipetteWhenTheLoopFallsSilent) {
   EXPECT_EQ(manipulator.commands[1].max_speed_um_per_s, 0.0);
   EXPECT_FALSE(manipulator.commands[1].inject);
   EXPECT_EQ(stage.counts().hold_count, 1u);
-  stage.commands().publish(go_to(3.0));
+  stage.commands().publish(inject_at(3.0));
   stage.turn();
   EXPECT_EQ(manipulator.commands.back().max_speed_um_per_s, 100.0);
 }
@@ -93,9 +93,9 @@ TEST(ManipulatorStage, HoldsThePipetteForNumbersNobodyCanMean) {
   manipulator.open();
   ManualClock clock;
   ManipulatorStage stage(manipulator, clock);
-  stage.commands().publish(go_to(1.0));
+  stage.commands().publish(inject_at(1.0));
   stage.turn();
-  stage.commands().publish(go_to(std::numeric_limits<double>::quiet_NaN()));
+  stage.commands().publish(inject_at(std::numeric_limits<double>::quiet_NaN()));
   stage.turn();
   ASSERT_EQ(manipulator.commands.size(), 2u);
   EXPECT_EQ(manipulator.commands[1].max_speed_um_per_s, 0.0);
@@ -107,7 +107,7 @@ TEST(ManipulatorStage, SaysWhenTheDeviceIsLostAndTakesItBackWithoutCatchingUp) {
   manipulator.open();
   ManualClock clock;
   ManipulatorStage stage(manipulator, clock);
-  stage.commands().publish(go_to(1.0));
+  stage.commands().publish(inject_at(1.0));
   stage.turn();
   manipulator.there = false;
   clock.advance(0.01);
@@ -119,7 +119,7 @@ TEST(ManipulatorStage, SaysWhenTheDeviceIsLostAndTakesItBackWithoutCatchingUp) {
   // Commands go on coming; opening is tried once a second only.
   for (int i = 0; i < 250; ++i) {
     clock.advance(0.01);
-    stage.commands().publish(go_to(50.0 + i));
+    stage.commands().publish(inject_at(50.0 + i));
     if (i == 150) manipulator.there = true;
     const std::size_t before = manipulator.commands.size();
     stage.turn();
@@ -134,7 +134,7 @@ TEST(ManipulatorStage, SaysWhenTheDeviceIsLostAndTakesItBackWithoutCatchingUp) {
   EXPECT_TRUE(stage.newest_state().known);
   stage.turn();
   EXPECT_EQ(manipulator.commands.size(), 1u);
-  stage.commands().publish(go_to(7.0));
+  stage.commands().publish(inject_at(7.0));
   stage.turn();
   EXPECT_EQ(manipulator.commands.back().tip_um.x, 7.0);
 }
@@ -147,7 +147,7 @@ TEST(ManipulatorStage, RunsOnItsOwnThreadAndClosesAtTheEnd) {
   PipetteState state;
   // The pipette arrives, however long the machine takes.
   while (!(state.known && state.tip_um.x > 4.9)) {
-    stage.commands().publish(go_to(5.0));
+    stage.commands().publish(inject_at(5.0));
     if (stage.states().refresh()) state = stage.states().value();
     std::this_thread::yield();
   }

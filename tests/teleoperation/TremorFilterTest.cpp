@@ -11,7 +11,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kTick_s = 0.001;
+constexpr double kFilterTick_s = 0.001;
 
 /// The share of a sine of `frequency_Hz` and `amplitude_m` that is left, after the filter has settled.
 double share_left(const TremorOptions& options, double frequency_Hz, double amplitude_m) {
@@ -19,8 +19,8 @@ double share_left(const TremorOptions& options, double frequency_Hz, double ampl
   filter.reset(Eigen::Vector3d::Zero());
   double largest_m = 0.0;
   for (int tick = 1; tick <= 6000; ++tick) {
-    const double value_m = amplitude_m * std::sin(2.0 * std::numbers::pi * frequency_Hz * tick * kTick_s);
-    filter.update({0.0, value_m, 0.0}, kTick_s);
+    const double value_m = amplitude_m * std::sin(2.0 * std::numbers::pi * frequency_Hz * tick * kFilterTick_s);
+    filter.update({0.0, value_m, 0.0}, kFilterTick_s);
     if (tick > 3000) largest_m = std::max(largest_m, std::abs(filter.position_m().y()));
   }
   return largest_m / amplitude_m;
@@ -53,8 +53,8 @@ TEST(TremorFilter, LagsASlowRampByWhatItTells) {
   const double speed_m_per_s = 0.01;
   double hand_m = 0.0;
   for (int tick = 1; tick <= 2000; ++tick) {
-    hand_m = speed_m_per_s * tick * kTick_s;
-    filter.update({hand_m, 0.0, 0.0}, kTick_s);
+    hand_m = speed_m_per_s * tick * kFilterTick_s;
+    filter.update({hand_m, 0.0, 0.0}, kFilterTick_s);
   }
   EXPECT_NEAR((hand_m - filter.position_m().x()) / speed_m_per_s, filter.lag_s(), 0.001);
   EXPECT_NEAR(filter.velocity_m_per_s().x(), speed_m_per_s, 1e-5);
@@ -64,7 +64,7 @@ TEST(TremorFilter, LagsFastMotionLess) {
   TremorFilter filter;
   filter.reset(Eigen::Vector3d::Zero());
   const double at_rest_s = filter.lag_s();
-  for (int tick = 1; tick <= 3000; ++tick) filter.update({0.05 * tick * kTick_s, 0.0, 0.0}, kTick_s);
+  for (int tick = 1; tick <= 3000; ++tick) filter.update({0.05 * tick * kFilterTick_s, 0.0, 0.0}, kFilterTick_s);
   std::cout << "lag " << at_rest_s << " s at rest, " << filter.lag_s() << " s at 50 mm/s\n";
   EXPECT_LT(filter.lag_s(), 0.4 * at_rest_s);
 }
@@ -72,10 +72,10 @@ TEST(TremorFilter, LagsFastMotionLess) {
 TEST(TremorFilter, IgnoresWhatIsNotANumberAndTimeThatStands) {
   TremorFilter filter;
   filter.reset({1.0, 2.0, 3.0});
-  filter.update({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, kTick_s);
+  filter.update({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}, kFilterTick_s);
   filter.update({5.0, 5.0, 5.0}, 0.0);
   EXPECT_EQ(filter.position_m(), Eigen::Vector3d(1.0, 2.0, 3.0));
-  for (int tick = 0; tick < 3000; ++tick) filter.update({1.5, 2.0, 3.0}, kTick_s);
+  for (int tick = 0; tick < 3000; ++tick) filter.update({1.5, 2.0, 3.0}, kFilterTick_s);
   EXPECT_NEAR(filter.position_m().x(), 1.5, 1e-6);
 }
 

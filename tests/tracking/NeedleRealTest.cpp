@@ -11,11 +11,10 @@
 #include "GrayImage.h"
 #include "HolderFinder.h"
 #include "NeedleTracker.h"
+#include "support/SharedFolder.h"
 
 namespace pellucida {
 namespace {
-
-const std::filesystem::path kReal = std::filesystem::path(PELLUCIDA_SOURCE_DIR) / ".." / "shared" / "real";
 
 ImageView view_of(const cv::Mat& grey) {
   ImageView view;
@@ -29,7 +28,7 @@ ImageView view_of(const cv::Mat& grey) {
 }
 
 TEST(RealNeedle, ALarvasNeedleIsFoundAndFollowedWithNoCellToGoBy) {
-  cv::VideoCapture video((kReal / "needle" / "zebrafish_larva_poke.mkv").string());
+  cv::VideoCapture video((test::shared_folder() / "real" / "needle" / "zebrafish_larva_poke.mkv").string());
   if (!video.isOpened()) GTEST_SKIP() << "the real video is not at hand";
   // A point on the shaft's axis outside the head, and where the dark part of the needle ends. In frame 66 that is the
   // tip itself; later it is the end of what the glass holds, and clear glass goes on in front of it.
@@ -74,8 +73,9 @@ TEST(RealNeedle, ALarvasNeedleIsFoundAndFollowedWithNoCellToGoBy) {
 }
 
 TEST(RealNeedle, AVesiclesPipetteEndsWhereItsGlassDoes) {
-  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "vesicle_on_pipette_16bit.png").string(),
-                                  cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+  const cv::Mat grey =
+      cv::imread((test::shared_folder() / "real" / "oocyte_stills" / "vesicle_on_pipette_16bit.png").string(),
+                 cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
   if (grey.empty()) GTEST_SKIP() << "the real picture is not at hand";
   const FrameSampler image(view_of(grey));
   GrayImage gray;

@@ -10,11 +10,11 @@
 
 #include "ContourMath.h"
 #include "pellucida/tracking/MembraneTracker.h"
+#include "support/SharedFolder.h"
 
 namespace pellucida {
 namespace {
 
-const std::filesystem::path kReal = std::filesystem::path(PELLUCIDA_SOURCE_DIR) / ".." / "shared" / "real";
 constexpr double kPixelSize_um = 0.5;  // not stated with the pictures; the tracker works in pixels
 
 Observation track(MembraneTracker& tracker, const cv::Mat& grey, long frame) {
@@ -75,8 +75,10 @@ struct Still {
 
 std::optional<Still> look_at(const std::string& name) {
   Still still;
-  still.grey = cv::imread((kReal / "oocyte_stills" / (name + "_image.png")).string(), cv::IMREAD_GRAYSCALE);
-  still.mask = cv::imread((kReal / "oocyte_stills" / (name + "_mask.png")).string(), cv::IMREAD_GRAYSCALE);
+  still.grey = cv::imread((test::shared_folder() / "real" / "oocyte_stills" / (name + "_image.png")).string(),
+                          cv::IMREAD_GRAYSCALE);
+  still.mask = cv::imread((test::shared_folder() / "real" / "oocyte_stills" / (name + "_mask.png")).string(),
+                          cv::IMREAD_GRAYSCALE);
   if (still.grey.empty() || still.mask.empty()) return std::nullopt;
   still.mask = still.mask > 127;
   MembraneTracker tracker;
@@ -139,7 +141,8 @@ INSTANTIATE_TEST_SUITE_P(Real, ZonaStill,
                                          ZonaGoal{"zona2", 0.83, 0.96, 0.94}));
 
 TEST(RealImages, TheInjectedOocyteIsFoundWithModestConfidence) {
-  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "icsi_needle_inside.jpg").string(), cv::IMREAD_GRAYSCALE);
+  const cv::Mat grey = cv::imread(
+      (test::shared_folder() / "real" / "oocyte_stills" / "icsi_needle_inside.jpg").string(), cv::IMREAD_GRAYSCALE);
   if (grey.empty()) GTEST_SKIP() << "the real pictures are not at hand";
   MembraneTracker tracker;
   const Observation seen = track(tracker, grey, 0);
@@ -186,7 +189,8 @@ std::pair<double, double> distance_px(const std::vector<Polyline>& drawn, const 
 }
 
 TEST(RealImages, TheInjectedOocytesMembranesLieWhereAnEyeDrawsThem) {
-  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "icsi_needle_inside.jpg").string(), cv::IMREAD_GRAYSCALE);
+  const cv::Mat grey = cv::imread(
+      (test::shared_folder() / "real" / "oocyte_stills" / "icsi_needle_inside.jpg").string(), cv::IMREAD_GRAYSCALE);
   if (grey.empty()) GTEST_SKIP() << "the real pictures are not at hand";
   MembraneTracker tracker;
   const Observation seen = track(tracker, grey, 0);
@@ -201,8 +205,9 @@ TEST(RealImages, TheInjectedOocytesMembranesLieWhereAnEyeDrawsThem) {
 }
 
 TEST(RealImages, AVesicleOnAPipetteIsFound) {
-  const cv::Mat grey = cv::imread((kReal / "oocyte_stills" / "vesicle_on_pipette_16bit.png").string(),
-                                  cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
+  const cv::Mat grey =
+      cv::imread((test::shared_folder() / "real" / "oocyte_stills" / "vesicle_on_pipette_16bit.png").string(),
+                 cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
   if (grey.empty()) GTEST_SKIP() << "the real pictures are not at hand";
   MembraneTracker tracker;
   const Observation seen = track(tracker, grey, 0);
@@ -218,7 +223,7 @@ TEST(RealImages, AVesicleOnAPipetteIsFound) {
 }
 
 TEST(RealImages, ALarvaIsNoRoundCell) {
-  cv::VideoCapture video((kReal / "needle" / "zebrafish_larva_poke.mkv").string());
+  cv::VideoCapture video((test::shared_folder() / "real" / "needle" / "zebrafish_larva_poke.mkv").string());
   if (!video.isOpened()) GTEST_SKIP() << "the real video is not at hand";
   MembraneTracker tracker;
   cv::Mat colour, grey;
@@ -235,7 +240,7 @@ TEST(RealImages, ALarvaIsNoRoundCell) {
 
 TEST(RealImages, ARedCellIsFollowedWhileRoundAndLostNotInvented) {
   int followed = 0;
-  cv::VideoCapture video((kReal / "aspiration" / "red_cell_aspiration.mp4").string());
+  cv::VideoCapture video((test::shared_folder() / "real" / "aspiration" / "red_cell_aspiration.mp4").string());
   if (!video.isOpened()) GTEST_SKIP() << "the real video is not at hand";
   MembraneTracker tracker;
   cv::Mat colour, grey;

@@ -11,7 +11,7 @@
 namespace pellucida {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kSceneWidth = 320, kSceneHeight = 240;
 const Eigen::Vector2d kPivot(150.0, 120.0);
 
 // A dark line along a wall, ending in a rim at x = 90: brightness at a place of the undisturbed scene.
@@ -25,17 +25,17 @@ double scene(const Eigen::Vector2d& p) {
   return value;
 }
 
-struct Picture {
+struct ScenePicture {
   std::vector<std::uint8_t> pixels;
-  ImageView view() const { return {pixels.data(), PixelFormat::kGray8, kWidth, kHeight, kWidth, 1.0}; }
+  ImageView view() const { return {pixels.data(), PixelFormat::kGray8, kSceneWidth, kSceneHeight, kSceneWidth, 1.0}; }
 };
 
-Picture draw(const RigidMove& move, double light = 1.0, double noise = 0.0, unsigned seed = 1) {
-  Picture picture;
+ScenePicture draw_scene(const RigidMove& move, double light = 1.0, double noise = 0.0, unsigned seed = 1) {
+  ScenePicture picture;
   std::mt19937 random(seed);
   std::normal_distribution<double> error(0.0, 1.0);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kSceneHeight; ++y) {
+    for (int x = 0; x < kSceneWidth; ++x) {
       const double value = light * scene(move.undo({x, y})) + noise * error(random);
       picture.pixels.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(255.0 * value), 0L, 255L)));
     }
@@ -57,14 +57,14 @@ RigidMove moved(double x, double y, double angle_deg) {
 class RigidMotionTest : public testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(motion_.learn(FrameSampler(still_.view()), around_the_rims(), kPivot, 0.003)); }
-  Picture still_ = draw(moved(0, 0, 0));
+  ScenePicture still_ = draw_scene(moved(0, 0, 0));
   RigidMotion motion_;
 };
 
 TEST_F(RigidMotionTest, ShiftsAndTurnsToAFewHundredthsOfAPixel) {
   for (int k = 1; k <= 20; ++k) {
     const RigidMove truth = moved(0.31 * k, -0.17 * k, 0.4 * k);
-    const Picture now = draw(truth);
+    const ScenePicture now = draw_scene(truth);
     ASSERT_TRUE(motion_.track(FrameSampler(now.view()), 20.0, Eigen::Vector2d::Zero())) << "frame " << k;
     EXPECT_LT((motion_.motion().shift - truth.shift).norm(), 0.05) << "frame " << k;
     EXPECT_NEAR(motion_.motion().angle_rad, truth.angle_rad, 5e-4) << "frame " << k;
@@ -72,7 +72,7 @@ TEST_F(RigidMotionTest, ShiftsAndTurnsToAFewHundredthsOfAPixel) {
 }
 
 TEST_F(RigidMotionTest, ALampTurnedDownMovesNothing) {
-  const Picture now = draw(moved(0.6, 0.4, 0.0), 0.5);
+  const ScenePicture now = draw_scene(moved(0.6, 0.4, 0.0), 0.5);
   ASSERT_TRUE(motion_.track(FrameSampler(now.view()), 20.0, Eigen::Vector2d::Zero()));
   EXPECT_LT((motion_.motion().shift - Eigen::Vector2d(0.6, 0.4)).norm(), 0.05);
 }
@@ -83,7 +83,7 @@ TEST_F(RigidMotionTest, ItsSigmaHoldsInNoise) {
   ASSERT_TRUE(noisy.learn(FrameSampler(still_.view()), around_the_rims(), kPivot, kNoise));
   double squares = 0.0;
   for (unsigned k = 0; k < 60; ++k) {
-    const Picture now = draw(moved(0.2, 0.1, 0.0), 1.0, kNoise, k);
+    const ScenePicture now = draw_scene(moved(0.2, 0.1, 0.0), 1.0, kNoise, k);
     ASSERT_TRUE(noisy.track(FrameSampler(now.view()), 20.0, Eigen::Vector2d::Zero()));
     squares += std::pow((noisy.motion().shift.x() - 0.2) / noisy.sigma_px(Eigen::Vector2d::UnitX()), 2);
   }
@@ -92,21 +92,21 @@ TEST_F(RigidMotionTest, ItsSigmaHoldsInNoise) {
 
 TEST_F(RigidMotionTest, AJumpAlongTheWallsIsFoundAtTheRims) {
   const RigidMove truth = moved(26.0, 0.0, 0.0);
-  const Picture now = draw(truth);
+  const ScenePicture now = draw_scene(truth);
   ASSERT_TRUE(motion_.track(FrameSampler(now.view()), 40.0, {23.0, 2.0}));
   EXPECT_LT((motion_.motion().shift - truth.shift).norm(), 0.1);
 }
 
 TEST_F(RigidMotionTest, AnEmptyPictureIsNotFollowed) {
-  const std::vector<std::uint8_t> gray(kWidth * kHeight, 150);
-  const ImageView view{gray.data(), PixelFormat::kGray8, kWidth, kHeight, kWidth, 1.0};
+  const std::vector<std::uint8_t> gray(kSceneWidth * kSceneHeight, 150);
+  const ImageView view{gray.data(), PixelFormat::kGray8, kSceneWidth, kSceneHeight, kSceneWidth, 1.0};
   EXPECT_FALSE(motion_.track(FrameSampler(view), 20.0, Eigen::Vector2d::Zero()));
 }
 
 TEST(RigidMotion, OneStraightWallCannotTellAMotionAlongIt) {
-  Picture picture;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) picture.pixels.push_back(std::abs(y - 120) < 3 ? 60 : 150);
+  ScenePicture picture;
+  for (int y = 0; y < kSceneHeight; ++y)
+    for (int x = 0; x < kSceneWidth; ++x) picture.pixels.push_back(std::abs(y - 120) < 3 ? 60 : 150);
   RigidMotion motion;
   EXPECT_FALSE(motion.learn(FrameSampler(picture.view()), around_the_rims(), kPivot, 0.003));
   EXPECT_FALSE(motion.valid());
@@ -121,10 +121,10 @@ TEST(RigidMove, UndoIsTheInverse) {
 TEST(GlobalShiftEstimator, NoticesAKnockAndNothingElse) {
   GlobalShiftEstimator scene;
   for (unsigned k = 0; k < 10; ++k) {
-    const Picture now = draw(moved(0.1 * k, 0.0, 0.0), k < 5 ? 1.0 : 0.7, 0.01, k);
+    const ScenePicture now = draw_scene(moved(0.1 * k, 0.0, 0.0), k < 5 ? 1.0 : 0.7, 0.01, k);
     EXPECT_FALSE(scene.update(FrameSampler(now.view()))) << "frame " << k;
   }
-  const Picture knocked = draw(moved(25.0, -14.0, 0.0), 0.7, 0.01, 99);
+  const ScenePicture knocked = draw_scene(moved(25.0, -14.0, 0.0), 0.7, 0.01, 99);
   const auto jump = scene.update(FrameSampler(knocked.view()));
   ASSERT_TRUE(jump);
   EXPECT_LT((*jump - Eigen::Vector2d(24.1, -14.0)).norm(), 5.0);
