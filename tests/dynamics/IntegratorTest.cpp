@@ -264,7 +264,10 @@ TEST_P(Kernel, MovesLikeSymplecticEulerInDoublePrecision) {
   EXPECT_LT((kernel.state().x_um - state.x_um).cwiseAbs().maxCoeff(), 1e-3 * moved);
 }
 
-TEST_P(Kernel, GivesTheSameBitsWithEveryInstructionSet) {
+TEST_P(Kernel, GivesTheSameBitsWithAvx2) {
+  if (instruction_set() < InstructionSet::kAvx2) {
+    GTEST_SKIP() << "this machine has no AVX2: plain code would be compared with itself";
+  }
   const MotionState state{shaken(mesh_.points_um, 0.05, 4u), Eigen::Matrix3Xd::Zero(3, mesh_.points_um.cols())};
   std::vector<MotionState> ends;
   for (const auto set : {InstructionSet::kPlain, InstructionSet::kAvx512}) {
