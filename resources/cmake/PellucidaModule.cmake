@@ -36,7 +36,8 @@ function(pellucida_add_module NAME)
 endfunction()
 
 # pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [TIMEOUT s] [WHOLE] [LONG])
-# A GoogleTest program; each test case becomes a CTest test with the labels given. WHOLE: the program is one CTest test,
+# A GoogleTest program; each test case becomes a CTest test with the labels given. The targets tests_threads and tests_memory
+# build the programs labelled so: the thread and the address sanitizer run them on every change. WHOLE: the program is one CTest test,
 # for cases that share an expensive preparation. LONG: the same, and it runs only with `ctest -C long`.
 function(pellucida_add_test NAME)
   cmake_parse_arguments(ARG "WHOLE;LONG" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
@@ -56,6 +57,11 @@ function(pellucida_add_test NAME)
   endforeach()
   # Read by tests that look at the shipped resources, the small test data, or (where it is there) the folder beside the checkout.
   target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  foreach(label threads memory)
+    if(label IN_LIST ARG_LABELS)
+      add_dependencies(tests_${label} ${NAME})
+    endif()
+  endforeach()
   # Several labels become one, "unit+threads": the discovery takes its properties as one flat list, and `ctest -L` matches
   # parts of a label.
   string(REPLACE ";" "+" label "${ARG_LABELS}")
@@ -79,11 +85,13 @@ function(pellucida_add_benchmark NAME)
   target_compile_definitions(${NAME} PRIVATE PELLUCIDA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
 
-# pellucida_add_fuzzer(NAME SOURCES ... [LIBRARIES ...]): a libFuzzer program; one source has LLVMFuzzerTestOneInput.
+# pellucida_add_fuzzer(NAME SOURCES ... [LIBRARIES ...])
+# A libFuzzer program; one source has LLVMFuzzerTestOneInput. The target fuzzers builds them all.
 function(pellucida_add_fuzzer NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options)
   target_link_options(${NAME} PRIVATE -fsanitize=fuzzer)
+  add_dependencies(fuzzers ${NAME})
   target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 endfunction()
