@@ -20,8 +20,8 @@ struct CheckArguments {
 void print_counts(const SessionCounts& counts) {
   std::cout << counts.step_count << " steps, " << counts.files(SessionPart::kSurface) << " surfaces, "
             << counts.files(SessionPart::kMembranes) << " contours, " << counts.files(SessionPart::kTools) << " tools, "
-            << counts.files(SessionPart::kFrame) << " frames, " << counts.event_count << " events, "
-            << counts.dropped_count << " dropped\n";
+            << counts.files(SessionPart::kFrame) << " frames, " << counts.event_count << " events; "
+            << counts.unmeasured_count << " frames not measured, " << counts.dropped_count << " without their image\n";
 }
 
 void check(const CheckArguments& arguments) {

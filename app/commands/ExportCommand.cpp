@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -26,7 +27,8 @@ struct ExportArguments {
 // The step of the largest contact force; without one, the step seen best.
 std::size_t telling_step(const std::vector<Measurement>& rows) {
   const auto score = [](const Measurement& m) {
-    return m.contact_force_uN > 0.0 ? 1.0 + m.contact_force_uN : m.confidence;
+    if (m.contact_force_uN > 0.0) return 1.0 + m.contact_force_uN;
+    return std::isnan(m.confidence) ? -1.0 : m.confidence;
   };
   const auto best =
       std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });

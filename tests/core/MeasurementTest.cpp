@@ -70,6 +70,19 @@ TEST(Measurement, BrokenRowsNameTheColumn) {
   EXPECT_THROW(measurement_from_csv("1,2,asleep,,,,,,,,,,,,,,"), InputError);
 }
 
+// A frame that was kept but not measured says so: it is not one in which the cell was lost.
+TEST(Measurement, ARowWithoutAStateWasNotMeasured) {
+  Measurement m;
+  m.frame = 12;
+  m.time_s = 0.4;
+  const std::string row = to_csv(m);
+  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,");
+  const Measurement back = measurement_from_csv(row);
+  EXPECT_FALSE(back.state);
+  EXPECT_TRUE(std::isnan(back.confidence));
+  EXPECT_EQ(measurement_from_csv("12,0.4,lost,0,,,,,,,,,,,,,").state, CellState::kLost);
+}
+
 TEST(Measurement, StateNamesRoundTrip) {
   for (const char* name : {"no_cell", "free", "contact", "punctured", "lost"}) {
     const auto state = cell_state_from_string(name);

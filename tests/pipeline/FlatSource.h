@@ -1,7 +1,11 @@
 #pragma once
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
+#include <thread>
 #include <vector>
 
+#include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/SceneData.h"
@@ -48,12 +52,39 @@ class FlatSource : public FrameSource {
     return true;
   }
 
+ protected:
+  long next_ = 0;
+  SourceInfo info_;
+
  private:
   long frame_count_;
   long break_after_;
-  long next_ = 0;
   std::vector<std::uint8_t> pixels_;
-  SourceInfo info_;
+};
+
+/// A camera over an empty dish: a frame comes when its time has come, whether or not anybody asks for it.
+class WallClockSource : public FlatSource {
+ public:
+  explicit WallClockSource(double frame_rate_hz) : FlatSource(1'000'000, frame_rate_hz), rate_hz_(frame_rate_hz) {
+    info_.live = true;
+    info_.frame_count.reset();
+  }
+
+  std::optional<Frame> next() override {
+    const auto due = static_cast<long>(clock_.now_s() * rate_hz_);
+    const long missed = std::max(0L, due - next_);
+    next_ += missed;
+    std::this_thread::sleep_for(std::chrono::duration<double>(static_cast<double>(next_) / rate_hz_ - clock_.now_s()));
+    auto frame = FlatSource::next();
+    frame->gap_count = missed;
+    return frame;
+  }
+
+  bool restart() override { return false; }
+
+ private:
+  const double rate_hz_;
+  const SteadyClock clock_;
 };
 
 }  // namespace pellucida::test

@@ -93,6 +93,30 @@ TEST_F(SessionExport, MissingSessionIsAnInputErrorAndMakesNoFolder) {
   EXPECT_FALSE(fs::exists(output()));
 }
 
+// "peak" is the frame of the largest force; another one in its place is named, not passed off as it.
+TEST(SessionExportPeak, NamesTheFrameAndWarnsWhereItIsNotTheLargestForce) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    for (long frame = 0; frame < 4; ++frame) {
+      Scene scene = make_scene(frame);
+      if (frame == 3) scene.surface = {};
+      writer.write(scene);
+    }
+    writer.close();
+  }
+  const ExportReport report = export_session(folder / "s", folder / "x");
+  EXPECT_EQ(report.node_frames, std::vector<long>{2});
+  EXPECT_TRUE(mentions(report.notes, "warning: frame 3 (1.5 uN) has the largest force but no surface"));
+  EXPECT_TRUE(mentions(report.notes, "the peak in nodes.csv is frame 2 (1 uN)"));
+
+  write_session(folder / "whole", 4);
+  const ExportReport whole = export_session(folder / "whole", folder / "y");
+  EXPECT_EQ(whole.node_frames, std::vector<long>{3});
+  EXPECT_TRUE(mentions(whole.notes, "the peak in nodes.csv is frame 3 (1.5 uN)"));
+  EXPECT_FALSE(mentions(whole.notes, "warning"));
+}
+
 TEST(SessionExportEmpty, SaysWhatIsNotThere) {
   const TemporaryFolder folder;
   {

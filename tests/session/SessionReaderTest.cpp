@@ -6,6 +6,7 @@
 
 #include "TestSession.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/session/SessionCheck.h"
 
 namespace pellucida {
 namespace {
@@ -136,6 +137,37 @@ TEST(SessionReader, EventsComeWithTheirStep) {
   ASSERT_EQ(session.load(1).events.size(), 1U);
   EXPECT_EQ(session.load(1).events[0].kind, "contact");
   ASSERT_EQ(session.load(2).events.size(), 1U);
+}
+
+TEST(SessionReader, AFrameThatWasNotMeasuredHasNoState) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    writer.write(make_scene(0));
+    writer.write(make_empty_scene(1));
+    Scene lost = make_empty_scene(2);
+    lost.measurement.state = CellState::kLost;
+    writer.write(lost);
+  }
+  const SessionReader session(folder / "s");
+  EXPECT_EQ(session.measurements()[0].state, CellState::kContact);
+  EXPECT_FALSE(session.measurements()[1].state);
+  EXPECT_EQ(session.measurements()[2].state, CellState::kLost);
+  EXPECT_EQ(check_session(folder / "s", false).counts.unmeasured_count, 1U);
+}
+
+// A recording that was cut off was never put in order: its reader and its repair do so.
+TEST(SessionReader, EventsComeInTheOrderOfTime) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    writer.event({0.5, "limit", "depth"});
+    writer.event({0.1, "contact", ""});
+  }
+  EXPECT_EQ(SessionReader(folder / "s").events()[0].kind, "contact");
+  EXPECT_EQ(lines_of(folder / "s/events.csv")[1], "0.5,limit,depth");
+  check_session(folder / "s", true);
+  EXPECT_EQ(lines_of(folder / "s/events.csv")[1], "0.1,contact,");
 }
 
 TEST(SessionReader, PassesOverATornRow) {

@@ -181,7 +181,9 @@ TEST(SessionWriter, HeadTellsWhatTheContractAsksFor) {
     const auto early = nlohmann::json::parse(text_of(folder / "s/session.json"));
     EXPECT_EQ(early["complete"], false);
     writer.write(make_scene(0));
-    writer.event({0.0, "dropped", "frame 1"});
+    writer.write(make_empty_scene(1));
+    writer.event({0.0, "dropped", "3 frames (within 2 to 7) kept without their image"});
+    writer.event({0.0, "dropped", "frame 9"});
     writer.close();
   }
   const auto head = nlohmann::json::parse(text_of(folder / "s/session.json"));
@@ -195,10 +197,11 @@ TEST(SessionWriter, HeadTellsWhatTheContractAsksFor) {
   EXPECT_EQ(head["seeds"]["noise"], 42);
   EXPECT_EQ(head["clock_offsets_s"]["camera"], -0.25);
   EXPECT_EQ(head["drop_policy"], "newest wins");
-  EXPECT_EQ(head["counts"]["steps"], 1);
+  EXPECT_EQ(head["counts"]["steps"], 2);
+  EXPECT_EQ(head["counts"]["unmeasured"], 1);
   EXPECT_EQ(head["counts"]["surface"], 1);
-  EXPECT_EQ(head["counts"]["events"], 1);
-  EXPECT_EQ(head["counts"]["dropped"], 1);
+  EXPECT_EQ(head["counts"]["events"], 2);
+  EXPECT_EQ(head["counts"]["dropped"], 4);
 }
 
 TEST(SessionWriter, ScenesOwnEventsAreWritten) {
@@ -211,6 +214,49 @@ TEST(SessionWriter, ScenesOwnEventsAreWritten) {
   ASSERT_EQ(events.size(), 3U);
   EXPECT_EQ(events[1], "0,contact,\"a \"\"quoted\"\" word\"");
   EXPECT_EQ(events[2], "0.01,note,\"two lines\"");
+}
+
+// Events of frames are known later than those of the hand; who reads the closed table needs not know.
+TEST(SessionWriter, ClosingPutsTheEventsInOrder) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    writer.event({0.5, "limit", "depth"});
+    writer.event({0.1, "contact", "first, of two"});
+    writer.event({0.1, "note", "second"});
+    writer.event({0.3, "puncture", ""});
+    EXPECT_EQ(lines_of(folder / "s/events.csv").size(), 5U);  // written at once all the same
+    writer.close();
+  }
+  const std::vector<std::string> expected{"time_s,kind,detail", "0.1,contact,\"first, of two\"", "0.1,note,second",
+                                          "0.3,puncture,", "0.5,limit,depth"};
+  EXPECT_EQ(lines_of(folder / "s/events.csv"), expected);
+  EXPECT_TRUE(check_session(folder / "s", false).fine());
+}
+
+// Quick packing is larger, and read all the same.
+TEST(SessionWriter, QuickPackingKeepsEveryPixel) {
+  const TemporaryFolder folder;
+  std::vector<std::uint8_t> pixels(256 * 256, 7);
+  pixels[1234] = 9;
+  std::uintmax_t bytes[2] = {};
+  for (const Packing packing : {Packing::kSmall, Packing::kQuick}) {
+    const fs::path session = folder / (packing == Packing::kQuick ? "quick" : "small");
+    Scene scene = make_scene(0);
+    scene.frame = Frozen(make_frame({pixels.data(), PixelFormat::kGray8, 256, 256, 256, 0.825}, time_of(0), 0));
+    SessionWriter writer(session, make_info());
+    writer.write(scene, packing);
+    EXPECT_GT(writer.last_cost().packing_s, 0.0);
+    EXPECT_GT(writer.last_cost().disk_s, 0.0);
+    writer.close();
+    bytes[packing == Packing::kQuick] = fs::file_size(session / "frames/frame_00000000.vti");
+    const Scene back = SessionReader(session).load(0);
+    const ImageView view = view_of(back.frame.get());
+    EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), static_cast<const std::uint8_t*>(view.data)));
+    EXPECT_TRUE(check_session(session, false).fine());
+  }
+  EXPECT_GT(bytes[1], 256U * 256U);
+  EXPECT_LT(bytes[0], bytes[1] / 4);
 }
 
 TEST(SessionWriter, RowDecidesWhatAPartIsStampedWith) {

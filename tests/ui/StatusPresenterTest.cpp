@@ -77,12 +77,12 @@ TEST(StatusPresenter, TheWorstLossIsTheOneNamed) {
   StatusPresenter presenter;
   LiveStatus status;
   status.skipped_count = 3;
-  EXPECT_EQ(presenter.update(status, touching(), false, 0.0).lost.text, "3 frames skipped");
+  EXPECT_EQ(presenter.update(status, touching(), false, 0.0).lost.text, "3 frames not measured");
   status.gap_count = 1;
   EXPECT_EQ(presenter.update(status, touching(), false, 0.0).lost.text, "1 frame lost by the source");
   status.recorder_dropped_count = 2;
   const StatusTexts texts = presenter.update(status, touching(), false, 0.0);
-  EXPECT_EQ(texts.lost.text, "2 frames not recorded");
+  EXPECT_EQ(texts.lost.text, "2 frames recorded without their image");
   EXPECT_TRUE(same(texts.lost.color, palette::kRecord));
 }
 
@@ -94,8 +94,12 @@ TEST(StatusPresenter, TellsWhetherAndWhereItRecords) {
   status.recording_folder = "/data/cell";
   status.recorded_count = 12;
   EXPECT_EQ(presenter.update(status, touching(), false, 0.0).recording.text, "Recording to /data/cell, 12 frames");
+  EXPECT_EQ(presenter.update(status, touching(), true, 0.0).recording.text, "Recording paused, /data/cell, 12 frames");
   status.recording = false;
   EXPECT_EQ(presenter.update(status, touching(), false, 0.0).recording.text, "Recorded in /data/cell");
+  status.waiting_note_count = 2;
+  EXPECT_EQ(presenter.update(status, touching(), false, 0.0).recording.text,
+            "Recorded in /data/cell, 2 notes wait for the next recording");
 }
 
 TEST(StatusPresenter, AFaultIsMoreImportantThanAnythingElse) {

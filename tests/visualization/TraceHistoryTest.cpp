@@ -46,6 +46,21 @@ TEST(TraceHistory, APassingLossDoesNotEndATouch) {
   EXPECT_TRUE(history.previous_touch().empty());
 }
 
+TEST(TraceHistory, AFrameThatWasNotMeasuredIsNoPointAndEndsNothing) {
+  TraceHistory history;
+  Measurement unmeasured;
+  for (int i = 0; i < 9; ++i) {
+    if (i % 3 != 2) history.append(row(i, CellState::kContact, i, 0.1 * i));
+    unmeasured.time_s = i;
+    if (i % 3 == 2) history.append(unmeasured);
+  }
+  EXPECT_EQ(history.over_time().size(), 6U);
+  EXPECT_EQ(history.current_touch().size(), 6U);
+  EXPECT_TRUE(history.previous_touch().empty());
+  EXPECT_TRUE(history.in_touch());
+  EXPECT_EQ(history.marks().size(), 1U);
+}
+
 TEST(TraceHistory, StaysBoundedAndKeepsFirstAndNewest) {
   TraceHistory history;
   constexpr int kRows = 50000;

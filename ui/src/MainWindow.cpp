@@ -436,8 +436,9 @@ void MainWindow::ask_for_note() {
   const QString text =
       QInputDialog::getText(this, "Note", "Remark for the session's events:", QLineEdit::Normal, {}, &given);
   if (!given || text.trimmed().isEmpty()) return;
-  run_->note(text.trimmed().toStdString());
-  notify("Note written", false);
+  const bool written = run_->note(text.trimmed().toStdString());
+  notify(written ? "Note written into the recording" : "Nothing is recording: the note goes into the next recording",
+         false);
 }
 
 void MainWindow::save_picture() {

@@ -91,7 +91,8 @@ std::string_view measurement_header_start() {
 }
 
 std::string to_csv(const Measurement& m) {
-  std::string row = std::to_string(m.frame) + ',' + csv_number(m.time_s) + ',' + std::string(to_string(m.state));
+  std::string row = std::to_string(m.frame) + ',' + csv_number(m.time_s) + ',' +
+                    (m.state ? std::string(to_string(*m.state)) : std::string());
   for (const auto& column : kColumns) row += ',' + csv_number(m.*number_of(column));
   return row;
 }
@@ -106,9 +107,10 @@ Measurement measurement_from_csv(std::string_view row) {
   Measurement m;
   m.frame = static_cast<long>(parse_number(cells[0], "frame"));
   m.time_s = parse_number(cells[1], "time_s");
-  const auto state = cell_state_from_string(cells[2]);
-  if (!state) throw InputError("measurements.csv: \"" + cells[2] + "\" in column state is not a state");
-  m.state = *state;
+  m.state = cell_state_from_string(cells[2]);
+  if (!m.state && !cells[2].empty()) {
+    throw InputError("measurements.csv: \"" + cells[2] + "\" in column state is not a state");
+  }
   for (std::size_t i = 0; i < std::size(kColumns); ++i) {
     const std::size_t cell = 3 + i;
     m.*number_of(kColumns[i]) =

@@ -18,6 +18,7 @@ constexpr double kRiskStep_um = 5.0;  // between the depths whose risk of punctu
 double picture_score(const Scene& scene) {
   const Measurement& m = scene.measurement;
   if (!std::isnan(m.contact_force_uN) && m.contact_force_uN > 0.0) return 10.0 + m.contact_force_uN;
+  if (std::isnan(m.confidence)) return 0.0;
   return scene.observation && scene.observation->outer ? 1.0 + m.confidence : m.confidence;
 }
 
@@ -29,7 +30,7 @@ Scene timed(S& step, const Scene& scene, const Clock& clock, Distribution& step_
   step_us.add(1e6 * (clock.now_s() - start_s));
   if (output) return std::move(*output);
   Scene failed = scene;
-  failed.events.push_back({scene.measurement.time_s, "lost", output.error().reason});
+  failed.events.push_back({scene.measurement.time_s, event_kind::kLost, output.error().reason});
   return failed;
 }
 
@@ -72,7 +73,7 @@ class Collector {
 
   void take(const Scene& scene) {
     result_.rows.push_back(scene.measurement);
-    ++result_.state_count[scene.measurement.state];
+    if (scene.measurement.state) ++result_.state_count[*scene.measurement.state];
     result_.frame_to_force_us.add(1e3 * scene.measurement.frame_age_ms);
     if (const double score = picture_score(scene); !result_.peak || score > best_score_) {
       best_score_ = score;

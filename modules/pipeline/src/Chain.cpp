@@ -20,20 +20,10 @@ Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
   scene.measurement.frame = frame.frame_index;
   scene.measurement.time_s = frame.time_s;
   if (frame.gap_count > 0) {
-    scene.events.push_back({frame.time_s, "gap",
+    scene.events.push_back({frame.time_s, event_kind::kGap,
                             std::to_string(frame.gap_count) + " frames missing from the source before frame " +
                                 std::to_string(frame.frame_index)});
   }
-  return scene;
-}
-
-Scene unmeasured(Scene scene) {
-  scene.measurement.state = CellState::kLost;
-  scene.measurement.confidence = 0.0;
-  scene.events.push_back(
-      {scene.measurement.time_s, "dropped",
-       "frame " + std::to_string(scene.measurement.frame) +
-           " was recorded but not measured: a newer frame arrived first; an analysis of the recording measures it"});
   return scene;
 }
 

@@ -24,10 +24,6 @@ struct Chain {
 /// A scene that holds only its frame, as it enters the chain.
 Scene scene_of(const Frame& frame, double arrival_s, long run_index);
 
-/// A scene's row for a frame that went through no chain: kept, not measured (state `lost`, confidence 0, an event
-/// saying so).
-Scene unmeasured(Scene scene);
-
 /// Stamps the age of the frame into the row: the last thing that happens to a scene before it is published.
 void stamp_age(Scene& scene, const Clock& clock);
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <limits>
 #include <mutex>
 #include <thread>
 
 #include "Chain.h"
-#include "Recorder.h"
-#include "pellucida/core/Error.h"
+#include "GrowingLog.h"
+#include "ReaderPace.h"
+#include "RunRecording.h"
 #include "pellucida/core/Stage.h"
 #include "pellucida/core_vtk/SceneData.h"
 
@@ -20,28 +19,13 @@ namespace {
 
 using SceneExchange = SharedLatest<Scene>;
 
-// Rows and events so far, for charts and logs that miss nothing.
-template <class T>
-class Log {
- public:
-  void append(const T& item) {
-    std::lock_guard lock(mutex_);
-    items_.push_back(item);
-  }
-  std::vector<T> since(std::size_t first) const {
-    std::lock_guard lock(mutex_);
-    if (first >= items_.size()) return {};
-    return {items_.begin() + static_cast<std::ptrdiff_t>(first), items_.end()};
-  }
-  std::size_t size() const {
-    std::lock_guard lock(mutex_);
-    return items_.size();
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<T> items_;
-};
+// What a recording says about frames that are not in it whole.
+constexpr const char* kDropPolicy =
+    "Every frame has its row. A frame that a newer one overtook before it could be measured keeps its image; its row "
+    "has "
+    "an empty state and no numbers (events unmeasured). Where writing falls so far behind the camera that the memory "
+    "set "
+    "aside is full, frames keep their rows and lose their images (events dropped).";
 
 }  // namespace
 
@@ -61,7 +45,6 @@ class LiveRun::Impl {
 
   void stop() {
     reader_.request_stop();
-    wake_.notify_all();
     if (reader_.joinable()) reader_.join();
     track_stage_.stop();
     surface_stage_.stop();
@@ -76,24 +59,36 @@ class LiveRun::Impl {
   // The reader: takes frames at their time and starts them on their way.
   void read(std::stop_token stop) {
     try {
-      while (!stop.stop_requested()) {
-        if (restart_wanted_.exchange(false)) begin_anew();
-        if (paused_ || ended_) {
-          rest(stop);
-          continue;
+      for (;;) {
+        switch (pace_.next_turn(stop)) {
+          case ReaderTurn::kStop:
+            return;
+          case ReaderTurn::kRestart:
+            begin_anew();
+            break;
+          case ReaderTurn::kPaused:
+            add_event({newest_time_s(), event_kind::kPaused, ""});
+            break;
+          case ReaderTurn::kResumed:
+            resumed_ = true;
+            break;
+          case ReaderTurn::kRead:
+            read_frame(stop);
+            break;
         }
-        auto frame = source_->next();
-        if (!frame) {
-          ended_ = true;
-          continue;
-        }
-        if (!info_.live) wait_for(*frame, stop);
-        if (stop.stop_requested()) return;
-        hand_out(*frame);
       }
     } catch (const std::exception& error) {
       set_fault(error.what());
-      ended_ = true;
+      pace_.end();
+    }
+  }
+
+  void read_frame(std::stop_token stop) {
+    auto frame = source_->next();
+    if (!frame) {
+      pace_.end();
+    } else if (info_.live || pace_.wait_until_due(frame->time_s, stop)) {
+      hand_out(std::move(*frame));
     }
   }
 
@@ -102,39 +97,29 @@ class LiveRun::Impl {
     ++run_index_;
     index_offset_ = next_index_;
     time_offset_s_ = next_time_s_;
-    first_due_s_.reset();
     session_lag_s_ = kNoLag_s;
-    ended_ = false;
-  }
-
-  // Sleeps until something is asked of the reader.
-  void rest(std::stop_token stop) {
-    std::unique_lock lock(wake_mutex_);
-    wake_.wait_for(lock, stop, std::chrono::milliseconds(200),
-                   [&] { return restart_wanted_ || (!paused_ && !ended_); });
-    first_due_s_.reset();
-  }
-
-  // Sleeps until the frame's own time has come; the pace begins anew after a pause.
-  void wait_for(const Frame& frame, std::stop_token stop) {
-    if (!first_due_s_) first_due_s_ = clock_.now_s() - frame.time_s;
-    const double wait_s = *first_due_s_ + frame.time_s - clock_.now_s();
-    if (wait_s <= 0.0) return;
-    std::unique_lock lock(wake_mutex_);
-    wake_.wait_for(lock, stop, std::chrono::duration<double>(wait_s), [] { return false; });
   }
 
   void hand_out(Frame frame) {
     if (run_index_ > 0) number_on(frame);
+    if (resumed_) tell_resumed(frame);
     next_index_ = frame.frame_index + 1;
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
     const Scene scene = scene_of(frame, clock_.now_s(), run_index_);
     session_lag_s_ = std::min(session_lag_s_.load(), scene.arrival_s - frame.time_s);
     ++frame_count_;
     gap_count_ += static_cast<std::uint64_t>(frame.gap_count);
-    with_recorder([&](Recorder& recorder) { recorder.announce(scene); });
+    recording_.announce(scene);
     frames_->publish(scene);
     if (auto skipped = to_track_.publish(scene)) skip(*skipped);
+  }
+
+  // What a live source showed during a pause was left out on purpose: no loss of the source's.
+  void tell_resumed(Frame& frame) {
+    resumed_ = false;
+    add_event({frame.time_s, event_kind::kResumed,
+               frame.gap_count > 0 ? std::to_string(frame.gap_count) + " frames were not taken during the pause" : ""});
+    frame.gap_count = 0;
   }
 
   // After a restart numbers and times go on from where they were, in the image's stamp too.
@@ -146,102 +131,57 @@ class LiveRun::Impl {
     frame.image = Frozen<vtkImageData>(image);
   }
 
+  // A newer frame came first: this one is kept with what is known of it so far, be it nothing but its image.
+  void skip(const Scene& scene) {
+    ++skipped_count_;
+    for (const Event& event : scene.events) events_.append(event);
+    recording_.settle(scene);
+  }
+
   // A step had nothing to say of this frame: it is kept with the reason.
   void keep_failed(const Scene& scene, const StepFailure& failure) {
     Scene failed = scene;
-    failed.events.push_back({scene.measurement.time_s, "lost", failure.reason});
+    failed.events.push_back({scene.measurement.time_s, event_kind::kLost, failure.reason});
     publish(std::move(failed));
-  }
-
-  // A newer frame came first: this one is kept, not measured.
-  void skip(const Scene& scene) {
-    ++skipped_count_;
-    with_recorder([&](Recorder& recorder) { recorder.settle(unmeasured(scene)); });
   }
 
   // The end of the chain: what everybody else sees.
   void publish(Scene scene) {
-    if (contact_sink_) contact_sink_(scene.contact);
     stamp_age(scene, clock_);
     newest_arrival_s_ = scene.arrival_s;
     rows_.append(scene.measurement);
     for (const Event& event : scene.events) events_.append(event);
-    with_recorder([&](Recorder& recorder) { recorder.settle(scene); });
+    recording_.settle(scene);
     scenes_->publish(std::move(scene));
     ++measured_count_;  // last: who sees the count finds the scene
   }
 
-  template <class Use>
-  void with_recorder(Use use) {
-    std::lock_guard lock(recorder_mutex_);
-    if (recorder_) use(*recorder_);
+  // The end of the chain, on the mechanics' thread: the hand gets to know of the frame before anyone sees it.
+  void publish_measured(Scene scene) {
+    if (contact_sink_) contact_sink_(scene.contact);
+    publish(std::move(scene));
   }
 
   void start_recording(const std::filesystem::path& folder) {
     SessionInfo info;
     info.source = info_;
-    info.plan_json = plan();
     info.profile_name = chain_.profile.name;
     info.profile_json = to_json(chain_.profile);
-    info.drop_policy =
-        "live: a frame that a newer one overtakes is recorded but not measured (event dropped); a frame the disk has "
-        "no "
-        "time for is lost (event dropped)";
-    {
-      std::lock_guard lock(recorder_mutex_);
-      if (recorder_) throw UsageError("a recording is running already; stop it first");
-    }
-    auto recorder = std::make_unique<Recorder>(folder, info, clock_);
-    std::lock_guard lock(recorder_mutex_);
-    recorder_ = std::move(recorder);
-    recording_folder_ = folder.string();
-    recorder_->event({newest_time_s(), "started", "recording of " + info_.name});
+    info.drop_policy = kDropPolicy;
+    recording_.start(folder, info, {newest_time_s(), event_kind::kStarted, "recording of " + info_.name});
   }
 
-  void stop_recording() {
-    std::unique_ptr<Recorder> ended;
-    {
-      std::lock_guard lock(recorder_mutex_);
-      ended = std::move(recorder_);
-    }
-    if (!ended) return;
-    ended->event({newest_time_s(), "stopped", "recording"});
-    const auto keep_counts = [&] {
-      recorded_count_ = ended->written_count();
-      recorder_dropped_count_ = ended->dropped_count();
-    };
-    try {
-      ended->close();
-    } catch (...) {
-      keep_counts();
-      throw;
-    }
-    keep_counts();
-  }
+  void stop_recording() { recording_.stop({newest_time_s(), event_kind::kStopped, "recording"}); }
 
-  bool record_hand(const Frozen<vtkPolyData>& block, double time_s) {
-    std::lock_guard lock(recorder_mutex_);
-    return !recorder_ || recorder_->hand(block, time_s);
+  bool note(const std::string& text) {
+    const Event note{newest_time_s(), event_kind::kNote, text};
+    events_.append(note);
+    return recording_.note(note);
   }
-
-  void set_plan(const std::string& plan_json) {
-    {
-      std::lock_guard lock(plan_mutex_);
-      plan_json_ = plan_json;
-    }
-    with_recorder([&](Recorder& recorder) { recorder.plan(plan_json); });
-  }
-
-  std::string plan() const {
-    std::lock_guard lock(plan_mutex_);
-    return plan_json_;
-  }
-
-  void note(const std::string& text) { add_event({newest_time_s(), "note", text}); }
 
   void add_event(const Event& event) {
     events_.append(event);
-    with_recorder([&](Recorder& recorder) { recorder.event(event); });
+    recording_.event(event);
   }
 
   double newest_time_s() const {
@@ -259,15 +199,14 @@ class LiveRun::Impl {
     status.reconstruction_ms = 1e3 * surface_stage_.counts().last_step_s;
     status.mechanics_ms = 1e3 * force_stage_.counts().last_step_s;
     status.frame_age_ms = measured_count_ > 0 ? 1e3 * (clock_.now_s() - newest_arrival_s_) : 0.0;
-    status.finished = ended_ && measured_count_ + skipped_count_ >= frame_count_;
-    {
-      std::lock_guard lock(recorder_mutex_);
-      status.recording = recorder_ != nullptr;
-      status.recording_folder = recording_folder_;
-      status.recorded_count = recorder_ ? recorder_->written_count() : recorded_count_;
-      status.recorder_dropped_count = recorder_ ? recorder_->dropped_count() : recorder_dropped_count_;
-      if (recorder_ && recorder_->fault()) status.fault = recorder_->fault();
-    }
+    status.finished = pace_.ended() && measured_count_ + skipped_count_ >= frame_count_;
+    const RecordingStatus recording = recording_.status();
+    status.recording = recording.recording;
+    status.recording_folder = recording.folder;
+    status.recorded_count = recording.recorded_count;
+    status.recorder_dropped_count = recording.dropped_count;
+    status.waiting_note_count = recording.waiting_note_count;
+    status.fault = recording.fault;
     if (!status.fault) status.fault = fault();
     return status;
   }
@@ -308,18 +247,13 @@ class LiveRun::Impl {
   SceneExchange to_track_;
   SceneExchange to_surface_;
   SceneExchange to_force_;
-  Log<Measurement> rows_;
-  Log<Event> events_;
-
-  // Asked for by the controlling thread, done by the reader.
-  std::atomic<bool> paused_{false};
-  std::atomic<bool> restart_wanted_{false};
-  std::atomic<bool> ended_{false};
-  std::mutex wake_mutex_;
-  std::condition_variable_any wake_;
+  GrowingLog<Measurement> rows_;
+  GrowingLog<Event> events_;
+  ReaderPace pace_{clock_};
+  RunRecording recording_{clock_};
 
   // The reader's own.
-  std::optional<double> first_due_s_;
+  bool resumed_ = false;  // the next frame is the first after a pause
   long run_index_ = 0;
   long index_offset_ = 0;
   long next_index_ = 0;
@@ -334,15 +268,6 @@ class LiveRun::Impl {
   static constexpr double kNoLag_s = std::numeric_limits<double>::infinity();
   std::atomic<double> session_lag_s_{kNoLag_s};  // the clock less the session's time; smallest seen
 
-  mutable std::mutex recorder_mutex_;
-  std::unique_ptr<Recorder> recorder_;
-  std::string recording_folder_;
-  std::uint64_t recorded_count_ = 0;
-  std::uint64_t recorder_dropped_count_ = 0;
-
-  mutable std::mutex plan_mutex_;
-  std::string plan_json_;
-
   mutable std::mutex fault_mutex_;
   std::optional<std::string> fault_;
 
@@ -352,8 +277,8 @@ class LiveRun::Impl {
   Stage<TrackingStep, SceneExchange> track_stage_{chain_.tracking, to_track_, into(to_surface_), clock_, failed_};
   Stage<ReconstructionStep, SceneExchange> surface_stage_{chain_.reconstruction, to_surface_, into(to_force_), clock_,
                                                           failed_};
-  Stage<MechanicsStep, SceneExchange> force_stage_{chain_.mechanics, to_force_,
-                                                   [this](Scene scene) { publish(std::move(scene)); }, clock_, failed_};
+  Stage<MechanicsStep, SceneExchange> force_stage_{
+      chain_.mechanics, to_force_, [this](Scene scene) { publish_measured(std::move(scene)); }, clock_, failed_};
   std::jthread reader_;
 };
 
@@ -381,17 +306,15 @@ void LiveRun::stop() {
 }
 
 void LiveRun::set_paused(bool paused) {
-  impl_->paused_ = paused;
-  impl_->wake_.notify_all();
+  impl_->pace_.set_paused(paused);
 }
 bool LiveRun::paused() const noexcept {
-  return impl_->paused_;
+  return impl_->pace_.paused();
 }
 
 bool LiveRun::restart() {
   if (!impl_->can_restart_) return false;
-  impl_->restart_wanted_ = true;
-  impl_->wake_.notify_all();
+  impl_->pace_.ask_restart();
   return true;
 }
 
@@ -421,16 +344,16 @@ void LiveRun::stop_recording() {
   impl_->stop_recording();
 }
 bool LiveRun::record_hand(const Frozen<vtkPolyData>& block, double time_s) {
-  return impl_->record_hand(block, time_s);
+  return impl_->recording_.hand(block, time_s);
 }
 void LiveRun::set_plan(const std::string& plan_json) {
-  impl_->set_plan(plan_json);
+  impl_->recording_.set_plan(plan_json);
 }
 void LiveRun::add_event(const Event& event) {
   impl_->add_event(event);
 }
-void LiveRun::note(const std::string& text) {
-  impl_->note(text);
+bool LiveRun::note(const std::string& text) {
+  return impl_->note(text);
 }
 LiveStatus LiveRun::status() const {
   return impl_->status();

@@ -1,15 +1,44 @@
 #include "Recorder.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 
-#include "Chain.h"
-
 namespace pellucida {
+namespace {
+
+constexpr std::size_t kMostMemory_bytes = std::size_t{2} << 30U;
+// Of the memory allowed: beyond it, quick packing counts for more than small files.
+constexpr std::size_t kHurryShare = 8;
+
+template <class T>
+std::size_t bytes_of(const Frozen<T>& part) {
+  // VTK counts in KiB, and only what is not const.
+  return part ? std::size_t{1024} * const_cast<T*>(part.get())->GetActualMemorySize() : 0;
+}
+
+std::size_t bytes_of(const Scene& scene) {
+  return sizeof(Scene) + bytes_of(scene.frame) + bytes_of(scene.membranes) + bytes_of(scene.tools) +
+         bytes_of(scene.surface);
+}
+
+std::string frames_of(const FrameStretch& stretch) {
+  if (stretch.frame_count == 1) return "1 frame (" + std::to_string(stretch.first_frame) + ")";
+  return std::to_string(stretch.frame_count) + " frames (within " + std::to_string(stretch.first_frame) + " to " +
+         std::to_string(stretch.last_frame) + ")";
+}
+
+}  // namespace
+
+std::size_t recording_memory_bytes() {
+  const auto pages = static_cast<std::size_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
+  const auto page_bytes = static_cast<std::size_t>(std::max(0L, sysconf(_SC_PAGESIZE)));
+  return std::min(kMostMemory_bytes, pages * page_bytes / 4);
+}
 
 expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
-  if (const auto* scene = std::get_if<Scene>(&item)) {
-    writer.write(*scene);
-    ++written_count;
+  if (const auto* frame = std::get_if<RecordedFrame>(&item)) {
+    write(*frame);
     return true;
   }
   if (const auto* event = std::get_if<Event>(&item)) writer.event(*event);
@@ -18,9 +47,44 @@ expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
   return false;
 }
 
-Recorder::Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock)
+void Recorder::WriteStep::write(const RecordedFrame& frame) {
+  writer.write(frame.scene, queue.load().byte_count() > hurry_bytes ? Packing::kQuick : Packing::kSmall);
+  ++written_count;
+  disk_bound = writer.last_cost().disk_s > writer.last_cost().packing_s;
+
+  const Measurement& row = frame.scene.measurement;
+  tell_unmeasured(unmeasured.add(row.frame, row.time_s, !row.state));
+  const bool is_dropped = !frame.dropped_because.empty();
+  if (is_dropped) {
+    ++dropped_count;
+    dropped_because = frame.dropped_because;
+  }
+  tell_dropped(dropped.add(row.frame, row.time_s, is_dropped));
+}
+
+void Recorder::WriteStep::tell_unmeasured(const std::optional<FrameStretch>& stretch) {
+  if (!stretch) return;
+  writer.event({stretch->begin_s, event_kind::kUnmeasured,
+                frames_of(*stretch) + " kept without numbers: they came faster than the processor measures"});
+}
+
+void Recorder::WriteStep::tell_dropped(const std::optional<FrameStretch>& stretch) {
+  if (!stretch) return;
+  writer.event({stretch->begin_s, event_kind::kDropped,
+                frames_of(*stretch) + " kept without their image: " + std::string(dropped_because)});
+}
+
+void Recorder::WriteStep::finish() {
+  tell_unmeasured(unmeasured.finish());
+  tell_dropped(dropped.finish());
+}
+
+Recorder::Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock,
+                   std::size_t memory_bytes)
     : folder_(folder.string()),
+      memory_bytes_(memory_bytes),
       writer_(folder, info),
+      step_{.writer = writer_, .queue = queue_, .hurry_bytes = memory_bytes / kHurryShare},
       stage_(
           step_, queue_, [](bool) {}, clock) {
   stage_.start();
@@ -30,66 +94,61 @@ Recorder::~Recorder() {
   stage_.stop();
 }
 
+std::pair<Recorder::RecordedFrame, std::size_t> Recorder::fit(const Scene& scene) const {
+  // What no file holds need not wait for the disk.
+  RecordedFrame frame{scene, {}};
+  frame.scene.model = {};
+  frame.scene.observation.reset();
+  const std::size_t byte_count = bytes_of(frame.scene);
+  const QueueLoad load = queue_.load();
+  if (load.byte_count() + byte_count <= memory_bytes_) return {std::move(frame), byte_count};
+
+  if (load.unsettled_bytes > load.ready_bytes) {
+    frame.dropped_because = "measuring fell too far behind the camera";
+  } else if (step_.disk_bound) {
+    frame.dropped_because = "the disk is slower than the camera";
+  } else {
+    frame.dropped_because = "the processor is too busy to write as fast as the camera";
+  }
+  frame.scene.frame = {};
+  frame.scene.membranes = {};
+  frame.scene.tools = {};
+  frame.scene.surface = {};
+  return {std::move(frame), sizeof(Scene)};
+}
+
 void Recorder::announce(const Scene& scene) {
-  std::lock_guard lock(mutex_);
-  if (!closed_) pending_.push_back({scene, false});
+  auto [frame, byte_count] = fit(scene);
+  if (!queue_.announce(scene.measurement.frame, std::move(frame), byte_count)) ++lost_count_;
 }
 
 void Recorder::settle(const Scene& scene) {
-  std::lock_guard lock(mutex_);
-  const auto found = std::find_if(pending_.begin(), pending_.end(), [&](const Pending& pending) {
-    return pending.scene.measurement.frame == scene.measurement.frame;
-  });
-  if (found == pending_.end()) return;
-  *found = {scene, true};
-  flush();
+  auto [frame, byte_count] = fit(scene);
+  queue_.settle(scene.measurement.frame, std::move(frame), byte_count);
 }
 
-void Recorder::event(const Event& event) {
-  std::lock_guard lock(mutex_);
-  owed_events_.push_back(event);
-  flush();
+bool Recorder::event(const Event& event) {
+  return queue_.push(event, sizeof(Event) + event.detail.size());
 }
 
 bool Recorder::hand(const Frozen<vtkPolyData>& block, double time_s) {
-  std::lock_guard lock(mutex_);
-  return closed_ || queue_.push(HapticPathBlock{block, time_s});
+  const std::size_t byte_count = bytes_of(block);
+  if (queue_.load().byte_count() + byte_count > memory_bytes_) return false;
+  queue_.push(HapticPathBlock{block, time_s}, byte_count);
+  return true;
 }
 
 void Recorder::plan(const std::string& plan_json) {
-  std::lock_guard lock(mutex_);
-  if (!closed_) queue_.push_wait(Plan{plan_json});
-}
-
-void Recorder::flush() {
-  while (!owed_events_.empty() && queue_.push(owed_events_.front())) owed_events_.pop_front();
-  while (!pending_.empty() && pending_.front().settled) {
-    const Scene& scene = pending_.front().scene;
-    if (!queue_.push(scene)) {
-      ++dropped_count_;
-      owed_events_.push_back(
-          {scene.measurement.time_s, "dropped",
-           "frame " + std::to_string(scene.measurement.frame) + " was lost: the disk is slower than the camera"});
-    }
-    pending_.pop_front();
-  }
+  queue_.push(Plan{plan_json}, plan_json.size());
 }
 
 void Recorder::close() {
-  {
-    std::lock_guard lock(mutex_);
-    if (closed_) return;
-    closed_ = true;
-    for (auto& pending : pending_) {
-      if (!pending.settled) pending = {unmeasured(pending.scene), true};
-    }
-    // From here on there is time: nothing is dropped at the end.
-    while (!owed_events_.empty() && queue_.push_wait(owed_events_.front())) owed_events_.pop_front();
-    while (!pending_.empty() && queue_.push_wait(pending_.front().scene)) pending_.pop_front();
-  }
   queue_.close();
   stage_.join();
+  // A fault left these behind.
+  while (const auto item = queue_.wait({})) lost_count_ += std::holds_alternative<RecordedFrame>(*item) ? 1 : 0;
   stage_.rethrow();
+  step_.finish();
   writer_.close();
 }
 

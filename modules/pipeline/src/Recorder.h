@@ -1,52 +1,64 @@
 #pragma once
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
+#include "ArrivalQueue.h"
+#include "FrameStretch.h"
 #include "pellucida/core/Clock.h"
-#include "pellucida/core/Ring.h"
 #include "pellucida/core/Stage.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {
 
+/// How much may wait for the disk: a quarter of the computer's memory, at most 2 GiB.
+std::size_t recording_memory_bytes();
+
 /// Writes every frame of a live run, in order, on a thread of its own. A frame is announced when it arrives and settled
-/// when its fate is known (measured, or replaced by a newer one before it could be): frames settle in any order and
-/// from any thread, and are written in the order they arrived. A full queue drops whole frames, counted and reported as
-/// events.
+/// when its fate is known (measured, or overtaken by a newer one before it could be): frames settle in any order and
+/// are written in the order they arrived. No call but the constructor and `close` waits for the disk; all may come from
+/// any thread.
+///
+/// What the disk has no time for waits in memory, and is packed less to catch up. When the memory allowed is full, a
+/// frame is written without its image and its parts (event `dropped`, one for each stretch of frames); its row, all
+/// events and the plan are always written.
 class Recorder {
  public:
   /// Throws OutputError or UsageError as SessionWriter does. `clock` must outlive the recorder.
-  Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock);
+  Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock,
+           std::size_t memory_bytes = recording_memory_bytes());
   ~Recorder();
 
   /// A frame arrived; `scene` holds only its image.
   void announce(const Scene& scene);
   /// What became of an announced frame; others are ignored.
   void settle(const Scene& scene);
-  void event(const Event& event);
-  /// The next block of the recording of the hand; false when the queue is full: the block is for the caller to keep.
+  /// False when a fault has ended the recording: the event is for the caller to keep.
+  bool event(const Event& event);
+  /// The next block of the recording of the hand; false when the memory is full: the block is for the caller to keep.
   bool hand(const Frozen<vtkPolyData>& block, double time_s);
   void plan(const std::string& plan_json);
   /// Frames still unsettled are written as not measured, then all is closed. Throws OutputError when the disk refused.
   void close();
 
   std::string folder() const { return folder_; }
+  /// Frames written, each with its row.
   std::uint64_t written_count() const noexcept { return step_.written_count.load(); }
-  std::uint64_t dropped_count() const noexcept { return dropped_count_.load(); }
+  /// Frames without an image, or, after a fault, not written at all.
+  std::uint64_t dropped_count() const noexcept { return step_.dropped_count.load() + lost_count_.load(); }
   /// The reason the recording can't go on, when there is one.
   std::optional<std::string> fault() const;
 
  private:
-  struct Pending {
+  struct RecordedFrame {
     Scene scene;
-    bool settled = false;
+    std::string_view dropped_because;  // why its image was left out; empty: it was not
   };
   struct HapticPathBlock {
     Frozen<vtkPolyData> paths;
@@ -55,28 +67,40 @@ class Recorder {
   struct Plan {
     std::string json;
   };
-  using Item = std::variant<Scene, Event, HapticPathBlock, Plan>;
+  using Item = std::variant<RecordedFrame, Event, HapticPathBlock, Plan>;
+  using Queue = ArrivalQueue<Item>;
+
+  // The writer's thread.
   struct WriteStep {
     using Input = Item;
     using Output = bool;  // true for a frame
     expected<bool, StepFailure> process(const Item& item);
+    void write(const RecordedFrame& frame);
+    void tell_unmeasured(const std::optional<FrameStretch>& stretch);
+    void tell_dropped(const std::optional<FrameStretch>& stretch);
+    void finish();
+
     SessionWriter& writer;
+    const Queue& queue;
+    const std::size_t hurry_bytes;  // with more than this waiting, frames are packed less
     std::atomic<std::uint64_t> written_count{0};
+    std::atomic<std::uint64_t> dropped_count{0};
+    std::atomic<bool> disk_bound{false};  // the last writes took longer on the disk than on the processor
+    FrameStretchFinder unmeasured{};
+    FrameStretchFinder dropped{};
+    std::string_view dropped_because{};
   };
 
-  void flush();  // with mutex_ held
+  // The frame as it is written, and its weight: whole where there is room for it, else its row and its events.
+  std::pair<RecordedFrame, std::size_t> fit(const Scene& scene) const;
 
-  static constexpr std::size_t kQueueCount = 128;
   std::string folder_;
+  const std::size_t memory_bytes_;
   SessionWriter writer_;
-  WriteStep step_{.writer = writer_};
-  Ring<Item> queue_{kQueueCount};
-  Stage<WriteStep, Ring<Item>> stage_;
-  std::mutex mutex_;
-  std::deque<Pending> pending_;
-  std::deque<Event> owed_events_;  ///< of dropped frames, written as soon as there is room
-  bool closed_ = false;
-  std::atomic<std::uint64_t> dropped_count_{0};
+  Queue queue_;
+  WriteStep step_;
+  Stage<WriteStep, Queue> stage_;
+  std::atomic<std::uint64_t> lost_count_{0};
 };
 
 }  // namespace pellucida

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <string>
 
+#include "pellucida/session/SessionInfo.h"
+
 namespace pellucida {
 
-/// The content of a `.vti` file (appended raw, compressed). `data` isn't changed.
-std::string serialise(vtkImageData* data);
+/// The content of a `.vti` file (appended raw; compressed unless the packing is quick). `data` isn't changed.
+std::string serialise(vtkImageData* data, Packing packing = Packing::kSmall);
 /// The content of a `.vtp` file (appended raw, compressed). `data` isn't changed.
 std::string serialise(vtkPolyData* data);
 

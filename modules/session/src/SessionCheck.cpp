@@ -225,9 +225,9 @@ class Check {
     SessionCounts& counts = report_.counts;
     counts.step_count = found_.measurements.rows.size();
     counts.event_count = found_.events.rows.size();
-    counts.dropped_count =
-        static_cast<std::uint64_t>(std::count_if(found_.events.rows.begin(), found_.events.rows.end(),
-                                                 [](const Event& event) { return event.kind == "dropped"; }));
+    counts.unmeasured_count = static_cast<std::uint64_t>(std::count_if(
+        found_.measurements.rows.begin(), found_.measurements.rows.end(), [](const auto& row) { return !row.state; }));
+    for (const Event& event : found_.events.rows) counts.dropped_count += dropped_frame_count(event);
     const std::set<fs::path> unreadable(found_.unreadable.begin(), found_.unreadable.end());
     for (const SessionStep& step : make_steps(found_.measurements.rows, found_.files)) {
       for (const PartNames& names : kParts) {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "CsvFile.h"
@@ -32,25 +33,49 @@ std::vector<std::size_t> steps_with(const SessionReader& session, SessionPart pa
   return found;
 }
 
-// The step with the largest contact force; the first one with a surface where no force was measured.
-std::size_t peak_of(const SessionReader& session, const std::vector<std::size_t>& candidates) {
+// "frame 12 (6.47 uN)"; a frame without a force has only its number.
+std::string named(const SessionReader& session, std::size_t step) {
+  const double force_uN = session.measurements()[step].contact_force_uN;
+  return "frame " + std::to_string(session.steps()[step].frame_index) +
+         (std::isnan(force_uN) ? "" : " (" + csv_number(force_uN) + " uN)");
+}
+
+// The step with the largest contact force of those that have a surface; the first of them where no force was measured.
+// `notes` says which it is, and whether another frame without a surface had more force.
+std::size_t peak_of(const SessionReader& session, const std::vector<std::size_t>& surfaces,
+                    std::vector<std::string>& notes) {
   const auto force_uN = [&](std::size_t step) {
     const double value = session.measurements()[step].contact_force_uN;
     return std::isnan(value) ? -1.0 : value;
   };
-  return *std::max_element(candidates.begin(), candidates.end(),
-                           [&](std::size_t left, std::size_t right) { return force_uN(left) < force_uN(right); });
+  const auto less = [&](std::size_t left, std::size_t right) { return force_uN(left) < force_uN(right); };
+  const std::size_t peak = *std::max_element(surfaces.begin(), surfaces.end(), less);
+  std::vector<std::size_t> all(session.steps().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::size_t greatest = *std::max_element(all.begin(), all.end(), less);
+  if (force_uN(greatest) > force_uN(peak)) {
+    notes.push_back("warning: " + named(session, greatest) +
+                    " has the largest force but no surface; the peak in nodes.csv is " + named(session, peak) +
+                    ", the largest of those with a surface");
+  } else if (force_uN(peak) < 0.0) {
+    notes.push_back("warning: no force was measured; the peak in nodes.csv is " + named(session, peak) +
+                    ", the first with a surface");
+  } else {
+    notes.push_back("the peak in nodes.csv is " + named(session, peak));
+  }
+  return peak;
 }
 
 // Turns the user's list into steps, in its order, each once.
-std::vector<std::size_t> chosen_steps(const SessionReader& session, const std::string& list) {
+std::vector<std::size_t> chosen_steps(const SessionReader& session, const std::string& list,
+                                      std::vector<std::string>& notes) {
   const auto surfaces = steps_with(session, SessionPart::kSurface);
   std::vector<std::size_t> chosen;
   for (const std::string& word : split_csv(list)) {
     std::optional<std::size_t> step;
     if (word == "first" || word == "last" || word == "peak") {
       if (surfaces.empty()) continue;
-      step = word == "first" ? surfaces.front() : word == "last" ? surfaces.back() : peak_of(session, surfaces);
+      step = word == "first" ? surfaces.front() : word == "last" ? surfaces.back() : peak_of(session, surfaces, notes);
     } else {
       long frame = -1;
       const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), frame);
@@ -71,7 +96,7 @@ std::vector<std::size_t> chosen_steps(const SessionReader& session, const std::s
   return chosen;
 }
 
-// The rows that could be read, as they are.
+// The rows that could be read, as they stand; events in the order of time.
 template <class Row>
 void copy_table(const fs::path& target, std::string_view header, const SessionTable<Row>& table) {
   CsvFile file(target, header);
@@ -200,14 +225,14 @@ void write_hand(const SessionReader& session, const fs::path& output, ExportRepo
 
 ExportReport export_session(const fs::path& session_folder, const fs::path& output, const ExportOptions& options) {
   const SessionReader session(session_folder);
-  const auto chosen = chosen_steps(session, options.frames);
+  ExportReport report;
+  const auto chosen = chosen_steps(session, options.frames, report.notes);
   make_folder(output);
   if (fs::equivalent(session_folder, output)) {
     throw UsageError(output.string() +
                      ": is the session itself, whose tables would be overwritten; choose another --output");
   }
 
-  ExportReport report;
   copy_table(output / session_name::kMeasurements, measurement_header(),
              read_measurements(session_folder / session_name::kMeasurements));
   report.files.push_back(output / session_name::kMeasurements);

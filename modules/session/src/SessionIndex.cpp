@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
 #include "DiskFile.h"
 #include "SessionFolder.h"
@@ -77,7 +78,31 @@ SessionTable<Measurement> read_measurements(const std::filesystem::path& file) {
 }
 
 SessionTable<Event> read_events(const std::filesystem::path& file) {
-  return read_table<Event>(file, session_name::kEventsHeader, parse_event);
+  SessionTable<Event> table = read_table<Event>(file, session_name::kEventsHeader, parse_event);
+  // Events of frames are known when the frames are measured, others at once: lines come nearly in order only.
+  std::vector<std::size_t> order(table.rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return table.rows[a].time_s < table.rows[b].time_s; });
+  SessionTable<Event> sorted = table;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    sorted.rows[i] = std::move(table.rows[order[i]]);
+    sorted.lines[i] = std::move(table.lines[order[i]]);
+  }
+  return sorted;
+}
+
+std::uint64_t dropped_frame_count(const Event& event) {
+  if (event.kind != event_kind::kDropped) return 0;
+  std::uint64_t count = 1;
+  std::from_chars(event.detail.data(), event.detail.data() + event.detail.size(), count);
+  return count;
+}
+
+void sort_events(const std::filesystem::path& file) {
+  std::string text = std::string(session_name::kEventsHeader) + '\n';
+  for (const std::string& line : read_events(file).lines) text += line + '\n';
+  replace_file(file, text);
 }
 
 SessionFiles list_files(const std::filesystem::path& session) {

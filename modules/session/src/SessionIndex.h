@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -28,7 +29,14 @@ struct SessionTable {
 };
 
 SessionTable<Measurement> read_measurements(const std::filesystem::path& file);
+/// In the order of time, whatever the order of the lines.
 SessionTable<Event> read_events(const std::filesystem::path& file);
+/// Puts the lines of a whole table of events into the order of time. Throws OutputError.
+void sort_events(const std::filesystem::path& file);
+
+/// How many frames lost their image in an event: 0 for all kinds but `dropped`; of that the number its detail begins
+/// with, or 1.
+std::uint64_t dropped_frame_count(const Event& event);
 
 /// What the folders of a session hold, by name only.
 struct SessionFiles {

@@ -66,6 +66,7 @@ Json counts_json(const SessionCounts& counts) {
   Json object{{"steps", counts.step_count}};
   for (const PartNames& names : kParts) object[names.folder] = counts.files(names.part);
   object[session_name::kHaptics] = counts.hand_block_count;
+  object["unmeasured"] = counts.unmeasured_count;
   object["events"] = counts.event_count;
   object["dropped"] = counts.dropped_count;
   object["bytes"] = counts.byte_count;
@@ -79,6 +80,7 @@ SessionCounts counts_from(const Json& head) {
   for (const PartNames& names : kParts)
     take(object, names.folder, counts.file_count[static_cast<std::size_t>(names.part)]);
   take(object, session_name::kHaptics, counts.hand_block_count);
+  take(object, "unmeasured", counts.unmeasured_count);
   take(object, "events", counts.event_count);
   take(object, "dropped", counts.dropped_count);
   take(object, "bytes", counts.byte_count);

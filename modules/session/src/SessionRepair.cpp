@@ -70,6 +70,7 @@ void repair_session(const fs::path& folder, const SessionFindings& findings, Ses
 
   mend_table(folder, session_name::kMeasurements, measurement_header(), findings.measurements, report);
   mend_table(folder, session_name::kEvents, session_name::kEventsHeader, findings.events, report);
+  sort_events(folder / session_name::kEvents);
 
   // Lists and counts anew from what is there now.
   if (!fs::exists(folder / session_name::kEmpty)) {

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "DataFile.h"
 #include "DiskFile.h"
 #include "DiskSync.h"
 #include "SessionFolder.h"
+#include "SessionIndex.h"
 #include "SessionJson.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
@@ -75,8 +78,10 @@ class SessionWriter::Impl {
     sync_ = std::make_unique<DiskSync>(folder_);
   }
 
-  void write(const Scene& scene) {
+  void write(const Scene& scene, Packing packing) {
     require_open();
+    cost_ = {};
+    const SteadyTime start = std::chrono::steady_clock::now();
     const Measurement& row = scene.measurement;
     if (!steps_.empty() && row.frame <= steps_.back().frame_index) {
       throw Error(ExitCode::kOurFault, folder_.string() + ": frame " + std::to_string(row.frame) + " after frame " +
@@ -87,10 +92,10 @@ class SessionWriter::Impl {
     SessionCounts counts = head_.counts;
     step_byte_count_ = 0;
     try {
-      write_part(step, SessionPart::kSurface, scene.surface, counts);
-      write_part(step, SessionPart::kMembranes, scene.membranes, counts);
-      write_part(step, SessionPart::kTools, scene.tools, counts);
-      if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame, counts);
+      write_part(step, SessionPart::kSurface, scene.surface, counts, packing);
+      write_part(step, SessionPart::kMembranes, scene.membranes, counts, packing);
+      write_part(step, SessionPart::kTools, scene.tools, counts, packing);
+      if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame, counts, packing);
       measurements_->append(to_csv(row));
     } catch (...) {
       remove_files(step);
@@ -99,10 +104,14 @@ class SessionWriter::Impl {
     steps_.push_back(step);
     head_.counts = counts;
     ++head_.counts.step_count;
+    if (!row.state) ++head_.counts.unmeasured_count;
     file_byte_count_ += step_byte_count_;
     for (const Event& event : scene.events) append_event(event);
     refresh();
+    cost_.disk_s = Seconds(std::chrono::steady_clock::now() - start).count() - cost_.packing_s;
   }
+
+  const WriteCost& last_cost() const noexcept { return cost_; }
 
   void write_hand(const Frozen<vtkPolyData>& block, double time_s) {
     require_open();
@@ -126,6 +135,7 @@ class SessionWriter::Impl {
 
   void close() {
     if (closed_) return;
+    if (!events_in_order_) sort_events(folder_ / session_name::kEvents);
     write_pvd();
     head_.complete = true;
     try {
@@ -152,12 +162,19 @@ class SessionWriter::Impl {
   }
 
   template <class T>
-  void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data, SessionCounts& counts) {
+  void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data, SessionCounts& counts, Packing packing) {
     if (!data) return;
     auto copy = data.shallow_copy();
     // The row is what counts: a part that says otherwise (or nothing) is stamped like it.
     if (!is_stamped_as(copy, step)) stamp(copy, step.time_s, step.frame_index);
-    const std::string content = serialise(copy.Get());
+    const SteadyTime start = std::chrono::steady_clock::now();
+    std::string content;
+    if constexpr (std::is_same_v<T, vtkImageData>) {
+      content = serialise(copy.Get(), packing);
+    } else {
+      content = serialise(copy.Get());
+    }
+    cost_.packing_s += Seconds(std::chrono::steady_clock::now() - start).count();
     replace_file(folder_ / part_file(part, step.frame_index), content);
     step.present[static_cast<std::size_t>(part)] = true;
     ++counts.file_count[static_cast<std::size_t>(part)];
@@ -174,7 +191,9 @@ class SessionWriter::Impl {
   void append_event(const Event& event) {
     events_->append(csv_number(event.time_s) + ',' + csv_cell(event.kind) + ',' + csv_cell(event.detail));
     ++head_.counts.event_count;
-    if (event.kind == "dropped") ++head_.counts.dropped_count;
+    head_.counts.dropped_count += dropped_frame_count(event);
+    events_in_order_ = events_in_order_ && event.time_s >= last_event_s_;
+    last_event_s_ = event.time_s;
   }
 
   // After each write: the head about once a second, the list of files at intervals that grow with what it costs.
@@ -209,6 +228,9 @@ class SessionWriter::Impl {
   std::uint64_t step_byte_count_ = 0;
   std::unique_ptr<AppendFile> measurements_;
   std::unique_ptr<AppendFile> events_;
+  bool events_in_order_ = true;
+  double last_event_s_ = -std::numeric_limits<double>::infinity();
+  WriteCost cost_;
   std::unique_ptr<DiskSync> sync_;
   SteadyTime next_head_;
   SteadyTime next_pvd_;
@@ -219,8 +241,11 @@ SessionWriter::SessionWriter(const std::filesystem::path& folder, const SessionI
     : impl_(std::make_unique<Impl>(folder, info, options)) {}
 SessionWriter::~SessionWriter() = default;
 
-void SessionWriter::write(const Scene& scene) {
-  impl_->write(scene);
+void SessionWriter::write(const Scene& scene, Packing packing) {
+  impl_->write(scene, packing);
+}
+const WriteCost& SessionWriter::last_cost() const noexcept {
+  return impl_->last_cost();
 }
 void SessionWriter::event(const Event& event) {
   impl_->event(event);

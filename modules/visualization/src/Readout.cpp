@@ -43,8 +43,9 @@ std::string plain(double value) {
   return text;
 }
 
-std::string state(CellState state) {
-  switch (state) {
+std::string state(std::optional<CellState> state) {
+  if (!state) return kDash;
+  switch (*state) {
     case CellState::kNoCell:
       return "No cell";
     case CellState::kFree:
@@ -99,8 +100,8 @@ double contrast_ratio(const Color& a, const Color& b) noexcept {
   return (bright + 0.05) / (dark + 0.05);
 }
 
-Color state_color(CellState state) noexcept {
-  switch (state) {
+Color state_color(std::optional<CellState> state) noexcept {
+  switch (state.value_or(CellState::kNoCell)) {
     case CellState::kFree:
       return Color::from_hex(0x6CB6F5);
     case CellState::kContact:

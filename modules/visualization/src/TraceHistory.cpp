@@ -21,6 +21,9 @@ void TraceHistory::Trace::append(const TracePoint& point) {
 void TraceHistory::append(const Measurement& m) {
   if (!all_.points.empty() && m.time_s < all_.points.back().time_s) clear();
 
+  // A frame that was not measured says nothing, also not that a touch is over.
+  if (!m.state) return;
+
   // A new touch begins a new curve; the one before stays for comparison.
   if (m.state == CellState::kContact && state_ != CellState::kContact && state_ != CellState::kLost &&
       current_.points.size() > 1) {
@@ -31,9 +34,9 @@ void TraceHistory::append(const Measurement& m) {
       m.state == CellState::kContact || m.state == CellState::kPunctured || m.state == CellState::kLost;
   if (m.state != state_ && worth_a_mark) {
     if (marks_.size() == kMostMarks) marks_.erase(marks_.begin());
-    marks_.push_back({m.time_s, m.state});
+    marks_.push_back({m.time_s, *m.state});
   }
-  state_ = m.state;
+  state_ = *m.state;
   if (!std::isfinite(m.contact_force_uN)) return;
 
   const auto or_force = [&](double value) { return std::isfinite(value) ? value : m.contact_force_uN; };

@@ -18,19 +18,26 @@ std::string frames(std::uint64_t count, const char* what) {
 
 Phrase lost_phrase(const LiveStatus& status) {
   if (status.recorder_dropped_count > 0) {
-    return {frames(status.recorder_dropped_count, "not recorded"), palette::kRecord};
+    return {frames(status.recorder_dropped_count, "recorded without their image"), palette::kRecord};
   }
   if (status.gap_count > 0) return {frames(status.gap_count, "lost by the source"), palette::kWarning};
-  return {frames(status.skipped_count, "skipped"), palette::kTextDim};
+  return {frames(status.skipped_count, "not measured"), palette::kTextDim};
 }
 
-Phrase recording_phrase(const LiveStatus& status) {
+std::string notes_waiting(std::size_t count) {
+  if (count == 0) return {};
+  return ", " + std::to_string(count) + (count == 1 ? " note waits" : " notes wait") + " for the next recording";
+}
+
+Phrase recording_phrase(const LiveStatus& status, bool paused) {
   if (status.recording) {
-    return {"Recording to " + status.recording_folder + ", " + std::to_string(status.recorded_count) + " frames",
+    const char* doing = paused ? "Recording paused, " : "Recording to ";
+    return {doing + status.recording_folder + ", " + std::to_string(status.recorded_count) + " frames",
             palette::kRecord};
   }
-  if (!status.recording_folder.empty()) return {"Recorded in " + status.recording_folder, palette::kTextDim};
-  return {"Not recording", palette::kTextDim};
+  const std::string notes = notes_waiting(status.waiting_note_count);
+  if (!status.recording_folder.empty()) return {"Recorded in " + status.recording_folder + notes, palette::kTextDim};
+  return {"Not recording" + notes, palette::kTextDim};
 }
 
 Phrase notice_phrase(const LiveStatus& status, bool paused) {
@@ -75,7 +82,7 @@ StatusTexts StatusPresenter::update(const LiveStatus& status, const std::optiona
   texts.frame_age = {row ? "Frame age " + readout::milliseconds(m.frame_age_ms) : "Frame age \u2013",
                      aging ? palette::kWarning : palette::kTextDim};
   texts.lost = lost_phrase(status);
-  texts.recording = recording_phrase(status);
+  texts.recording = recording_phrase(status, paused);
   texts.notice = notice_phrase(status, paused);
   return texts;
 }

@@ -130,7 +130,7 @@ class MechanicsStep::Impl {
                    .point_load_uN = e.opinions.point_load_uN,
                    .table_uN = e.opinions.table_uN};
     if (should_measure && !e.reason.empty() && e.reason != said_) {
-      out.events.push_back({scene.observation->time_s, "note", "no force: " + e.reason});
+      out.events.push_back({scene.observation->time_s, event_kind::kNote, "no force: " + e.reason});
     }
     if (should_measure) said_ = e.reason;
     if (e.rest_um.cols() == 0 || !e.converged) return out;
@@ -185,10 +185,13 @@ class MechanicsStep::Impl {
     }
     if (e.puncture) {
       const Puncture& p = *e.puncture;
-      out.events.push_back({o.time_s, "puncture",
+      std::erase_if(out.events, [](const Event& event) { return event.kind == event_kind::kPuncture; });
+      out.events.push_back({o.time_s, event_kind::kPuncture,
                             format("at %.2f uN and %.1f um, work %.1f uN um; membrane back at %.1f um", p.peak_force_uN,
                                    p.depth_um, p.work_uN_um, o.indentation_um)});
       told_puncture_ = true;
+    } else if (told_puncture_ && e.punctured) {
+      std::erase_if(out.events, [](const Event& event) { return event.kind == event_kind::kPuncture; });
     }
     if (!e.punctured) told_puncture_ = false;
 
@@ -198,8 +201,7 @@ class MechanicsStep::Impl {
       detail += format(": contour %.1f um from the model, left and right %.1f um apart beyond it",
                        e.shape.residual_rms_um, e.shape.unexplained_asymmetry_um);
       if (fresh & kNotOfRevolution) detail += format(", which may cost %.2f uN", e.asymmetry_force_uN);
-      if (fresh & kSeldomBorne) detail += "; " + describe(kSeldomBorne, observer_.profile().name);
-      out.events.push_back({o.time_s, "warning", std::move(detail)});
+      out.events.push_back({o.time_s, event_kind::kWarning, std::move(detail)});
     }
     warned_ = out.measurement.state == CellState::kContact ? static_cast<ForceWarning>(warned_ | e.warnings)
                                                            : kNoForceWarning;
@@ -207,7 +209,7 @@ class MechanicsStep::Impl {
     const CellScale scale = observer_.scale();
     if (!std::isnan(e.puncture_probability) && scale.ratio != told_scale_.ratio) {
       told_scale_ = scale;
-      out.events.push_back({o.time_s, "palpation",
+      out.events.push_back({o.time_s, event_kind::kPalpation,
                             format("this cell's forces are %.3f times the profile's, +- %.1f %%", scale.ratio,
                                    100.0 * scale.relative_sigma)});
     }

@@ -30,7 +30,7 @@ expected<Scene, StepFailure> ReconstructionStep::process(const Scene& scene) {
   // A failure is reported once, when it begins, not with every frame it lasts.
   const bool failed = !filter_->GetFailure().empty();
   if (failed && !failing_) {
-    result.events.push_back({scene.measurement.time_s, "lost", "no surface: " + filter_->GetFailure()});
+    result.events.push_back({scene.measurement.time_s, event_kind::kLost, "no surface: " + filter_->GetFailure()});
   }
   failing_ = failed;
   if (failed || filter_->GetOutput()->GetNumberOfPoints() == 0) return result;

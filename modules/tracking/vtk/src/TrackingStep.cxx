@@ -32,17 +32,18 @@ std::optional<Event> event_of_change(std::optional<CellState> state_before, cons
   if (before == now.state) return std::nullopt;
   const auto event = [&](const char* kind, std::string detail) { return Event{now.time_s, kind, std::move(detail)}; };
   if (now.state == CellState::kNoCell) return std::nullopt;
-  if (now.state == CellState::kLost) return event("lost", "");
-  if (before == CellState::kNoCell || before == CellState::kLost) return event("found", what_was_found(now));
+  if (now.state == CellState::kLost) return event(event_kind::kLost, "");
+  if (before == CellState::kNoCell || before == CellState::kLost) return event(event_kind::kFound, what_was_found(now));
   switch (now.state) {
     case CellState::kContact:
-      return event("contact", now.needle ? format("tip at %.1f %.1f um, confidence %.2f", now.needle->tip_um.x(),
-                                                  now.needle->tip_um.y(), now.confidence)
-                                         : "");
+      return event(event_kind::kContact, now.needle
+                                             ? format("tip at %.1f %.1f um, confidence %.2f", now.needle->tip_um.x(),
+                                                      now.needle->tip_um.y(), now.confidence)
+                                             : "");
     case CellState::kPunctured:
-      return event("puncture", format("membrane left at %.1f um", now.indentation_um));
+      return event(event_kind::kPuncture, format("membrane left at %.1f um", now.indentation_um));
     default:
-      return event("release", "");
+      return event(event_kind::kRelease, "");
   }
 }
 

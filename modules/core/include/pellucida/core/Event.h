@@ -1,14 +1,72 @@
 #pragma once
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace pellucida {
 
-/// An event of a session: a row of `events.csv` (`time_s,kind,detail`). Kinds: contact, release, puncture, lost, found,
-/// dropped, gap, limit, note, warning, palpation, started, stopped.
+/// Something that happened in a session: a row of `events.csv` (`time_s,kind,detail`).
 struct Event {
   double time_s = 0.0;
-  std::string kind;
+  std::string kind;  ///< one of `kEventKinds`; a later version's session may hold others
   std::string detail;
+};
+
+/// The names of the kinds of event (a contract).
+namespace event_kind {
+inline constexpr const char* kContact = "contact";
+inline constexpr const char* kRelease = "release";
+inline constexpr const char* kPuncture = "puncture";
+inline constexpr const char* kLost = "lost";
+inline constexpr const char* kFound = "found";
+inline constexpr const char* kWarning = "warning";
+inline constexpr const char* kPalpation = "palpation";
+inline constexpr const char* kLimit = "limit";
+inline constexpr const char* kNote = "note";
+inline constexpr const char* kUnmeasured = "unmeasured";
+inline constexpr const char* kDropped = "dropped";
+inline constexpr const char* kGap = "gap";
+inline constexpr const char* kPaused = "paused";
+inline constexpr const char* kResumed = "resumed";
+inline constexpr const char* kStarted = "started";
+inline constexpr const char* kStopped = "stopped";
+}  // namespace event_kind
+
+struct EventKindInfo {
+  std::string_view name;
+  std::string_view meaning;  ///< as in docs/file-format.md
+};
+
+/// Every kind of event there is. docs/file-format.md lists the same.
+inline constexpr std::array kEventKinds{
+    EventKindInfo{event_kind::kContact, "the needle touches the cell"},
+    EventKindInfo{event_kind::kRelease, "the needle has left the cell"},
+    EventKindInfo{event_kind::kPuncture,
+                  "the membrane gave way; detail: the largest force before, the depth at it, the work of the needle on "
+                  "the cell in uN um (1e-12 J)"},
+    EventKindInfo{event_kind::kLost, "the cell, or its surface, can't be seen any more; detail: the reason"},
+    EventKindInfo{event_kind::kFound, "the cell is seen, for the first time or again"},
+    EventKindInfo{event_kind::kWarning,
+                  "the force is less certain from this frame on; detail: `mismatch`, `slip` or `asymmetry`, and by how "
+                  "much"},
+    EventKindInfo{event_kind::kPalpation, "this cell's own stiffness has been taken into account; detail: the factor"},
+    EventKindInfo{event_kind::kLimit,
+                  "a safety limit of the hand acts; detail: which, the value and the limit. `over`: it has ceased to "
+                  "act; detail: for how long and how often it did"},
+    EventKindInfo{event_kind::kNote, "the operator's words, or a remark by the measurement"},
+    EventKindInfo{event_kind::kUnmeasured,
+                  "frames were recorded with their image but not measured: their rows have an empty state; detail: how "
+                  "many, and the first and last"},
+    EventKindInfo{
+        event_kind::kDropped,
+        "the recorder kept frames without their image; detail: how many, the first and last, and what was too "
+        "slow"},
+    EventKindInfo{event_kind::kGap, "the source itself lost frames; detail: how many"},
+    EventKindInfo{event_kind::kPaused, "the operator paused the source"},
+    EventKindInfo{event_kind::kResumed,
+                  "the pause is over; detail: how many frames of a live source were not taken meanwhile"},
+    EventKindInfo{event_kind::kStarted, "the recording began"},
+    EventKindInfo{event_kind::kStopped, "the recording ended"},
 };
 
 }  // namespace pellucida

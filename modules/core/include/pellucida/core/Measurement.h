@@ -1,5 +1,6 @@
 #pragma once
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,8 +19,8 @@ struct Measurement {
 
   long frame = 0;
   double time_s = 0.0;
-  CellState state = CellState::kNoCell;
-  double confidence = 0.0;
+  std::optional<CellState> state;  ///< nothing for a frame that was kept but not measured: an empty cell
+  double confidence = kNotMeasured;
   double cell_x_um = kNotMeasured;
   double cell_y_um = kNotMeasured;
   double axis_deg = kNotMeasured;

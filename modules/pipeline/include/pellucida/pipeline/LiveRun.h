@@ -21,23 +21,26 @@ namespace pellucida {
 struct LiveStatus {
   std::uint64_t frame_count = 0;     ///< frames that arrived
   std::uint64_t measured_count = 0;  ///< frames that went through the whole chain
-  std::uint64_t skipped_count =
-      0;  ///< frames replaced by a newer one before they were measured (never lost to the recorder)
-  std::uint64_t gap_count = 0;  ///< frames the source itself lost
-  double tracking_ms = 0.0;     ///< newest step times
+  std::uint64_t skipped_count = 0;   ///< frames that a newer one overtook before they were measured
+  std::uint64_t gap_count = 0;       ///< frames the source itself lost
+  double tracking_ms = 0.0;          ///< newest step times
   double reconstruction_ms = 0.0;
   double mechanics_ms = 0.0;
   double frame_age_ms = 0.0;  ///< now minus the arrival of the newest measured frame
   bool recording = false;
   std::string recording_folder;  ///< of the running or last recording; empty before the first
   std::uint64_t recorded_count = 0;
-  std::uint64_t recorder_dropped_count = 0;
-  bool finished = false;             ///< the source ended and all was processed
-  std::optional<std::string> fault;  ///< one line, when a thread has failed
+  std::uint64_t recorder_dropped_count = 0;  ///< frames recorded without their image, or lost to a fault
+  std::size_t waiting_note_count = 0;        ///< notes made while nothing recorded: they go into the next recording
+  bool finished = false;                     ///< the source ended and all was processed
+  std::optional<std::string> fault;          ///< one line, when a thread died
 };
 
-/// The chain with one thread per step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
-/// Every public call may come from any one controlling thread (the window's); none blocks for a frame.
+/// The chain with a thread a step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
+///
+/// Threads: `set_contact_sink`, `start`, `stop` and the destructor belong to one controlling thread (the window's);
+/// every other call may come from any thread at any time between construction and destruction. None blocks for a frame.
+/// None waits for the disk but `start_recording`, `stop_recording` and `stop`, and nobody waits for those.
 class LiveRun {
  public:
   /// Paced: a source that isn't live is read at its own frame rate. Throws as `Chain` does.
@@ -57,7 +60,8 @@ class LiveRun {
 
   void start();
   void stop();
-  /// A paused run keeps its newest scene; a source that isn't live waits.
+  /// A paused run keeps its newest scene; a source that isn't live waits, of a live one the frames in between are not
+  /// taken. The events `paused` and `resumed` say so, the latter with how many: they don't count as lost by the source.
   void set_paused(bool paused);
   bool paused() const noexcept;
   /// Restarts from the source's first frame, if the source can; false if it can't. Frame numbers and times keep rising;
@@ -88,8 +92,9 @@ class LiveRun {
   void set_plan(const std::string& plan_json);
   /// An event that does not come from a frame (a limit that acted), for the log of events and the running recording.
   void add_event(const Event& event);
-  /// An operator's note, for the log of events and the running recording.
-  void note(const std::string& text);
+  /// An operator's note, into the log of events and the running recording. False when nothing records: the note is
+  /// kept, with its time, for the next recording that is started.
+  bool note(const std::string& text);
 
   LiveStatus status() const;
 

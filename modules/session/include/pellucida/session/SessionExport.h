@@ -10,7 +10,8 @@ namespace pellucida {
 
 struct ExportOptions {
   /// Frames whose surface nodes go to `nodes.csv`: any of `first`, `last`, `peak` (largest contact force) and frame
-  /// numbers, comma separated. `first` and `last` are those with a surface.
+  /// numbers, comma separated. `first`, `last` and `peak` are those with a surface; the report names the peak, and
+  /// warns when a frame without a surface had more force.
   std::string frames = "peak";
   SessionProgress progress;
 };
@@ -18,7 +19,7 @@ struct ExportOptions {
 /// Result of an export.
 struct ExportReport {
   std::vector<std::filesystem::path> files;  ///< in the order they were written
-  std::vector<std::string> notes;            ///< what was not present, and why; one line each
+  std::vector<std::string> notes;            ///< what was chosen, what was not there to write, and why; a line each
   std::vector<long> node_frames;             ///< frames in `nodes.csv`
   std::size_t contour_point_count = 0;       ///< rows of `contours.csv`
   std::size_t hand_row_count = 0;            ///< rows of `haptics.csv`

@@ -29,6 +29,16 @@ struct SessionOptions {
   bool frames = true;  ///< keep the images themselves
 };
 
+/// How images are packed: small for about 4 ms of processor time each, or quick, twice as large and in a tenth of the
+/// time. Every reader of VTK files reads both.
+enum class Packing { kSmall, kQuick };
+
+/// What one step cost to write.
+struct WriteCost {
+  double packing_s = 0.0;  ///< on the processor
+  double disk_s = 0.0;     ///< waiting for the system to take it
+};
+
 /// The parts of a step that have a file of their own; the numbers are those of the attribute `part` in `session.pvd`.
 enum class SessionPart : int { kSurface = 0, kMembranes = 1, kTools = 2, kFrame = 3 };
 inline constexpr std::size_t kSessionPartCount = 4;
@@ -38,9 +48,10 @@ struct SessionCounts {
   std::uint64_t step_count = 0;                               ///< rows of `measurements.csv`
   std::array<std::uint64_t, kSessionPartCount> file_count{};  ///< data files, by SessionPart
   std::uint64_t hand_block_count = 0;                         ///< files of the recording of the hand
+  std::uint64_t unmeasured_count = 0;                         ///< of these steps, kept without numbers
   std::uint64_t event_count = 0;                              ///< rows of `events.csv`
-  std::uint64_t dropped_count = 0;                            ///< frames reported as lost
-  std::uint64_t byte_count = 0;                               ///< of data files and rows
+  std::uint64_t dropped_count = 0;  ///< frames without their image for want of time (events `dropped`)
+  std::uint64_t byte_count = 0;     ///< of data files and rows
 
   std::uint64_t files(SessionPart part) const noexcept { return file_count[static_cast<std::size_t>(part)]; }
 };

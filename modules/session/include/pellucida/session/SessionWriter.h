@@ -32,11 +32,14 @@ class SessionWriter {
 
   /// Adds one step: the parts the scene has, its events, and always its row. `scene.measurement.frame` numbers the
   /// files and must rise from step to step. Parts are stamped with `measurement.time_s` and `frame` where they aren't
-  /// already. Throws OutputError when the disk refuses; the step is then incomplete, everything before it valid, and
-  /// the writer may be used again (to close it, for example).
-  void write(const Scene& scene);
+  /// already. Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the
+  /// writer may be used again (to close it, for example).
+  void write(const Scene& scene, Packing packing = Packing::kSmall);
+  /// What the last `write` cost.
+  const WriteCost& last_cost() const noexcept;
 
-  /// Adds one event. An event of kind `dropped` also counts a lost frame. Throws OutputError.
+  /// Adds one event, at any time: `close` puts the table into the order of time. An event of kind `dropped` also counts
+  /// as many frames as its detail begins with (1 where it begins with no number). Throws OutputError.
   void event(const Event& event);
 
   /// Adds the next block of the recording of the hand (`haptics/`, docs/file-format.md): covering the time since the
@@ -49,7 +52,8 @@ class SessionWriter {
   /// The result of a palpation, JSON text: in `session.json` from its next writing on.
   void set_palpation(std::string palpation_json);
 
-  /// Writes everything pending and marks the session complete. Safe to call twice. Throws OutputError.
+  /// Writes what is still to be written, puts the events into the order of time and marks the session complete. Safe to
+  /// call twice. Throws OutputError.
   void close();
 
   const SessionCounts& counts() const noexcept;

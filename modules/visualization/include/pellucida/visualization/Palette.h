@@ -66,7 +66,8 @@ inline constexpr Color kGrid = Color::from_hex(0x26303B);
 }  // namespace palette
 
 /// Colour of a state's pill; text on it is `palette::kWindow`.
-Color state_color(CellState state) noexcept;
+/// That of no cell for a frame that was not measured.
+Color state_color(std::optional<CellState> state) noexcept;
 
 /// Sizes of letters in points at 72 dots an inch.
 namespace font_size {

@@ -9,7 +9,8 @@ namespace pellucida {
 /// that a number neither jumps in width nor shows more than the measurement supports.
 namespace readout {
 /// "No cell", "Free", "Contact", "Punctured", "Lost".
-std::string state(CellState state);
+/// A dash for a frame that was not measured.
+std::string state(std::optional<CellState> state);
 /// "23.4 µm"
 std::string indentation(const Measurement& m);
 /// "3.42 µN"

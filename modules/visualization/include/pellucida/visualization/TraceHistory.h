@@ -28,7 +28,8 @@ class TraceHistory {
   static constexpr std::size_t kMostPoints = 4000;
   static constexpr std::size_t kMostMarks = 100;
 
-  /// Rows without a force are left out. A step backwards in time (a restarted recording) clears everything.
+  /// Rows without a force are left out; one of a frame that was not measured also does not end a touch. A step of time
+  /// backwards (a recording started again) starts all afresh.
   void append(const Measurement& m);
   void clear();
 

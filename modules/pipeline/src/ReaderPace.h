@@ -1,0 +1,108 @@
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+#include "pellucida/core/Clock.h"
+
+namespace pellucida {
+
+/// What a reader of frames does next.
+enum class ReaderTurn {
+  kRead,     ///< the next frame
+  kPaused,   ///< nothing: a pause begins; the next call waits for its end
+  kResumed,  ///< the pause is over
+  kRestart,  ///< begin anew from the first frame
+  kStop      ///< end
+};
+
+/// Paces the thread that reads frames: pause, restart, the end of the source, and the moment a frame of a recording is
+/// due. `next_turn`, `end` and `wait_until_due` are the reader's; the others may come from any thread, and none of
+/// those waits.
+class ReaderPace {
+ public:
+  /// `clock` must outlive the pace.
+  explicit ReaderPace(const Clock& clock) : clock_(clock) {}
+
+  void set_paused(bool paused) {
+    {
+      std::lock_guard lock(mutex_);
+      paused_ = paused;
+    }
+    wake_.notify_all();
+  }
+  bool paused() const {
+    std::lock_guard lock(mutex_);
+    return paused_;
+  }
+
+  /// The reader's next turn is a restart, also during a pause.
+  void ask_restart() {
+    {
+      std::lock_guard lock(mutex_);
+      restart_wanted_ = true;
+    }
+    wake_.notify_all();
+  }
+
+  /// True from the end of the source to a restart.
+  bool ended() const {
+    std::lock_guard lock(mutex_);
+    return ended_;
+  }
+
+  /// Blocks while the run is paused or the source at its end.
+  ReaderTurn next_turn(std::stop_token stop) {
+    std::unique_lock lock(mutex_);
+    if (stop.stop_requested()) return ReaderTurn::kStop;
+    if (paused_ && !resting_ && !restart_wanted_) {
+      resting_ = true;
+      return ReaderTurn::kPaused;
+    }
+    if (!wake_.wait(lock, stop, [&] { return restart_wanted_ || (!paused_ && (!ended_ || resting_)); })) {
+      return ReaderTurn::kStop;
+    }
+    if (restart_wanted_) {
+      restart_wanted_ = false;
+      ended_ = false;
+      due_offset_s_.reset();
+      return ReaderTurn::kRestart;
+    }
+    if (resting_) {
+      resting_ = false;
+      due_offset_s_.reset();
+      return ReaderTurn::kResumed;
+    }
+    return ReaderTurn::kRead;
+  }
+
+  /// The source has no more frames.
+  void end() {
+    std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+
+  /// Sleeps until a frame of `time_s` (of a recording) is due; the pace begins anew after a pause or a restart. False
+  /// when `stop` is requested.
+  bool wait_until_due(double time_s, std::stop_token stop) {
+    std::unique_lock lock(mutex_);
+    if (!due_offset_s_) due_offset_s_ = clock_.now_s() - time_s;
+    const double wait_s = *due_offset_s_ + time_s - clock_.now_s();
+    if (wait_s > 0.0) wake_.wait_for(lock, stop, std::chrono::duration<double>(wait_s), [] { return false; });
+    return !stop.stop_requested();
+  }
+
+ private:
+  const Clock& clock_;
+  mutable std::mutex mutex_;
+  std::condition_variable_any wake_;
+  bool paused_ = false;
+  bool restart_wanted_ = false;
+  bool ended_ = false;
+  bool resting_ = false;                // a pause was told to the reader, its end was not
+  std::optional<double> due_offset_s_;  // the clock less the recording's time
+};
+
+}  // namespace pellucida

@@ -1,0 +1,191 @@
+#include "Recorder.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <future>
+#include <thread>
+
+#include "Chain.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core/TemporaryFolder.h"
+#include "pellucida/session/SessionCheck.h"
+#include "pellucida/session/SessionReader.h"
+#include "pipeline/FlatSource.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A disk that stands still: the first image's file is a pipe that nobody reads, until somebody does.
+class StalledDisk {
+ public:
+  explicit StalledDisk(const fs::path& session) : pipe_(session / "frames/frame_00000000.vti.tmp") {
+    if (mkfifo(pipe_.c_str(), 0600) != 0) throw OutputError(pipe_.string() + ": no pipe");
+  }
+  void go_on() {
+    std::ifstream stream(pipe_, std::ios::binary);
+    std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    content_ = std::move(content);
+  }
+  // The pipe has the image's name by now: the image takes its place.
+  void put_image(const fs::path& session) const {
+    const fs::path file = session / "frames/frame_00000000.vti";
+    fs::remove(file);
+    std::ofstream(file, std::ios::binary) << content_;
+  }
+
+ private:
+  fs::path pipe_;
+  std::string content_;
+};
+
+class RecorderTest : public testing::Test {
+ protected:
+  std::vector<Scene> scenes(long count) {
+    test::FlatSource source(count, 30.0);
+    std::vector<Scene> all;
+    while (const auto frame = source.next()) all.push_back(scene_of(*frame, 0.0, 0));
+    return all;
+  }
+  static Scene measured(Scene scene) {
+    scene.measurement.state = CellState::kFree;
+    return scene;
+  }
+  static std::vector<Event> of_kind(const SessionReader& session, const std::string& kind) {
+    std::vector<Event> found;
+    std::copy_if(session.events().begin(), session.events().end(), std::back_inserter(found),
+                 [&](const Event& event) { return event.kind == kind; });
+    return found;
+  }
+  fs::path session() const { return folder_ / "s"; }
+  static SessionInfo info() {
+    SessionInfo info;
+    info.source = test::FlatSource(1, 30.0).info();
+    return info;
+  }
+
+  SteadyClock clock_;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+// The window and the camera go on while the disk stands still; nothing is lost.
+TEST_F(RecorderTest, NobodyWaitsForTheDiskAndNothingIsLost) {
+  Recorder recorder(session(), info(), clock_);
+  StalledDisk disk(session());
+  const auto frames = scenes(600);
+  auto given = std::async(std::launch::async, [&] {
+    for (const Scene& frame : frames) {
+      recorder.announce(frame);
+      recorder.settle(measured(frame));
+    }
+    recorder.plan(R"({"depth_stop_um": 40})");
+    recorder.event({1.0, event_kind::kNote, "said while the disk stands still"});
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(1.0, 2.0, 3.0);
+    vtkNew<vtkPolyData> block;
+    block->SetPoints(points);
+    return recorder.hand(Frozen<vtkPolyData>(block.Get()), 0.0);
+  });
+  const bool returned = given.wait_for(std::chrono::seconds(30)) == std::future_status::ready;
+  EXPECT_TRUE(returned) << "somebody waits for the disk";
+  disk.go_on();
+  EXPECT_TRUE(given.get());
+  recorder.close();
+  disk.put_image(session());
+
+  EXPECT_EQ(recorder.written_count(), 600U);
+  EXPECT_EQ(recorder.dropped_count(), 0U);
+  EXPECT_EQ(check_session(session(), false).problem_count, 0U);
+  const SessionReader written(session());
+  ASSERT_EQ(written.steps().size(), 600U);
+  for (const SessionStep& step : written.steps()) EXPECT_TRUE(step.has(SessionPart::kFrame)) << step.frame_index;
+  EXPECT_NE(written.info().plan_json.find("40"), std::string::npos);
+  EXPECT_EQ(of_kind(written, "note").size(), 1U);
+  EXPECT_TRUE(of_kind(written, "dropped").empty());
+}
+
+// Where memory ends, images go: rows, events and their order stay, and the loss is named and counted.
+TEST_F(RecorderTest, WithoutMemoryImagesGoAndRowsStay) {
+  const auto frames = scenes(300);
+  Recorder recorder(session(), info(), clock_, 100'000);  // some twenty of these images
+  StalledDisk disk(session());
+  for (const Scene& frame : frames) {
+    recorder.announce(frame);
+    recorder.settle(measured(frame));
+  }
+  disk.go_on();
+  recorder.close();
+  disk.put_image(session());
+
+  EXPECT_EQ(recorder.written_count(), 300U);
+  EXPECT_GT(recorder.dropped_count(), 100U);
+  EXPECT_LT(recorder.dropped_count(), 300U);
+  EXPECT_EQ(check_session(session(), false).problem_count, 0U);
+  const SessionReader written(session());
+  ASSERT_EQ(written.steps().size(), 300U);
+  const auto imageless = std::count_if(written.steps().begin(), written.steps().end(),
+                                       [](const auto& step) { return !step.has(SessionPart::kFrame); });
+  EXPECT_EQ(static_cast<std::uint64_t>(imageless), recorder.dropped_count());
+  EXPECT_EQ(written.stated_counts().dropped_count, recorder.dropped_count());
+  const auto dropped = of_kind(written, "dropped");
+  ASSERT_EQ(dropped.size(), 1U) << "one row for a stretch, not one for a frame";
+  EXPECT_TRUE(dropped[0].detail.starts_with(std::to_string(imageless) + " frames")) << dropped[0].detail;
+  EXPECT_EQ(written.measurements().back().state, CellState::kFree);
+}
+
+// The advice names what was slow: here the measuring, which settles nothing.
+TEST_F(RecorderTest, TheReasonIsTheQueueThatWasFull) {
+  const auto frames = scenes(300);
+  Recorder recorder(session(), info(), clock_, 100'000);
+  for (const Scene& frame : frames) recorder.announce(frame);
+  recorder.close();
+  EXPECT_GT(recorder.dropped_count(), 100U);
+  const auto dropped = of_kind(SessionReader(session()), "dropped");
+  ASSERT_EQ(dropped.size(), 1U);
+  EXPECT_NE(dropped[0].detail.find("measuring fell too far behind"), std::string::npos) << dropped[0].detail;
+}
+
+// Kept, but not measured: no state, no numbers, the image, one event for all of them.
+TEST_F(RecorderTest, AFrameThatWasNotMeasuredSaysSo) {
+  Recorder recorder(session(), info(), clock_);
+  for (const Scene& frame : scenes(60)) {
+    recorder.announce(frame);
+    const bool overtaken = frame.measurement.frame % 2 == 1;
+    recorder.settle(overtaken ? frame : measured(frame));
+  }
+  recorder.close();
+  const SessionReader written(session());
+  ASSERT_EQ(written.measurements().size(), 60U);
+  for (const Measurement& row : written.measurements()) EXPECT_EQ(row.state.has_value(), row.frame % 2 == 0);
+  EXPECT_EQ(written.stated_counts().unmeasured_count, 30U);
+  EXPECT_EQ(written.stated_counts().dropped_count, 0U);
+  const auto unmeasured = of_kind(written, "unmeasured");
+  ASSERT_EQ(unmeasured.size(), 1U);
+  EXPECT_TRUE(unmeasured[0].detail.starts_with("30 frames (within 1 to 59)")) << unmeasured[0].detail;
+}
+
+TEST_F(RecorderTest, AFaultIsToldAndWhatItCostsIsCounted) {
+  Recorder recorder(session(), info(), clock_);
+  fs::remove_all(session() / "frames");  // the disk refuses images from here on
+  for (const Scene& frame : scenes(20)) {
+    recorder.announce(frame);
+    recorder.settle(measured(frame));
+  }
+  EXPECT_THROW(recorder.close(), OutputError);
+  EXPECT_TRUE(recorder.fault());
+  EXPECT_FALSE(recorder.event({0.0, event_kind::kNote, "too late"}));
+  // The frame that met the fault is neither written nor left behind.
+  EXPECT_GE(recorder.written_count() + recorder.dropped_count(), 19U);
+}
+
+}  // namespace
+}  // namespace pellucida
