@@ -93,16 +93,6 @@ TEST(HapticPathBlock, OfNoTicksIsNone) {
   EXPECT_FALSE(make_haptic_path_block({}, 0.0));
 }
 
-TEST(HapticRecorder, LimitsReadAsEvents) {
-  LimitEvent limit{.time_s = 12.0, .kind = LimitKind::kDepth, .begun = true, .value = 46.12, .limit = 46.0};
-  const Event begun = to_event(limit, 2.0);
-  EXPECT_EQ(begun.kind, "limit");
-  EXPECT_DOUBLE_EQ(begun.time_s, 10.0);
-  EXPECT_EQ(begun.detail, "depth: 46.1 um, limit 46 um");
-  limit.begun = false;
-  EXPECT_EQ(to_event(limit, 2.0).detail, "depth: over");
-}
-
 // The whole way: the hand moves the injector, the microscope shows it, the chain measures it, the hand feels it.
 TEST(TeleoperationRun, TheHandFeelsTheCellAndTheSessionHoldsIt) {
   const TemporaryFolder folder;

@@ -6,7 +6,7 @@
 
 #include "pellucida/core/Clock.h"
 #include "pellucida/haptics/HapticServo.h"
-#include "pellucida/operation/HapticRecorder.h"
+#include "pellucida/operation/LimitDigest.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/simulation/SimulatedHand.h"
@@ -70,7 +70,7 @@ class SimulatedInjectionSource::Impl {
   const std::optional<InjectionPlan>& plan() const noexcept { return plan_; }
 
   std::vector<HapticRecord> take_records() { return std::exchange(records_, {}); }
-  std::vector<Event> take_events() { return std::exchange(events_, {}); }
+  std::vector<Event> take_events() { return done_s_ < 0.0 ? limits_.take(clock_.now_s(), 0.0) : limits_.finish(0.0); }
 
   InjectionOutcome outcome() const {
     InjectionOutcome outcome = outcome_;
@@ -145,7 +145,7 @@ class SimulatedInjectionSource::Impl {
       lateral_square_um2_ += (way_um - way_um.dot(axis) * axis).squaredNorm();
       ++lateral_count_;
     }
-    while (const auto event = servo_->events().pop()) events_.push_back(to_event(*event, 0.0));
+    while (const auto event = servo_->events().pop()) limits_.add(*event);
   }
 
   void watch(const Truth& truth, double time_s) {
@@ -173,7 +173,7 @@ class SimulatedInjectionSource::Impl {
 
   std::deque<Measured> waiting_;  // measured, not yet at the hand
   std::vector<HapticRecord> records_;
-  std::vector<Event> events_;
+  LimitDigest limits_;
   InjectionOutcome outcome_;
   long frame_count_ = 0;
   long tick_count_ = 0;
