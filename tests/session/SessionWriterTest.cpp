@@ -16,6 +16,7 @@
 #include "TestSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/session/SessionCheck.h"
+#include "pellucida/session/SessionReader.h"
 
 namespace pellucida {
 namespace {
