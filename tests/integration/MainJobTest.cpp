@@ -134,7 +134,7 @@ TEST_F(MainJob, StatesAreTheTruthsOnes) {
   const auto state = truth().column("state");
   int wrong_count = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    wrong_count += static_cast<int>(rows_[i].state) == std::lround(state[static_cast<Eigen::Index>(i)]) ? 0 : 1;
+    wrong_count += static_cast<int>(rows_[i].state.value()) == std::lround(state[static_cast<Eigen::Index>(i)]) ? 0 : 1;
   }
   // Contact within the first micrometre may be seen a few frames late; nothing else may differ.
   EXPECT_LE(wrong_count, 6);
