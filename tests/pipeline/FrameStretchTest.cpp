@@ -13,7 +13,7 @@ std::vector<FrameStretch> stretches(long frame_count, Happened happened) {
   FrameStretchFinder finder;
   std::vector<FrameStretch> found;
   for (long frame = 0; frame < frame_count; ++frame) {
-    if (const auto ended = finder.add(frame, static_cast<double>(frame) / 30.0, happened(frame))) {
+    if (const auto ended = finder.add(frame, static_cast<double>(frame) / 30.0, happened(frame) ? 1 : 0)) {
       found.push_back(*ended);
     }
   }
@@ -41,6 +41,16 @@ TEST(FrameStretch, QuietTimesPartThem) {
   EXPECT_EQ(found[0].frame_count, 10);
   EXPECT_EQ(found[1].first_frame, 300);
   EXPECT_EQ(found[1].frame_count, 5);
+}
+
+TEST(FrameStretch, FramesLostBeforeAFrameCountEach) {
+  FrameStretchFinder finder;
+  finder.add(10, 1.0, 3);
+  finder.add(14, 1.2, 2);
+  const auto stretch = finder.finish();
+  ASSERT_TRUE(stretch);
+  EXPECT_EQ(stretch->frame_count, 5);
+  EXPECT_EQ(stretch->last_frame, 14);
 }
 
 // A crash costs at most what the newest stretch would have said; an hour is no single row.

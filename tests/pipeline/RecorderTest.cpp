@@ -173,6 +173,26 @@ TEST_F(RecorderTest, AFrameThatWasNotMeasuredSaysSo) {
   EXPECT_TRUE(unmeasured[0].detail.starts_with("30 frames (within 1 to 59)")) << unmeasured[0].detail;
 }
 
+// A camera that loses every other frame: one row of events for all of them.
+TEST_F(RecorderTest, GapsOfTheSourceAreOneEventForAStretch) {
+  Recorder recorder(session(), info(), clock_);
+  for (Scene& frame : scenes(60)) {
+    frame.events.clear();
+    if (frame.measurement.frame % 2 == 1) {
+      frame.events.push_back({frame.measurement.time_s, event_kind::kGap, "2 frames missing from the source"});
+    }
+    frame.events.push_back({frame.measurement.time_s, event_kind::kNote, "stays"});
+    recorder.announce(frame);
+    recorder.settle(measured(frame));
+  }
+  recorder.close();
+  const SessionReader written(session());
+  const auto gaps = of_kind(written, "gap");
+  ASSERT_EQ(gaps.size(), 1U);
+  EXPECT_EQ(gaps[0].detail, "60 frames missing from the source, the first before frame 1, the last before frame 59");
+  EXPECT_EQ(of_kind(written, "note").size(), 60U);
+}
+
 TEST_F(RecorderTest, AFaultIsToldAndWhatItCostsIsCounted) {
   Recorder recorder(session(), info(), clock_);
   fs::remove_all(session() / "frames");  // the disk refuses images from here on

@@ -7,7 +7,7 @@ namespace pellucida {
 struct FrameStretch {
   long first_frame = 0;
   long last_frame = 0;
-  long frame_count = 0;  ///< those it happened to: others may lie in between
+  long frame_count = 0;  ///< how many frames it happened to: others may lie in between
   double begin_s = 0.0;  ///< time of the first of them
   double end_s = 0.0;    ///< time of the last of them
 };
@@ -19,16 +19,16 @@ class FrameStretchFinder {
   static constexpr double kQuiet_s = 2.0;
   static constexpr double kLongest_s = 60.0;
 
-  /// The next frame, in the order of time, and whether it happened to this one. The stretch that this frame ends, if it
-  /// does.
-  std::optional<FrameStretch> add(long frame, double time_s, bool happened) {
+  /// The next frame, in the order of time, and how many it happened to: this one (1), those lost before it, or none
+  /// (0). The stretch that this frame ends, if it does.
+  std::optional<FrameStretch> add(long frame, double time_s, long count) {
     std::optional<FrameStretch> ended;
     if (now_ && (time_s - now_->end_s > kQuiet_s || time_s - now_->begin_s > kLongest_s)) ended = finish();
-    if (!happened) return ended;
+    if (count == 0) return ended;
     if (!now_) now_ = FrameStretch{.first_frame = frame, .begin_s = time_s};
     now_->last_frame = frame;
     now_->end_s = time_s;
-    ++now_->frame_count;
+    now_->frame_count += count;
     return ended;
   }
 

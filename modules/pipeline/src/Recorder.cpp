@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace pellucida {
 namespace {
@@ -20,6 +21,19 @@ std::size_t bytes_of(const Frozen<T>& part) {
 std::size_t bytes_of(const Scene& scene) {
   return sizeof(Scene) + bytes_of(scene.frame) + bytes_of(scene.membranes) + bytes_of(scene.tools) +
          bytes_of(scene.surface);
+}
+
+// Takes the events of frames lost by the source out of a scene: how many frames they speak of.
+long take_gaps(std::vector<Event>& events) {
+  long gap_count = 0;
+  std::erase_if(events, [&](const Event& event) {
+    if (event.kind != event_kind::kGap) return false;
+    long count = 1;
+    std::from_chars(event.detail.data(), event.detail.data() + event.detail.size(), count);
+    gap_count += count;
+    return true;
+  });
+  return gap_count;
 }
 
 std::string frames_of(const FrameStretch& stretch) {
@@ -53,13 +67,14 @@ void Recorder::WriteStep::write(const RecordedFrame& frame) {
   disk_bound = writer.last_cost().disk_s > writer.last_cost().packing_s;
 
   const Measurement& row = frame.scene.measurement;
-  tell_unmeasured(unmeasured.add(row.frame, row.time_s, !row.state));
+  tell_unmeasured(unmeasured.add(row.frame, row.time_s, row.state ? 0 : 1));
   const bool is_dropped = !frame.dropped_because.empty();
   if (is_dropped) {
     ++dropped_count;
     dropped_because = frame.dropped_because;
   }
-  tell_dropped(dropped.add(row.frame, row.time_s, is_dropped));
+  tell_dropped(dropped.add(row.frame, row.time_s, is_dropped ? 1 : 0));
+  tell_gaps(gaps.add(row.frame, row.time_s, frame.gap_count));
 }
 
 void Recorder::WriteStep::tell_unmeasured(const std::optional<FrameStretch>& stretch) {
@@ -74,9 +89,19 @@ void Recorder::WriteStep::tell_dropped(const std::optional<FrameStretch>& stretc
                 frames_of(*stretch) + " kept without their image: " + std::string(dropped_because)});
 }
 
+void Recorder::WriteStep::tell_gaps(const std::optional<FrameStretch>& stretch) {
+  if (!stretch) return;
+  const bool one = stretch->frame_count == 1;
+  std::string detail = std::to_string(stretch->frame_count) + (one ? " frame" : " frames") + " missing from the source";
+  detail += (one ? " before frame " : ", the first before frame ") + std::to_string(stretch->first_frame);
+  if (!one) detail += ", the last before frame " + std::to_string(stretch->last_frame);
+  writer.event({stretch->begin_s, event_kind::kGap, std::move(detail)});
+}
+
 void Recorder::WriteStep::finish() {
   tell_unmeasured(unmeasured.finish());
   tell_dropped(dropped.finish());
+  tell_gaps(gaps.finish());
 }
 
 Recorder::Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock,
@@ -96,7 +121,8 @@ Recorder::~Recorder() {
 
 std::pair<Recorder::RecordedFrame, std::size_t> Recorder::fit(const Scene& scene) const {
   // What no file holds need not wait for the disk.
-  RecordedFrame frame{scene, {}};
+  RecordedFrame frame{.scene = scene};
+  frame.gap_count = take_gaps(frame.scene.events);
   frame.scene.model = {};
   frame.scene.observation.reset();
   const std::size_t byte_count = bytes_of(frame.scene);

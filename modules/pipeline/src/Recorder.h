@@ -27,7 +27,8 @@ std::size_t recording_memory_bytes();
 ///
 /// What the disk has no time for waits in memory, and is packed less to catch up. When the memory allowed is full, a
 /// frame is written without its image and its parts (event `dropped`, one for each stretch of frames); its row, all
-/// events and the plan are always written.
+/// events and the plan are always written. What happens to frame after frame (not measured, image dropped, lost by the
+/// source) is one event for a stretch of frames.
 class Recorder {
  public:
   /// Throws OutputError or UsageError as SessionWriter does. `clock` must outlive the recorder.
@@ -59,6 +60,7 @@ class Recorder {
   struct RecordedFrame {
     Scene scene;
     std::string_view dropped_because;  // why its image was left out; empty: it was not
+    long gap_count = 0;                // frames the source lost before it
   };
   struct HapticPathBlock {
     Frozen<vtkPolyData> paths;
@@ -78,6 +80,7 @@ class Recorder {
     void write(const RecordedFrame& frame);
     void tell_unmeasured(const std::optional<FrameStretch>& stretch);
     void tell_dropped(const std::optional<FrameStretch>& stretch);
+    void tell_gaps(const std::optional<FrameStretch>& stretch);
     void finish();
 
     SessionWriter& writer;
@@ -88,6 +91,7 @@ class Recorder {
     std::atomic<bool> disk_bound{false};  // the last writes took longer on the disk than on the processor
     FrameStretchFinder unmeasured{};
     FrameStretchFinder dropped{};
+    FrameStretchFinder gaps{};
     std::string_view dropped_because{};
   };
 

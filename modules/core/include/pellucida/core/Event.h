@@ -61,7 +61,7 @@ inline constexpr std::array kEventKinds{
         event_kind::kDropped,
         "the recorder kept frames without their image; detail: how many, the first and last, and what was too "
         "slow"},
-    EventKindInfo{event_kind::kGap, "the source itself lost frames; detail: how many"},
+    EventKindInfo{event_kind::kGap, "the source itself lost frames; detail: how many, and where"},
     EventKindInfo{event_kind::kPaused, "the operator paused the source"},
     EventKindInfo{event_kind::kResumed,
                   "the pause is over; detail: how many frames of a live source were not taken meanwhile"},
