@@ -15,6 +15,7 @@
 #include <string>
 
 #include "ForceTransfer.h"
+#include "WarningNews.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ContactModelBuilder.h"
 #include "pellucida/mechanics/ForceObserver.h"
@@ -100,7 +101,7 @@ class MechanicsStep::Impl {
       run_index_ = scene.run_index;
       observer_.reset();
       said_.clear();
-      warned_ = kNoForceWarning;
+      warnings_.clear();
       told_puncture_ = false;
     }
     Scene out = scene;
@@ -195,7 +196,7 @@ class MechanicsStep::Impl {
     }
     if (!e.punctured) told_puncture_ = false;
 
-    const unsigned fresh = e.warnings & ~static_cast<unsigned>(warned_);
+    const unsigned fresh = warnings_.add(e.warnings, o.time_s);
     if (fresh != 0U) {
       std::string detail = to_string(static_cast<ForceWarning>(fresh));
       detail += format(": contour %.1f um from the model, left and right %.1f um apart beyond it",
@@ -203,8 +204,6 @@ class MechanicsStep::Impl {
       if (fresh & kNotOfRevolution) detail += format(", which may cost %.2f uN", e.asymmetry_force_uN);
       out.events.push_back({o.time_s, event_kind::kWarning, std::move(detail)});
     }
-    warned_ = out.measurement.state == CellState::kContact ? static_cast<ForceWarning>(warned_ | e.warnings)
-                                                           : kNoForceWarning;
 
     const CellScale scale = observer_.scale();
     if (!std::isnan(e.puncture_probability) && scale.ratio != told_scale_.ratio) {
@@ -216,8 +215,8 @@ class MechanicsStep::Impl {
   }
 
   ForceObserver observer_;
-  ForceWarning warned_ = kNoForceWarning;  // in this contact
-  bool told_puncture_ = false;             // the state has been punctured since
+  WarningNews warnings_;
+  bool told_puncture_ = false;  // the state has been punctured since
   CellScale told_scale_;
   std::string said_;  // the last reason given
   long run_index_ = 0;
