@@ -124,7 +124,7 @@ class MechanicsStep::Impl {
     tell(e, *scene.observation, out);
 
     // Why there is no force: with every frame, and once as a note when the reason is new.
-    const CellState state = out.measurement.state;
+    const std::optional<CellState> state = out.measurement.state;
     const bool should_measure = state == CellState::kContact || state == CellState::kFree;
     out.remarks = {.reason = should_measure ? e.reason : std::string(),
                    .warning = describe(e.warnings, observer_.profile().name),
@@ -182,17 +182,14 @@ class MechanicsStep::Impl {
     out.measurement.state = e.judged_state(o.state);
     // One event a puncture, with its force; none from the tracker, whose word may come late, or be doubted.
     if (e.puncture || e.puncture_doubted || (told_puncture_ && e.punctured)) {
-      std::erase_if(out.events, [](const Event& event) { return event.kind == "puncture"; });
+      std::erase_if(out.events, [](const Event& event) { return event.kind == event_kind::kPuncture; });
     }
     if (e.puncture) {
       const Puncture& p = *e.puncture;
-      std::erase_if(out.events, [](const Event& event) { return event.kind == event_kind::kPuncture; });
       out.events.push_back({o.time_s, event_kind::kPuncture,
                             format("at %.2f uN and %.1f um, work %.1f uN um; membrane back at %.1f um", p.peak_force_uN,
                                    p.depth_um, p.work_uN_um, o.indentation_um)});
       told_puncture_ = true;
-    } else if (told_puncture_ && e.punctured) {
-      std::erase_if(out.events, [](const Event& event) { return event.kind == event_kind::kPuncture; });
     }
     if (!e.punctured) told_puncture_ = false;
 
