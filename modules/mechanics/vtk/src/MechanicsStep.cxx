@@ -199,6 +199,7 @@ class MechanicsStep::Impl {
       detail += format(": contour %.1f um from the model, left and right %.1f um apart beyond it",
                        e.shape.residual_rms_um, e.shape.unexplained_asymmetry_um);
       if (fresh & kNotOfRevolution) detail += format(", which may cost %.2f uN", e.asymmetry_force_uN);
+      if (fresh & kSeldomBorne) detail += "; " + describe(kSeldomBorne, observer_.profile().name);
       out.events.push_back({o.time_s, event_kind::kWarning, std::move(detail)});
     }
 

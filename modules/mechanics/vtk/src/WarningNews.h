@@ -29,9 +29,13 @@ class WarningNews {
   void clear() { seen_s_.fill(kNever_s); }
 
  private:
-  static constexpr std::size_t kWarningCount = 3;
   static constexpr double kNever_s = -std::numeric_limits<double>::infinity();
-  std::array<double, kWarningCount> seen_s_{kNever_s, kNever_s, kNever_s};
+  static constexpr std::size_t kBitCount = 8;  // there may be as many kinds of warning
+  std::array<double, kBitCount> seen_s_ = [] {
+    std::array<double, kBitCount> never{};
+    never.fill(kNever_s);
+    return never;
+  }();
 };
 
 }  // namespace pellucida

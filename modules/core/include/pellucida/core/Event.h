@@ -47,8 +47,8 @@ inline constexpr std::array kEventKinds{
     EventKindInfo{event_kind::kLost, "the cell, or its surface, can't be seen any more; detail: the reason"},
     EventKindInfo{event_kind::kFound, "the cell is seen, for the first time or again"},
     EventKindInfo{event_kind::kWarning,
-                  "the force is less certain from this frame on; detail: `mismatch`, `slip` or `asymmetry`, and by how "
-                  "much"},
+                  "the force is less certain from this frame on; detail: `mismatch`, `slip`, `asymmetry` or "
+                  "`profile`, and by how much"},
     EventKindInfo{event_kind::kPalpation, "this cell's own stiffness has been taken into account; detail: the factor"},
     EventKindInfo{event_kind::kLimit,
                   "a safety limit of the hand acts; detail: which, the value and the limit. `over`: it has ceased to "
