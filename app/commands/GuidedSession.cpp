@@ -4,6 +4,7 @@
 
 #include "commands/MeasureSession.h"
 #include "pellucida/operation/HapticPathBlock.h"
+#include "pellucida/operation/ProfileStrength.h"
 #include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {
@@ -42,7 +43,9 @@ class HandWriter {
 GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, const PipelineOptions& pipeline,
                                     const std::filesystem::path& folder, const SessionOptions& session_options,
                                     const std::string& command_line) {
-  SimulatedInjectionSource microscope(operated);
+  SimulatedInjectionOptions of_profile = operated;
+  of_profile.cell = strength_of(load_profile(pipeline.profile));
+  SimulatedInjectionSource microscope(of_profile);
   HandWriter hand(microscope);
   GuidedResult result;
   // One thread: the hand must know of a frame before the next is exposed.

@@ -15,7 +15,8 @@ struct GuidedResult {
 };
 
 /// Runs it on the virtual microscope in simulated time, every frame measured, into a session folder with the hand's
-/// recording and the plan. Throws as `measure_session` and `SimulatedInjectionSource` do.
+/// recording and the plan; the limits of force and depth are those of the pipeline's profile. Throws as
+/// `measure_session` and `SimulatedInjectionSource` do.
 GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, const PipelineOptions& pipeline,
                                     const std::filesystem::path& folder, const SessionOptions& session_options,
                                     const std::string& command_line);

@@ -118,13 +118,31 @@ TEST_F(OperatorConsoleTest, AnEmergencyStopOutlivesTheHand) {
   choose("Mouse");
   console_.grip(true);
   ASSERT_TRUE(tick_until_state(HandState::kWorking));
-  console_.emergency_stop(true);
+  console_.emergency_stop();
   ASSERT_TRUE(tick_until_state(HandState::kStopped));
   choose("Mouse");
   ASSERT_TRUE(tick_until([&] { return console_.status().tick_count > 20; }));
   EXPECT_EQ(console_.status().tick.hand_state, HandState::kStopped);
-  console_.emergency_stop(false);
+  console_.release_emergency_stop();
   EXPECT_TRUE(tick_until_state(HandState::kClutched));
+}
+
+// The stop may come from a thread of its own at any moment, while hands and scales are being changed, too.
+TEST_F(OperatorConsoleTest, AnEmergencyStopFromAnotherThreadIsNeverLost) {
+  for (int round = 0; round < 5; ++round) {
+    choose("Mouse");
+    ASSERT_TRUE(tick_until_state(HandState::kClutched));
+    std::thread other([this, round] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10 * round));
+      console_.emergency_stop();
+    });
+    console_.scale(round % 2 == 0 ? 0 : 2);
+    choose("Mouse");
+    other.join();
+    ASSERT_TRUE(tick_until_state(HandState::kStopped)) << "round " << round;
+    console_.release_emergency_stop();
+    ASSERT_TRUE(tick_until_state(HandState::kClutched)) << "round " << round;
+  }
 }
 
 TEST_F(OperatorConsoleTest, ATargetOutsideTheCellIsRefusedWithItsReason) {

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -58,7 +59,8 @@ class HandBarTest : public Widgets {
     actions.inject = [=](bool held) { note(QString("inject") + on(held)); };
     actions.retract = [=](bool held) { note(QString("retract") + on(held)); };
     actions.new_cell = [=] { note("new cell"); };
-    actions.stop = [=](bool held) { note(QString("stop") + on(held)); };
+    actions.stop = [=] { note("stop"); };
+    actions.release_stop = [=] { note("release stop"); };
     return actions;
   }
 
@@ -79,16 +81,70 @@ TEST_F(HandBarTest, ButtonsSayWhatIsHeldAndShownValuesSayNothing) {
       << said_.join(", ").toStdString();
 }
 
-TEST_F(HandBarTest, TheStopIsReleasedByTheSameButtonOnceItIsInForce) {
+// Runs the event loop for a while.
+void let_pass(int time_ms) {
+  QElapsedTimer clock;
+  clock.start();
+  while (clock.elapsed() < time_ms) QApplication::processEvents(QEventLoop::AllEvents, 10);
+}
+
+// A bar whose stop is in force.
+class StoppedBarTest : public HandBarTest {
+ protected:
+  StoppedBarTest() {
+    HandStatus status;
+    status.tick.hand_state = HandState::kStopped;
+    bar_.show();
+    bar_.show_texts(hand_texts(status));
+    release_ = bar_.findChild<QPushButton*>("releaseStop");
+  }
+
+  HandBar bar_{{"One"}, {"Coarse"}, actions(), nullptr};
+  QPushButton* release_ = nullptr;
+};
+
+TEST_F(HandBarTest, TheStopActsAsItsButtonGoesDownAndItsReleaseIsHiddenUntilThen) {
   HandBar bar({"One"}, {"Coarse"}, actions(), nullptr);
-  HandStatus status;
-  bar.show_texts(hand_texts(status));
-  button(bar, "STOP")->click();
-  status.tick.hand_state = HandState::kStopped;
-  bar.show_texts(hand_texts(status));
-  ASSERT_TRUE(button(bar, "Release stop"));
-  button(bar, "Release stop")->click();
-  EXPECT_EQ(said_, QStringList({"stop on", "stop off"}));
+  bar.show();
+  EXPECT_FALSE(bar.findChild<QPushButton*>("releaseStop")->isVisible());
+  button(bar, "STOP")->pressed();
+  EXPECT_EQ(said_, QStringList({"stop"}));
+  bar.hold_release(true);
+  let_pass(1500);
+  EXPECT_EQ(said_, QStringList({"stop"})) << "nothing to release";
+}
+
+TEST_F(StoppedBarTest, ClicksReleaseNothing) {
+  ASSERT_TRUE(release_->isVisible());
+  button(bar_, "STOPPED")->click();
+  button(bar_, "STOPPED")->click();
+  for (int k = 0; k < 3; ++k) {
+    release_->pressed();
+    let_pass(150);
+    release_->released();
+    let_pass(150);
+  }
+  EXPECT_EQ(said_, QStringList({"stop", "stop"})) << said_.join(", ").toStdString();
+}
+
+TEST_F(StoppedBarTest, AReleaseHeldForASecondActsOnce) {
+  release_->pressed();
+  let_pass(700);
+  EXPECT_TRUE(said_.isEmpty());
+  let_pass(1500);
+  EXPECT_EQ(said_, QStringList({"release stop"}));
+  release_->released();
+  EXPECT_EQ(said_, QStringList({"release stop"}));
+}
+
+// The window was busy for long: the release of the button may be waiting in its queue.
+TEST_F(StoppedBarTest, ABusyWindowDoesNotTakeAShortPressForALongOne) {
+  release_->pressed();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+  QApplication::processEvents();
+  release_->released();
+  let_pass(100);
+  EXPECT_TRUE(said_.isEmpty());
 }
 
 TEST_F(HandBarTest, AWheelThatPassesOverTheBarChangesNothing) {
@@ -176,7 +232,7 @@ TEST_F(HandControlTest, OtherButtonsAreLeftToTheView) {
   EXPECT_EQ(console_.status().tick.hand_state, HandState::kClutched);
 }
 
-TEST_F(HandControlTest, KeysHoldAndLetGo) {
+TEST_F(HandControlTest, KeysActWhileHeld) {
   ASSERT_TRUE(wait_for(HandState::kClutched));
   const auto deposits = [](const HapticRecord& tick) { return (tick.buttons & kInject) != 0; };
   key(QEvent::KeyPress, Qt::Key_D);
@@ -191,17 +247,27 @@ TEST_F(HandControlTest, KeysHoldAndLetGo) {
   EXPECT_TRUE(wait_for([](const HapticRecord& tick) { return (tick.buttons & kRetract) == 0; }));
 }
 
-TEST_F(HandControlTest, EscapeStopsAndOnlyAPurposeReleases) {
+TEST_F(HandControlTest, EscapeStopsAndOnlyShiftEscapeHeldReleases) {
   ASSERT_TRUE(wait_for(HandState::kClutched));
   key(QEvent::KeyPress, Qt::Key_Escape);
   ASSERT_TRUE(wait_for(HandState::kStopped));
   key(QEvent::KeyPress, Qt::Key_Escape);
   control_->show_status();
-  EXPECT_TRUE(button(*control_->bar(), "Release stop"));
+  EXPECT_TRUE(button(*control_->bar(), "STOPPED"));
   const std::uint64_t ticks = console_.status().tick_count;
   ASSERT_TRUE(wait_for([&](const HapticRecord&) { return console_.status().tick_count > ticks + 5; }));
   EXPECT_EQ(console_.status().tick.hand_state, HandState::kStopped);
+  // Tapped, Shift+Esc releases nothing; held, it does.
+  for (int k = 0; k < 3; ++k) {
+    key(QEvent::KeyPress, Qt::Key_Escape, Qt::ShiftModifier);
+    let_pass(150);
+    key(QEvent::KeyRelease, Qt::Key_Escape, Qt::ShiftModifier);
+    let_pass(150);
+  }
+  control_->tick();
+  EXPECT_EQ(console_.status().tick.hand_state, HandState::kStopped);
   key(QEvent::KeyPress, Qt::Key_Escape, Qt::ShiftModifier);
+  let_pass(1500);
   EXPECT_TRUE(wait_for(HandState::kClutched));
 }
 

@@ -7,7 +7,10 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QWidget>
+#include <QWindow>
+#include <cmath>
 
+#include "StopListener.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "presenters/HandPresenter.h"
@@ -17,6 +20,8 @@
 namespace pellucida {
 namespace {
 
+constexpr Qt::Key kInjectKey = Qt::Key_D;
+constexpr Qt::Key kRetractKey = Qt::Key_X;
 constexpr double kNotch = 120.0;  // of the wheel, in eighths of a degree
 
 QStringList to_list(const std::vector<std::string>& names) {
@@ -36,6 +41,36 @@ HandControl::HandControl(OperatorConsole& console, FeedView& feed, ViewWidget& f
       notify_(std::move(notify)),
       bar_(make_bar()) {
   qApp->installEventFilter(this);
+  listen_for_stop();
+}
+
+HandControl::~HandControl() = default;
+
+QList<QKeySequence> HandControl::keys() {
+  return {QKeySequence(Qt::Key_Escape), QKeySequence("Shift+Esc"), QKeySequence(kInjectKey),
+          QKeySequence(kRetractKey)};
+}
+
+void HandControl::listen_for_stop() {
+  if (QGuiApplication::platformName() != "xcb") {
+    bar_->explain_late_stop("the window is not drawn by an X server");
+    return;
+  }
+  listener_ = std::make_unique<StopListener>([this] { console_.emergency_stop(); });
+  if (!listener_->trouble().empty()) bar_->explain_late_stop(listener_->trouble());
+  const auto tell = [this](Qt::ApplicationState state) { listener_->set_active(state == Qt::ApplicationActive); };
+  connect(qGuiApp, &QGuiApplication::applicationStateChanged, this, tell);
+  tell(QGuiApplication::applicationState());
+}
+
+void HandControl::place_stop_button() {
+  if (!listener_ || !window_.windowHandle()) return;
+  const QWidget& button = bar_->stop_button();
+  const double ratio = window_.devicePixelRatioF();
+  const QPoint corner = button.mapTo(&window_, QPoint(0, 0));
+  const auto pixels = [ratio](int length) { return static_cast<int>(std::lround(ratio * length)); };
+  listener_->set_button({static_cast<std::uint32_t>(window_.windowHandle()->winId()), pixels(corner.x()),
+                         pixels(corner.y()), pixels(button.width()), pixels(button.height())});
 }
 
 HandBar* HandControl::make_bar() {
@@ -53,7 +88,11 @@ HandBar* HandControl::make_bar() {
   actions.inject = [this](bool held) { console_.inject(held); };
   actions.retract = [this](bool held) { console_.retract(held); };
   if (console_.can_renew()) actions.new_cell = [this] { console_.new_cell(); };
-  actions.stop = [this](bool on) { emergency_stop(on); };
+  actions.stop = [this] { emergency_stop(); };
+  actions.release_stop = [this] {
+    console_.release_emergency_stop();
+    show_status();
+  };
   return new HandBar(to_list(console_.hands()), to_list(OperatorConsole::scales()), std::move(actions), &window_);
 }
 
@@ -67,6 +106,7 @@ void HandControl::choose(int index) {
 
 bool HandControl::tick() {
   console_.update();
+  place_stop_button();
   // A plan that was made or dropped, or one that the person changed.
   const bool changed = plan_stale_ || console_.plan().has_value() != plan_drawn_;
   if (!changed) return false;
@@ -91,24 +131,29 @@ bool HandControl::eventFilter(QObject* target, QEvent* event) {
   if (target == &window_ && event->type() == QEvent::WindowDeactivate) {
     dragged_px_.reset();
     console_.release_all();
+    bar_->hold_release(false);
   }
   const bool pressed = event->type() == QEvent::KeyPress;
   if (!pressed && event->type() != QEvent::KeyRelease) return false;
   const auto& key = static_cast<const QKeyEvent&>(*event);
-  if (pressed && key.key() == Qt::Key_Escape) {
-    // In any window of the program, which may have a use for the key too.
-    emergency_stop((key.modifiers() & Qt::ShiftModifier) == 0);
-    return false;
-  }
+  // In any window of the program, which may have a use for the key too.
+  take_stop_key(key, pressed);
   const auto* widget = qobject_cast<QWidget*>(target);
-  return widget && widget->window() == &window_ && take_key(key, pressed);
+  return widget && widget->window() == &window_ && take_held_key(key, pressed);
 }
 
-bool HandControl::take_key(const QKeyEvent& event, bool pressed) {
+void HandControl::take_stop_key(const QKeyEvent& event, bool pressed) {
+  if (event.isAutoRepeat() || (event.key() != Qt::Key_Escape && event.key() != Qt::Key_Shift)) return;
+  const bool with_shift = (event.modifiers() & Qt::ShiftModifier) != 0;
+  if (event.key() == Qt::Key_Escape && pressed && !with_shift) emergency_stop();
+  bar_->hold_release(event.key() == Qt::Key_Escape && pressed && with_shift);
+}
+
+bool HandControl::take_held_key(const QKeyEvent& event, bool pressed) {
   if (event.modifiers() != Qt::NoModifier && pressed) return false;
-  if (event.key() != Qt::Key_D && event.key() != Qt::Key_X) return false;
+  if (event.key() != kInjectKey && event.key() != kRetractKey) return false;
   if (event.isAutoRepeat() || console_.is_demonstration()) return true;
-  if (event.key() == Qt::Key_D) {
+  if (event.key() == kInjectKey) {
     console_.inject(pressed);
   } else {
     console_.retract(pressed);
@@ -179,8 +224,8 @@ void HandControl::set_target(const QPointF& place_px) {
   }
 }
 
-void HandControl::emergency_stop(bool on) {
-  console_.emergency_stop(on);
+void HandControl::emergency_stop() {
+  console_.emergency_stop();
   show_status();
 }
 

@@ -1,7 +1,10 @@
 #pragma once
+#include <QKeySequence>
+#include <QList>
 #include <QObject>
 #include <QPointF>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "pellucida/operation/OperatorConsole.h"
@@ -13,13 +16,17 @@ namespace pellucida {
 
 class FeedView;
 class HandBar;
+class StopListener;
 class ViewWidget;
 
 /// Joins the hand's console with the window: the bar, the mouse on the feed, the keys held, the plan over the feed.
 ///
 /// On the feed: the left button held moves the needle while mouse and keyboard is the hand, the wheel meanwhile moves
-/// it in depth; Ctrl and a click set the target. Keys: D deposits and X retracts while held, Esc stops, Shift+Esc
-/// releases the stop. When the window is no longer the active one nothing is held any more.
+/// it in depth; Ctrl and a click set the target. Keys: D deposits and X retracts while held, Esc stops, Shift+Esc held
+/// for a second releases the stop. When the window is no longer the active one nothing is held any more.
+///
+/// The stop does not wait for the window's thread where a StopListener listens: Esc and STOP then reach the 1 kHz loop
+/// while the window still draws.
 class HandControl : public QObject {
  public:
   /// What is said to the person: the text, and whether it is a problem.
@@ -27,6 +34,10 @@ class HandControl : public QObject {
 
   /// All must outlive the control but the bar, which belongs to `window`.
   HandControl(OperatorConsole& console, FeedView& feed, ViewWidget& feed_widget, QWidget& window, Notify notify);
+  ~HandControl() override;
+
+  /// The keys it handles itself, beside the window's shortcuts.
+  static QList<QKeySequence> keys();
 
   HandBar* bar() const noexcept { return bar_; }
   /// From the window's tick. True when the feed has to be drawn again.
@@ -41,9 +52,12 @@ class HandControl : public QObject {
   void choose(int index);
   bool take_feed_event(QEvent* event);
   bool take_press(const QMouseEvent& event);
-  bool take_key(const QKeyEvent& event, bool pressed);
+  bool take_held_key(const QKeyEvent& event, bool pressed);
+  void take_stop_key(const QKeyEvent& event, bool pressed);
+  void listen_for_stop();
+  void place_stop_button();
   void set_target(const QPointF& place_px);
-  void emergency_stop(bool on);
+  void emergency_stop();
 
   OperatorConsole& console_;
   FeedView& feed_;
@@ -51,6 +65,7 @@ class HandControl : public QObject {
   QWidget& window_;
   Notify notify_;
   HandBar* bar_;
+  std::unique_ptr<StopListener> listener_;
   std::optional<QPointF> dragged_px_;  // while the mouse leads the needle
   bool target_pressed_ = false;
   bool plan_stale_ = true;

@@ -40,11 +40,12 @@ QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
-QPushButton#record:checked { background: @record; border-color: @record; color: @window; font-weight: 700; }
+QPushButton#record:checked { border-color: @record; font-weight: 700; }
 QPushButton#guide:checked { border-color: @plan; color: @plan; font-weight: 600; }
 QPushButton#emergencyStop { background: @record; border-color: @record; color: @window; font-weight: 800; font-size: 17px; letter-spacing: 1px; }
-QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; font-size: 13px; letter-spacing: 0px; }
+QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; border-width: 2px; font-size: 15px; }
 QPushButton#emergencyStop:hover { border-color: @text; }
+QPushButton#releaseStop { padding: 0px; }
 QComboBox, QDoubleSpinBox { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; }
 QComboBox:hover, QDoubleSpinBox:hover, QComboBox:focus, QDoubleSpinBox:focus { border-color: @accent; }
 QComboBox:disabled, QDoubleSpinBox:disabled { color: @faint; background: @panel; }

@@ -54,8 +54,9 @@ TeleoperationSettings motion_of(const TrialOptions& options) {
   return settings;
 }
 
-HapticSettings haptics_of(const TrialOptions& options, const InjectionPlan& plan, const DeviceSpecification& device) {
-  HapticSettings settings = default_settings(device, options.motion_scale_um_per_m);
+HapticSettings haptics_of(const TrialOptions& options, const InjectionPlan& plan, const DeviceSpecification& device,
+                          const CellStrength& strength) {
+  HapticSettings settings = default_settings(device, options.motion_scale_um_per_m, strength);
   settings.force_scale_N_per_uN = has_haptics(options.modality) ? options.force_scale_N_per_uN : 0.0;
   if (options.modality == Modality::kSpaceAndFixture) {
     RectilinearGuide& guide = settings.fixtures.guide;
@@ -90,8 +91,8 @@ double learnt_lag_s(const TrialOptions& options, const TeleoperationMap& map) no
 /// All the parts of a trial, put together as a workstation's are, turned by one clock.
 class Workplace {
  public:
-  Workplace(const TrialOptions& options, const SpecimenContact& cell, const InjectionPlan& plan,
-            const SimulatedOperator& person)
+  Workplace(const TrialOptions& options, const SpecimenContact& cell, const CellStrength& strength,
+            const InjectionPlan& plan, const SimulatedOperator& person)
       : cell_(cell),
         injector_(injector_at(start_of(plan, placement_of(options.seed))),
                   [this](const InjectorPose& pose) { cell_.advance(pose.tip_um, pose.time_s, pose.deposited_pl); }),
@@ -100,7 +101,7 @@ class Workplace {
         hand_(person.sight_and_skill, plan_of(plan, person, options, learnt_lag_s(options, map_)), person.arm,
               options.seed),
         servo_(hand_, map_, {contacts_, stage_.states(), stage_.commands()},
-               haptics_of(options, plan, hand_.specification())),
+               haptics_of(options, plan, hand_.specification(), strength)),
         camera_(camera_of(options), cell.force()) {
     injector_.open();
     cell_.advance(injector_.pose().tip_um, 0.0);
@@ -181,6 +182,16 @@ SpecimenContact TrialScene::cell(std::uint64_t seed) const {
   return SpecimenContact(force_.moved_to(frame), scenario);
 }
 
+CellStrength TrialScene::strength() const {
+  Scenario usual = scenario_;
+  usual.puncture.spread_ratio = 0.0;
+  CellStrength strength;
+  strength.puncture_force_uN = SpecimenContact(force_, usual).puncture_force_uN();
+  strength.puncture_depth_um = usual.puncture.indentation_um;
+  strength.max_stiffness_uN_per_um = 3.0 * strength.puncture_force_uN / strength.puncture_depth_um;
+  return strength;
+}
+
 InjectionPlan trial_plan(const TrialOptions& options, const SpecimenForce& cell) {
   CellGeometry geometry;
   geometry.center_um = cell.frame().center_um;
@@ -200,7 +211,7 @@ TrialOutcome run_trial(const TrialScene& scene, const TrialOptions& options) {
   SimulatedOperator person = person_of(options.seed, options.modality);
   if (!options.slows_on_force) person.sight_and_skill.slowing_N = 0.0;
   const InjectionPlan plan = trial_plan(options, cell.force());
-  const auto workplace = std::make_unique<Workplace>(options, cell, plan, person);
+  const auto workplace = std::make_unique<Workplace>(options, cell, scene.strength(), plan, person);
   TrialMeter meter(options, plan);
 
   const long last = std::lround(options.time_limit_s / kTick_s);

@@ -20,6 +20,13 @@ double falling(double value, double from, double to) noexcept {
 
 }  // namespace
 
+CellLimits limits_of(const CellStrength& cell) noexcept {
+  CellLimits limits;
+  limits.max_force_uN = kPunctureMargin * cell.puncture_force_uN;
+  limits.max_depth_um = kPunctureMargin * cell.puncture_depth_um;
+  return limits;
+}
+
 void CellGuards::place(const Eigen::Vector3d& tip_um) noexcept {
   tip_um_ = tip_um;
   retracting_ = false;

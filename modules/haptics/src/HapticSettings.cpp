@@ -48,6 +48,7 @@ HapticSettings default_settings(const DeviceSpecification& device, double motion
                                 const CellStrength& cell) {
   HapticSettings settings;
   settings.cell = cell;
+  settings.limits = limits_of(cell);
   settings.force_scale_N_per_uN =
       0.8 * largest_force_scale_N_per_uN(device, request_of(settings, motion_scale_um_per_m));
   settings.coupling.stiffness_N_per_m = 0.5 * device.max_stiffness_N_per_m;

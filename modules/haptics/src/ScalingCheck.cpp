@@ -13,7 +13,7 @@ bool positive(double value) noexcept {
 }
 
 bool in_range(const ScalingRequest& request) noexcept {
-  return positive(request.motion_scale_um_per_m) && positive(request.cell.max_force_uN) &&
+  return positive(request.motion_scale_um_per_m) && positive(request.cell.puncture_force_uN) &&
          positive(request.cell.max_stiffness_uN_per_um) && std::isfinite(request.cell.max_damping_uN_s_per_um) &&
          request.cell.max_damping_uN_s_per_um >= 0.0 && positive(request.period_s) && std::isfinite(request.delay_s) &&
          request.delay_s >= 0.0;
@@ -30,7 +30,7 @@ double largest_force_scale_N_per_uN(const DeviceSpecification& device, const Sca
   const double stiffness_at_one = request.cell.max_stiffness_uN_per_um * request.motion_scale_um_per_m;
   const double damping_at_one = request.cell.max_damping_uN_s_per_um * request.motion_scale_um_per_m;
   double largest =
-      std::min(device.max_force_N / request.cell.max_force_uN, device.max_stiffness_N_per_m / stiffness_at_one);
+      std::min(device.max_force_N / request.cell.puncture_force_uN, device.max_stiffness_N_per_m / stiffness_at_one);
   if (damping_at_one > 0.0) largest = std::min(largest, device.max_damping_N_s_per_m / damping_at_one);
   if (device.physical_damping_N_s_per_m > 0.0) {
     // A hair less than the bound, which is a strict one.
@@ -55,7 +55,7 @@ expected<ScalingFigures, ScalingRefusal> check_scaling(const DeviceSpecification
   }
   const double scale_N_per_m = request.force_scale_N_per_uN * request.motion_scale_um_per_m;
   ScalingFigures figures;
-  figures.force_N = request.force_scale_N_per_uN * request.cell.max_force_uN;
+  figures.force_N = request.force_scale_N_per_uN * request.cell.puncture_force_uN;
   figures.stiffness_N_per_m = scale_N_per_m * request.cell.max_stiffness_uN_per_um;
   figures.damping_N_s_per_m = scale_N_per_m * request.cell.max_damping_uN_s_per_um;
   figures.damping_needed_N_s_per_m = needed_damping(request, figures.stiffness_N_per_m, figures.damping_N_s_per_m);

@@ -97,7 +97,7 @@ class SimulatedInjectionSource::Impl {
     const double learnt_lag_s = map_.lag_s() + kInjectorLag_s + options_.vision_delay_s + 0.5 / info_.frame_rate_hz;
     hand_.emplace(options_.person, operator_plan(*plan_, map_.scale_um_per_m(), learnt_lag_s), ArmOptions{},
                   options_.seed);
-    HapticSettings settings = default_settings(hand_->specification(), map_.scale_um_per_m());
+    HapticSettings settings = default_settings(hand_->specification(), map_.scale_um_per_m(), options_.cell);
     settings.predictor.tip_lag_s = kInjectorLag_s;
     if (options_.person.modality == Modality::kFlatImage || options_.person.modality == Modality::kSpace) {
       settings.force_scale_N_per_uN = 0.0;

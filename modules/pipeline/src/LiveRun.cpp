@@ -322,6 +322,10 @@ bool LiveRun::can_restart() const noexcept {
   return impl_->can_restart_;
 }
 
+const CellProfile& LiveRun::profile() const noexcept {
+  return impl_->chain_.profile;
+}
+
 const SourceInfo& LiveRun::source_info() const noexcept {
   return impl_->info_;
 }

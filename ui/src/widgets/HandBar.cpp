@@ -15,6 +15,9 @@
 #include "Theme.h"
 #include "pellucida/visualization/Palette.h"
 #include "presenters/HandPresenter.h"
+#include "widgets/ButtonKey.h"
+#include "widgets/HoldButton.h"
+#include "widgets/PhraseLabel.h"
 
 namespace pellucida {
 namespace {
@@ -23,6 +26,7 @@ constexpr int kForceSteps = 1000;
 constexpr double kShallowest_um = 1.0;
 constexpr double kDeepest_um = 200.0;
 constexpr int kArrowMargin_px = 9;
+constexpr const char* kStopText = "STOP";
 
 // A choice with the same arrow as the window's other menus. The wheel does not change it.
 class Choice final : public QComboBox {
@@ -71,13 +75,27 @@ HandBar::HandBar(const QStringList& hands, const QStringList& scales, Actions ac
   bar->addLayout(lines, 1);
   lines->addLayout(build_readouts());
   lines->addLayout(build_controls(hands, scales));
-  stop_ = new QPushButton("STOP", this);
+  build_stop(bar);
+}
+
+void HandBar::build_stop(QHBoxLayout* bar) {
+  release_ = new HoldButton(
+      "Release\n(hold)", [this] { actions_.release_stop(); }, this);
+  release_->setObjectName("releaseStop");
+  release_->setToolTip(
+      tip_with_key("Hold for a second to release the emergency stop", QKeySequence("Shift+Esc")));
+  release_->setFocusPolicy(Qt::NoFocus);
+  release_->setFixedSize(96, 54);
+  release_->hide();
+  bar->addWidget(release_);
+  stop_ = new QPushButton(kStopText, this);
   stop_->setObjectName("emergencyStop");
-  stop_->setToolTip("Stop the pipette and release the force on the hand at once (Esc); to release the stop: here, or Shift+Esc");
+  stop_->setToolTip(tip_with_key("Stop the pipette and release the force on the hand at once", Qt::Key_Escape));
   stop_->setFocusPolicy(Qt::TabFocus);
   stop_->setFixedSize(132, 54);
   bar->addWidget(stop_);
-  connect(stop_, &QPushButton::clicked, this, [this] { actions_.stop(!stopped_); });
+  // When the button goes down, not when it comes up again.
+  connect(stop_, &QPushButton::pressed, this, [this] { actions_.stop(); });
 }
 
 QHBoxLayout* HandBar::build_readouts() {
@@ -97,8 +115,8 @@ QHBoxLayout* HandBar::build_readouts() {
   force_bar_->setFixedSize(96, 8);
   force_bar_->setToolTip("Force on the hand; full: the largest force of the device");
   row->addWidget(force_bar_);
-  force_ = add_text(row, "0.00 N of 0.0 N");
-  contact_ = add_text(row, "Punctured, 000 ms old");
+  force_ = add_phrase_label(*row, "0.00 N of 0.0 N");
+  contact_ = add_phrase_label(*row, "Punctured, 000 ms old");
   // The rest of the line; a long text must not widen the window.
   note_ = new QLabel(this);
   note_->setObjectName("statusText");
@@ -116,11 +134,11 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   connect(scale_, qOverload<int>(&QComboBox::activated), this, [this](int index) { actions_.choose_scale(index); });
   row->addSpacing(8);
 
-  guide_ = add_button(row, "Guide", "Keep the tip on the planned line, in and out (G)");
+  guide_ = add_button(row, "Guide");
+  bind_key(*guide_, Qt::Key_G, "Keep the tip on the planned line, in and out");
   guide_->setObjectName("guide");
   guide_->setCheckable(true);
   guide_->setChecked(true);
-  guide_->setShortcut(Qt::Key_G);
   connect(guide_, &QPushButton::toggled, this, [this](bool on) { actions_.guide(on); });
   auto* stop_name = new QLabel("Depth stop", this);
   stop_name->setObjectName("statusText");
@@ -141,16 +159,17 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   connect(depth_stop_, &QDoubleSpinBox::editingFinished, depth_stop_, &QWidget::clearFocus);
 
   row->addStretch(1);
-  inject_ = add_button(row, "Deposit", "Deposit while held down (D)");
+  inject_ = add_button(row, "Deposit");
+  inject_->setToolTip(tip_with_key("Deposit while held down", Qt::Key_D));
   connect(inject_, &QPushButton::pressed, this, [this] { actions_.inject(true); });
   connect(inject_, &QPushButton::released, this, [this] { actions_.inject(false); });
-  retract_ = add_button(row, "Retract", "Take the pipette out along its axis while held down (X)");
+  retract_ = add_button(row, "Retract");
+  retract_->setToolTip(tip_with_key("Take the pipette out along its axis while held down", Qt::Key_X));
   connect(retract_, &QPushButton::pressed, this, [this] { actions_.retract(true); });
   connect(retract_, &QPushButton::released, this, [this] { actions_.retract(false); });
   if (actions_.new_cell) {
-    QPushButton* renew =
-        add_button(row, "New cell", "Take the needle out, then replace the cell by an intact one (C)");
-    renew->setShortcut(Qt::Key_C);
+    QPushButton* renew = add_button(row, "New cell");
+    bind_key(*renew, Qt::Key_C, "Take the needle out, then replace the cell by an intact one");
     connect(renew, &QPushButton::clicked, this, [this] { actions_.new_cell(); });
   }
   return row;
@@ -166,37 +185,21 @@ QComboBox* HandBar::add_choice(QHBoxLayout* row, const QStringList& names, const
   return choice;
 }
 
-QLabel* HandBar::add_text(QHBoxLayout* row, const char* widest) {
-  auto* label = new QLabel(this);
-  label->setObjectName("statusText");
-  QFont letters = label->font();
-  letters.setPixelSize(12);
-  label->setMinimumWidth(QFontMetrics(letters).horizontalAdvance(QString::fromUtf8(widest)) + 6);
-  row->addWidget(label);
-  return label;
-}
-
-QPushButton* HandBar::add_button(QHBoxLayout* row, const QString& text, const QString& tip) {
+QPushButton* HandBar::add_button(QHBoxLayout* row, const QString& text) {
   auto* button = new QPushButton(text, this);
-  button->setToolTip(tip);
   button->setFixedHeight(28);
   button->setFocusPolicy(Qt::TabFocus);
   row->addWidget(button);
   return button;
 }
 
-void HandBar::show_phrase(QLabel* label, const Phrase& phrase) {
-  label->setText(QString::fromStdString(phrase.text));
-  label->setStyleSheet("color: " + QString::fromStdString(phrase.color.css()));
-}
-
 void HandBar::show_texts(const HandTexts& texts) {
   state_->setText(QString::fromStdString(texts.state.text));
   state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
   force_bar_->setValue(static_cast<int>(kForceSteps * texts.force_share));
-  show_phrase(force_, texts.force);
-  show_phrase(contact_, texts.contact);
-  show_phrase(note_, texts.note);
+  show_phrase(*force_, texts.force);
+  show_phrase(*contact_, texts.contact);
+  show_phrase(*note_, texts.note);
   // A narrow window shows the beginning; the tool tip shows all of it.
   const QString note = QString::fromStdString(texts.note.text);
   note_->setText(note_->fontMetrics().elidedText(note, Qt::ElideRight, note_->width()));
@@ -204,10 +207,11 @@ void HandBar::show_texts(const HandTexts& texts) {
   state_->setToolTip(QString::fromStdString(texts.loop.text));
   if (texts.stopped == stopped_) return;
   stopped_ = texts.stopped;
-  stop_->setText(stopped_ ? "Release stop" : "STOP");
+  stop_->setText(stopped_ ? "STOPPED" : kStopText);
   stop_->setProperty("latched", stopped_);
   stop_->style()->unpolish(stop_);
   stop_->style()->polish(stop_);
+  release_->setVisible(stopped_);
 }
 
 void HandBar::set_choice(int hand, int scale) {
@@ -229,6 +233,18 @@ void HandBar::set_manual(bool manual) {
   inject_->setEnabled(manual);
   retract_->setEnabled(manual);
   scale_->setEnabled(manual);
+}
+
+void HandBar::hold_release(bool held) {
+  release_->hold(held && stopped_);
+}
+
+void HandBar::explain_late_stop(const std::string& reason) {
+  stop_->setToolTip(stop_->toolTip() + "; waits until a rendering has finished: " + QString::fromStdString(reason));
+}
+
+const QWidget& HandBar::stop_button() const {
+  return *stop_;
 }
 
 }  // namespace pellucida

@@ -2,6 +2,7 @@
 #include <QFrame>
 #include <QStringList>
 #include <functional>
+#include <string>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -12,11 +13,12 @@ class QPushButton;
 
 namespace pellucida {
 
+class HoldButton;
 struct HandTexts;
-struct Phrase;
 
 /// The hand: what it does and feels above, who holds it, its scale, guide, depth stop and buttons below, and the
-/// emergency stop at the right end, always in reach.
+/// emergency stop at the right end, always in reach. While the stop is in force its release is beside it, a button that
+/// must be held: no click, nor two of them, releases a stop.
 class HandBar : public QFrame {
  public:
   /// What the bar's controls do. All are called on the window's thread, none while the bar itself is being set.
@@ -28,7 +30,8 @@ class HandBar : public QFrame {
     std::function<void(bool)> inject;        ///< while held down
     std::function<void(bool)> retract;       ///< while held down
     std::function<void()> new_cell;          ///< empty: there is none, and no button
-    std::function<void(bool)> stop;          ///< true: stop; false: released on purpose
+    std::function<void()> stop;              ///< as soon as the button goes down
+    std::function<void()> release_stop;      ///< the release was held for a second
   };
 
   HandBar(const QStringList& hands, const QStringList& scales, Actions actions, QWidget* parent);
@@ -39,14 +42,18 @@ class HandBar : public QFrame {
   void set_depth_stop_um(double depth_um);
   /// The buttons that only a person's hand has.
   void set_manual(bool manual);
+  /// Holds the release of the stop, as its button does; nothing while no stop is in force.
+  void hold_release(bool held);
+  const QWidget& stop_button() const;
+  /// Why the stop has to wait for the window, for its tip.
+  void explain_late_stop(const std::string& reason);
 
  private:
   QHBoxLayout* build_readouts();
   QHBoxLayout* build_controls(const QStringList& hands, const QStringList& scales);
   QComboBox* add_choice(QHBoxLayout* row, const QStringList& names, const char* tip);
-  QLabel* add_text(QHBoxLayout* row, const char* widest);
-  QPushButton* add_button(QHBoxLayout* row, const QString& text, const QString& tip);
-  static void show_phrase(QLabel* label, const Phrase& phrase);
+  QPushButton* add_button(QHBoxLayout* row, const QString& text);
+  void build_stop(QHBoxLayout* bar);
 
   Actions actions_;
   QComboBox* hand_;
@@ -60,6 +67,7 @@ class HandBar : public QFrame {
   QLabel* note_;
   QPushButton* inject_;
   QPushButton* retract_;
+  HoldButton* release_;
   QPushButton* stop_;
   bool stopped_ = false;
 };

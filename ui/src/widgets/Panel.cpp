@@ -6,6 +6,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "widgets/ButtonKey.h"
+
 namespace pellucida {
 
 Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(parent) {
@@ -33,17 +35,18 @@ void Panel::add_control(QWidget* control) {
   head_->addWidget(control);
 }
 
-QToolButton* Panel::add_toggle(const QString& text, const QString& tip, bool on) {
-  QToolButton* button = add_button(text, tip);
+QToolButton* Panel::add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on) {
+  QToolButton* button = add_button(text, tip, key);
   button->setCheckable(true);
   button->setChecked(on);
   return button;
 }
 
-QToolButton* Panel::add_button(const QString& text, const QString& tip) {
+QToolButton* Panel::add_button(const QString& text, const QString& tip, const QKeySequence& key) {
   auto* button = new QToolButton(this);
   button->setText(text);
   button->setToolTip(tip);
+  if (!key.isEmpty()) bind_key(*button, key, tip);
   button->setProperty("flat", true);
   button->setFocusPolicy(Qt::TabFocus);
   head_->addWidget(button);

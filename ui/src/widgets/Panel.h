@@ -1,5 +1,6 @@
 #pragma once
 #include <QFrame>
+#include <QKeySequence>
 #include <QString>
 
 class QHBoxLayout;
@@ -14,10 +15,10 @@ class Panel : public QFrame {
 
   /// Puts a control at the right end of the head line.
   void add_control(QWidget* control);
-  /// A button that stays down while its thing is shown. `tip` names the key.
-  QToolButton* add_toggle(const QString& text, const QString& tip, bool on);
-  /// A plain button.
-  QToolButton* add_button(const QString& text, const QString& tip);
+  /// A button that stays down while its thing is shown.
+  QToolButton* add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on);
+  /// A plain button; without `key` the mouse alone reaches it.
+  QToolButton* add_button(const QString& text, const QString& tip, const QKeySequence& key = {});
 
  private:
   QHBoxLayout* head_;

@@ -6,6 +6,7 @@
 
 #include "Theme.h"
 #include "presenters/StatusPresenter.h"
+#include "widgets/PhraseLabel.h"
 
 namespace pellucida {
 
@@ -62,19 +63,14 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
   return figure;
 }
 
-void ReadoutBar::show_phrase(QLabel* label, const Phrase& phrase) {
-  label->setText(QString::fromStdString(phrase.text));
-  label->setStyleSheet("color: " + QString::fromStdString(phrase.color.css()));
-}
-
 void ReadoutBar::show_texts(const StatusTexts& texts) {
   state_->setText(QString::fromStdString(texts.state.text));
   state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
-  show_phrase(indentation_.value, texts.indentation);
-  show_phrase(force_.value, texts.force);
+  show_phrase(*indentation_.value, texts.indentation);
+  show_phrase(*force_.value, texts.force);
   force_.note->setText(QString::fromStdString(texts.force_interval));
-  show_phrase(pressure_.value, texts.pressure);
-  show_phrase(confidence_.value, texts.confidence);
+  show_phrase(*pressure_.value, texts.pressure);
+  show_phrase(*confidence_.value, texts.confidence);
 }
 
 }  // namespace pellucida

@@ -6,7 +6,6 @@ class QLabel;
 
 namespace pellucida {
 
-struct Phrase;
 struct StatusTexts;
 
 /// The figures that matter, large: state, indentation, force with its interval, pressure, confidence.
@@ -21,7 +20,6 @@ class ReadoutBar : public QFrame {
     QLabel* note = nullptr;
   };
   Figure add_figure(QHBoxLayout* row, const char* name, const char* widest, const char* widest_note = nullptr);
-  static void show_phrase(QLabel* label, const Phrase& phrase);
 
   QLabel* state_;
   Figure indentation_;

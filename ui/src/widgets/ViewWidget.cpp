@@ -4,6 +4,8 @@
 #include <vtkInteractorObserver.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QEvent>
+
 #include "pellucida/visualization_vtk/View.h"
 
 namespace pellucida {
@@ -16,12 +18,19 @@ ViewWidget::ViewWidget(View& view, int samples, QWidget* parent) : QVTKOpenGLNat
   set_style(nullptr);
 }
 
+ViewWidget::~ViewWidget() = default;
+
 void ViewWidget::set_style(vtkInteractorObserver* style) {
   window_->GetInteractor()->SetInteractorStyle(style);
 }
 
 void ViewWidget::render() {
   if (isVisible() && isValid()) window_->Render();
+}
+
+bool ViewWidget::event(QEvent* event) {
+  const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
+  return key ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
 }
 
 }  // namespace pellucida

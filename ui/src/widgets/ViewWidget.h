@@ -9,16 +9,20 @@ namespace pellucida {
 
 class View;
 
-/// Shows one view of the visualization module in the window.
+/// Shows one view of the visualization module in the window. Keys are the window's: VTK's own do nothing.
 class ViewWidget : public QVTKOpenGLNativeWidget {
  public:
   /// `view` must outlive the widget. `samples`: multisampling, 0 for views smoothed by FXAA.
   ViewWidget(View& view, int samples, QWidget* parent);
+  ~ViewWidget() override;
 
   /// What the mouse does; nullptr for nothing.
   void set_style(vtkInteractorObserver* style);
   /// Renders now; does nothing while the widget can't be seen.
   void render();
+
+ protected:
+  bool event(QEvent* event) override;
 
  private:
   vtkNew<vtkGenericOpenGLRenderWindow> window_;

@@ -67,6 +67,8 @@ class TrialScene {
   explicit TrialScene(const Scenario& scenario = load_scenario("injection"));
 
   SpecimenContact cell(std::uint64_t seed) const;
+  /// Of its kind, as a profile has it: without the spread from cell to cell.
+  CellStrength strength() const;
 
  private:
   Scenario scenario_;

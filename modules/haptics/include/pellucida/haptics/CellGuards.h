@@ -3,17 +3,19 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "pellucida/haptics/CellStrength.h"
 #include "pellucida/haptics/HapticDevice.h"
 #include "pellucida/haptics/LimitEvent.h"
 #include "pellucida/haptics/Pipette.h"
 
 namespace pellucida {
 
-/// The limits that protect the cell and the pipette. Trivially copyable.
+/// The limits that protect the cell and the pipette. Trivially copyable. Force and depth are those of a mouse oocyte;
+/// `limits_of` gives those of another kind.
 struct CellLimits {
-  double max_depth_um = 60.0;  ///< indentation; in contact only
+  double max_depth_um = kPunctureMargin * CellStrength{}.puncture_depth_um;  ///< indentation; in contact only
   double soft_depth_um = 5.0;  ///< the push slows this far before it, and the pipette is drawn back this far beyond
-  double max_force_uN = 20.0;  ///< of the cell on the needle
+  double max_force_uN = kPunctureMargin * CellStrength{}.puncture_force_uN;  ///< of the cell on the needle
   double slow_ratio = 0.8;     ///< share of the largest force from which the push slows; held at it ...
   double retract_ratio = 1.2;  ///< ... and drawn back above this multiple of it
   double retract_speed_um_per_s = 50.0;
@@ -36,6 +38,9 @@ struct CellLimits {
   double late_tick_s = 0.02;                    ///< a tick later than this re-anchors the motion
 };
 static_assert(std::is_trivially_copyable_v<CellLimits>);
+
+/// The default limits with force and depth for a kind of cell: `kPunctureMargin` times its puncture's.
+CellLimits limits_of(const CellStrength& cell) noexcept;
 
 /// Input of the guards in a tick. Frame W.
 struct GuardInput {

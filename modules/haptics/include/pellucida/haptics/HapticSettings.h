@@ -31,8 +31,9 @@ struct HapticSettings {
 };
 static_assert(std::is_trivially_copyable_v<HapticSettings>);
 
-/// Settings for a device and a motion scale that can be used as they are: four fifths of the largest force scale the
-/// device can render for that cell, link and fixtures at half the device's largest stiffness, no fixture enabled.
+/// Settings for a device, a motion scale and a kind of cell that can be used as they are: four fifths of the largest
+/// force scale the device can render for that cell, the cell's limits of force and depth, link and fixtures at half the
+/// device's largest stiffness, no fixture enabled.
 HapticSettings default_settings(const DeviceSpecification& device, double motion_scale_um_per_m,
                                 const CellStrength& cell = {});
 

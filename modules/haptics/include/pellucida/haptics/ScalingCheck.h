@@ -2,17 +2,10 @@
 #include <string>
 
 #include "pellucida/core/Expected.h"
+#include "pellucida/haptics/CellStrength.h"
 #include "pellucida/haptics/HapticDevice.h"
 
 namespace pellucida {
-
-/// The demands of a cell on the hand: the defaults are a mouse oocyte at puncture (force 7.5 uN at 44 um, growing with
-/// the third power of depth).
-struct CellStrength {
-  double max_force_uN = 7.5;
-  double max_stiffness_uN_per_um = 0.51;
-  double max_damping_uN_s_per_um = 0.0;
-};
 
 /// A scaling between hand and cell.
 struct ScalingRequest {

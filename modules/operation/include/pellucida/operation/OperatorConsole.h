@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,15 +7,17 @@
 #include "pellucida/operation/TeleoperationRun.h"
 #include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/simulation/CommandedNeedle.h"
-#include "pellucida/teleoperation/MouseHand.h"
-#include "pellucida/teleoperation/TeleoperationMap.h"
 
 namespace pellucida {
 
-class ConsoleDevice;
+class Demonstration;
+class HandCatalog;
+class HandEngagement;
+class InjectionGuide;
 
 /// The hand on a live run, as a window needs it: what moves the pipette, the plan and the guide, the emergency stop.
-/// Makes the plan by itself once an untouched cell is seen. One thread (the window's) for all calls.
+/// Makes the plan by itself once an untouched cell is seen. The limits of force and depth come from the run's profile.
+/// One thread (the window's) for all calls but the emergency stop.
 class OperatorConsole {
  public:
   struct Options {
@@ -35,12 +36,12 @@ class OperatorConsole {
   OperatorConsole& operator=(const OperatorConsole&) = delete;
 
   /// The hands available, UTF-8: the demonstration (a simulated operator), mouse and keyboard, devices found.
-  const std::vector<std::string>& hands() const noexcept { return names_; }
+  const std::vector<std::string>& hands() const noexcept;
   /// Index of the first hand whose name starts with `start`; nothing when there is none.
   std::optional<int> find_hand(std::string_view start) const noexcept;
   int chosen() const noexcept { return chosen_; }  ///< -1: none yet
   bool is_demonstration() const noexcept;
-  bool is_mouse() const noexcept { return mouse_ != nullptr; }
+  bool is_mouse() const noexcept;
 
   /// Another hand takes the pipette; the previous one is released first. If a device can't be opened, the pipette stays
   /// where it is, and the status gives the reason. Throws UsageError for an index out of range.
@@ -53,7 +54,7 @@ class OperatorConsole {
 
   /// Keeps the tip on the planned line, or not. The depth stop and the holding pipette act in any case.
   void guide(bool on);
-  bool guided() const noexcept { return guided_; }
+  bool guided() const noexcept;
   /// Beyond the entry, um, above 0; from the plan until one is set. Throws UsageError.
   void depth_stop_um(double depth_um);
   double depth_stop_um() const noexcept;
@@ -61,7 +62,7 @@ class OperatorConsole {
   /// Where to deposit, in the image's plane, um. Takes effect at once while the cell is untouched, else with the next
   /// cell. Returns the reason if not, or that it has to wait; nothing when the plan leads there.
   std::optional<std::string> set_target(double x_um, double y_um);
-  const std::optional<InjectionPlan>& plan() const noexcept { return plan_; }
+  const std::optional<InjectionPlan>& plan() const noexcept;
 
   // Held by the user; released by `release_all`, when the window loses the focus.
   void inject(bool held) noexcept;
@@ -77,8 +78,11 @@ class OperatorConsole {
   void new_cell();
   bool can_renew() const noexcept { return needle_ != nullptr; }
 
-  /// Latched, also over a change of hands, until released explicitly.
-  void emergency_stop(bool on) noexcept;
+  /// Any thread, at any time: from the next tick on the pipette is held and the hand released. Latched, also over a
+  /// change of hands.
+  void emergency_stop() noexcept;
+  /// To be called on an explicit wish only.
+  void release_emergency_stop() noexcept;
 
   /// To be called from the window's tick, ten times a second or more: evaluates the newest frame.
   void update();
@@ -88,53 +92,30 @@ class OperatorConsole {
   std::string doing() const;
 
  private:
-  struct Choice {
-    std::function<std::unique_ptr<HapticDevice>()> open;  // empty: the demonstration
-    bool springs_back = false;                            // rate control
-  };
-
-  void add(std::string name, Choice choice);
-  void find_devices();
+  void open();
+  void engage();
   HapticSettings settings() const;
   void apply_settings();
-  void set_down();
-  void start_rig();
-  void open_device();
   void look();
   void make_plan(const ContactModel& contact);
-  void show_person();
+  void show_operator();
   void renew();
   void repeat_demonstration();
   bool tip_is_out();
   void set_buttons() noexcept;
 
   LiveRun& run_;
-  Manipulator& manipulator_;
   CommandedNeedle* needle_;
-  Options options_;
-  std::shared_ptr<LatestValue<ContactModel>> contacts_;
-  std::vector<std::string> names_;
-  std::vector<Choice> choices_;
+  std::unique_ptr<HandCatalog> catalog_;
+  std::unique_ptr<InjectionGuide> guide_;
+  std::unique_ptr<Demonstration> demonstration_;
+  std::unique_ptr<HandEngagement> hand_;
 
   int chosen_ = -1, scale_ = 0;
-  bool guided_ = true, stopped_ = false;
-  std::optional<double> depth_stop_um_;
-  std::optional<PlainVector3> target_offset_um_;  // from the cell's centre
-  std::optional<InjectionPlan> plan_;
   std::string trouble_;  // one line; empty when there is none
-
   bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false;
   long frame_index_ = -1;
   bool broken_ = false;  // the newest frame shows the membrane closed around the shaft
-  int free_count_ = 0;   // frames in a row that show an untouched cell
-  std::uint64_t person_count_ = 0;
-  std::optional<double> ended_s_;
-
-  // In this order: what the run uses outlives it.
-  std::unique_ptr<ConsoleDevice> device_;
-  MouseHand* mouse_ = nullptr;
-  std::unique_ptr<TeleoperationMap> map_;
-  std::unique_ptr<TeleoperationRun> rig_;
 };
 
 }  // namespace pellucida

@@ -8,6 +8,7 @@
 #include "pellucida/core/Event.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
+#include "pellucida/haptics/CellStrength.h"
 #include "pellucida/haptics/HapticRecord.h"
 #include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/simulation/OperatorModel.h"
@@ -18,9 +19,10 @@ namespace pellucida {
 struct SimulatedInjectionOptions {
   std::string scenario = "injection";                              ///< by name or file
   OperatorOptions person{.modality = Modality::kSpaceAndFixture};  ///< and what the operator sees and feels
-  std::uint64_t seed = 1;                                          ///< of the operator
-  double vision_delay_s = 0.04;                                    ///< from a frame's exposure to its force at the hand
-  double max_duration_s = 60.0;                                    ///< after this the operator gives up
+  CellStrength cell;             ///< of the kind of cell, for the limits of force and depth
+  std::uint64_t seed = 1;        ///< of the operator
+  double vision_delay_s = 0.04;  ///< from a frame's exposure to its force at the hand
+  double max_duration_s = 60.0;  ///< after this the operator gives up
 };
 
 /// Outcome of an injection: by the specimen itself, and by the hand.

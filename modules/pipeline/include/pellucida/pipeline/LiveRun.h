@@ -17,6 +17,8 @@
 
 namespace pellucida {
 
+struct CellProfile;
+
 /// Status of a live run at one moment.
 struct LiveStatus {
   std::uint64_t frame_count = 0;     ///< frames that arrived
@@ -70,6 +72,8 @@ class LiveRun {
   bool can_restart() const noexcept;
 
   const SourceInfo& source_info() const noexcept;
+  /// The kind of cell the forces are for; never changes.
+  const CellProfile& profile() const noexcept;
 
   /// The newest measured scene, for a StageSource.
   std::shared_ptr<SharedLatest<Scene>> scenes() const noexcept;

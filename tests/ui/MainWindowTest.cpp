@@ -1,0 +1,282 @@
+// The real window on an X server: its keys, and the emergency stop as a person uses it.
+#include "MainWindow.h"
+
+#include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QPushButton>
+#include <QShortcut>
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <map>
+
+#include "HandControl.h"
+#include "pellucida/operation/VirtualInjectionSetup.h"
+#include "pellucida/pipeline/AnySource.h"
+#include "pellucida/visualization/VirtualDisplay.h"
+#include "ui/XInput.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+using test::XInput;
+
+class MainWindowTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    static VirtualDisplay display;
+    static int argc = 1;
+    static char name[] = "test";
+    static char* argv[] = {name, nullptr};
+    if (!qApp) new QApplication(argc, argv);
+  }
+
+  MainWindowTest() {
+    auto run = std::make_unique<LiveRun>(setup_.make_microscope(Pace::kWallClock), PipelineOptions{});
+    auto console = std::make_unique<OperatorConsole>(*run, setup_.injector(), &setup_.needle());
+    console_ = console.get();
+    WindowOptions options;
+    options.hand = console->find_hand("Mouse").value();
+    window_ = std::make_unique<MainWindow>(std::move(run), std::move(console), options);
+  }
+
+  // A scenario's own motion, which can start again, and no hand.
+  static std::unique_ptr<MainWindow> window_without_a_hand() {
+    auto run = std::make_unique<LiveRun>(open_any_source("virtual:default", {}), PipelineOptions{});
+    return std::make_unique<MainWindow>(std::move(run), nullptr, WindowOptions{});
+  }
+
+  static void show(QWidget& window) {
+    window.show();
+    window.activateWindow();
+    ASSERT_TRUE(pass_until([&] { return qApp->applicationState() == Qt::ApplicationActive; })) << "not active";
+  }
+
+  // Shown, active, and its hand at work.
+  void open() {
+    show(*window_);
+    ASSERT_TRUE(pass_until([&] { return state() == kReady; })) << "no hand";
+    // The listener is told where the stop is with the window's next tick.
+    pass(300);
+  }
+
+  static constexpr HandState kReady = HandState::kClutched;
+  HandState state() { return console_->status().tick.hand_state; }
+
+  static void pass(int time_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < time_ms) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  }
+  static bool pass_until(const std::function<bool()>& condition) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 60000) {
+      if (condition()) return true;
+      pass(10);
+    }
+    return false;
+  }
+
+  // The window's thread is busy, as with a long rendering: no event is seen. How long until the hand is stopped, ms.
+  double busy_until_stopped_ms() {
+    QElapsedTimer clock;
+    clock.start();
+    while (state() != HandState::kStopped && clock.elapsed() < 5000) {
+    }
+    return 1e-6 * static_cast<double>(clock.nsecsElapsed());
+  }
+
+  void point_at(const QWidget& widget) {
+    const QPoint place = widget.mapToGlobal(widget.rect().center());
+    input_.move(place.x(), place.y());
+  }
+  QPushButton& stop() { return *window_->findChild<QPushButton*>("emergencyStop"); }
+  QPushButton& release() { return *window_->findChild<QPushButton*>("releaseStop"); }
+  void hold_release() {
+    ASSERT_TRUE(pass_until([&] { return release().isVisible(); }));
+    pass(100);
+    point_at(release());
+    input_.left_button(true);
+    EXPECT_TRUE(pass_until([&] { return state() == kReady; }));
+    input_.left_button(false);
+    pass(100);
+  }
+
+  XInput input_;
+  VirtualInjectionSetup setup_{"injection"};
+  OperatorConsole* console_ = nullptr;
+  std::unique_ptr<MainWindow> window_;
+};
+
+// How often each key is given: by shortcuts, buttons, actions, and to the hand.
+std::map<QString, int> keys_of(const QWidget& window) {
+  std::map<QString, int> uses;
+  for (const auto* shortcut : window.findChildren<QShortcut*>()) ++uses[shortcut->key().toString()];
+  for (const auto* button : window.findChildren<QAbstractButton*>()) ++uses[button->shortcut().toString()];
+  for (const auto* action : window.findChildren<QAction*>()) {
+    for (const QKeySequence& key : action->shortcuts()) ++uses[key.toString()];
+  }
+  for (const QKeySequence& key : HandControl::keys()) ++uses[key.toString()];
+  uses.erase(QString());
+  return uses;
+}
+
+TEST_F(MainWindowTest, NoKeyIsGivenTwice) {
+  const auto with_hand = keys_of(*window_), without = keys_of(*window_without_a_hand());
+  EXPECT_TRUE(with_hand.contains("G"));
+  EXPECT_TRUE(without.contains("Home"));
+  for (const auto* keys : {&with_hand, &without}) {
+    for (const auto& [key, count] : *keys) EXPECT_EQ(count, 1) << key.toStdString();
+  }
+}
+
+TEST_F(MainWindowTest, TipsNameTheKeys) {
+  int named = 0;
+  for (const auto* shortcut : window_->findChildren<QShortcut*>()) {
+    const auto* button = qobject_cast<const QAbstractButton*>(shortcut->parent());
+    if (!button) continue;
+    ++named;
+    EXPECT_TRUE(button->toolTip().endsWith("(" + shortcut->key().toString() + ")")) << button->toolTip().toStdString();
+  }
+  EXPECT_GT(named, 12);
+  for (const QKeySequence& key : HandControl::keys()) {
+    const auto buttons = window_->findChildren<QAbstractButton*>();
+    EXPECT_TRUE(std::any_of(buttons.begin(), buttons.end(), [&](const QAbstractButton* button) {
+      return button->toolTip().endsWith("(" + key.toString() + ")");
+    })) << key.toString().toStdString();
+  }
+}
+
+TEST_F(MainWindowTest, HomeRestartsAndVResetsTheViewInThreeDimensions) {
+  const auto window = window_without_a_hand();
+  std::map<std::string, int> clicks;
+  for (const auto* shortcut : window->findChildren<QShortcut*>()) {
+    auto* button = qobject_cast<QAbstractButton*>(shortcut->parent());
+    if (!button) continue;
+    QObject::connect(button, &QAbstractButton::clicked, window.get(),
+                     [&clicks, tip = button->toolTip().toStdString()] { ++clicks[tip]; });
+  }
+  show(*window);
+  input_.tap(test::kHomeKey);
+  input_.tap(test::kVKey);
+  EXPECT_TRUE(pass_until([&] { return clicks.size() >= 2; }));
+  EXPECT_EQ(clicks["Start the source again from its first frame (Home)"], 1);
+  EXPECT_EQ(clicks["Back to the first point of view (V)"], 1);
+  EXPECT_EQ(clicks.size(), 2U);
+}
+
+// VTK has keys of its own: P picks, S changes the surfaces, E ends the program.
+TEST_F(MainWindowTest, AViewThatHasTheFocusTakesNoKeys) {
+  open();
+  int keys = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&keys);
+  count->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  const auto views = window_->findChildren<QVTKOpenGLNativeWidget*>();
+  ASSERT_EQ(views.size(), 4);
+  for (QVTKOpenGLNativeWidget* view : views) {
+    view->renderWindow()->GetInteractor()->AddObserver("CharEvent", count);
+    view->renderWindow()->GetInteractor()->AddObserver("KeyPressEvent", count);
+    view->setFocus();
+    input_.tap(test::kPKey);
+    pass(200);
+  }
+  EXPECT_EQ(keys, 0);
+}
+
+TEST_F(MainWindowTest, ADoubleClickOnStopStopsAndOnlyTheHeldReleaseReleases) {
+  open();
+  point_at(stop());
+  for (int k = 0; k < 2; ++k) {
+    input_.left_button(true);
+    pass(40);
+    input_.left_button(false);
+    pass(110);
+  }
+  ASSERT_TRUE(pass_until([&] { return state() == HandState::kStopped; }));
+  // Nor do quick clicks on the release.
+  ASSERT_TRUE(pass_until([&] { return release().isVisible(); }));
+  pass(100);
+  point_at(release());
+  for (int k = 0; k < 2; ++k) {
+    input_.left_button(true);
+    pass(40);
+    input_.left_button(false);
+    pass(110);
+  }
+  pass(1200);
+  EXPECT_EQ(state(), HandState::kStopped);
+  hold_release();
+}
+
+TEST_F(MainWindowTest, ShiftEscapeHeldReleasesTheStop) {
+  open();
+  input_.tap(test::kEscapeKey);
+  ASSERT_TRUE(pass_until([&] { return state() == HandState::kStopped; }));
+  input_.key(test::kShiftKey, true);
+  input_.tap(test::kEscapeKey);
+  pass(1300);
+  EXPECT_EQ(state(), HandState::kStopped);
+  input_.key(test::kEscapeKey, true);
+  EXPECT_TRUE(pass_until([&] { return state() == kReady; }));
+  input_.key(test::kEscapeKey, false);
+  input_.key(test::kShiftKey, false);
+}
+
+// The bound: however long the window's thread is busy, Esc and STOP reach the 1 kHz loop by a thread of their own.
+TEST_F(MainWindowTest, TheStopDoesNotWaitForABusyWindow) {
+  open();
+  std::vector<double> key_ms, click_ms;
+  for (int k = 0; k < 3; ++k) {
+    input_.tap(test::kEscapeKey);
+    key_ms.push_back(busy_until_stopped_ms());
+    hold_release();
+    point_at(stop());
+    pass(100);
+    input_.left_button(true);
+    click_ms.push_back(busy_until_stopped_ms());
+    input_.left_button(false);
+    hold_release();
+  }
+  for (auto* all : {&key_ms, &click_ms}) {
+    std::sort(all->begin(), all->end());
+    std::cout << (all == &key_ms ? "Esc" : "STOP") << " to a stopped hand, window busy: median "
+              << (*all)[all->size() / 2] << " ms, longest " << all->back() << " ms\n";
+    // Some milliseconds; the margin is for a machine that is busy with other things.
+    EXPECT_LT((*all)[all->size() / 2], 100.0);
+    EXPECT_LT(all->back(), 1000.0);
+  }
+}
+
+TEST_F(MainWindowTest, ClicksBesideTheStopAndOnWhatCoversItDoNotStop) {
+  open();
+  const QPoint beside = stop().mapToGlobal(QPoint(stop().width() / 2, -6));
+  input_.move(beside.x(), beside.y());
+  pass(50);
+  input_.left_button(true);
+  input_.left_button(false);
+  pass(300);
+  EXPECT_EQ(state(), kReady);
+  // Something lies over the stop.
+  QWidget cover(nullptr, Qt::Tool | Qt::FramelessWindowHint);
+  cover.setGeometry(QRect(stop().mapToGlobal(QPoint(-20, -20)), QSize(180, 100)));
+  cover.show();
+  cover.raise();
+  pass(300);
+  point_at(stop());
+  input_.left_button(true);
+  input_.left_button(false);
+  pass(300);
+  EXPECT_EQ(state(), kReady);
+}
+
+}  // namespace
+}  // namespace pellucida

@@ -1,0 +1,43 @@
+#pragma once
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "presenters/RecordingPresenter.h"
+
+class QWidget;
+
+namespace pellucida {
+
+class LiveRun;
+struct LiveStatus;
+
+/// What the window's buttons do to the run: recording, pause, restart, notes; and pictures of the window.
+class RunControl {
+ public:
+  /// The text, and whether it is a problem.
+  using Notify = std::function<void(const QString&, bool)>;
+
+  /// `run` and `window` must outlive the control. `session_folder`: where the first recording goes; empty: a new folder
+  /// each time.
+  RunControl(LiveRun& run, QWidget& window, const std::string& session_folder, Notify notify);
+
+  void toggle_recording();
+  void toggle_pause();
+  void restart();
+  /// Asks for a remark.
+  void ask_for_note();
+  void save_picture();
+
+  /// A source that repeats begins anew after its end has been seen for a moment; `now_s` is any monotonic clock.
+  void repeat_when_ended(const LiveStatus& status, double now_s);
+
+ private:
+  LiveRun& run_;
+  QWidget& window_;
+  RecordingPresenter recordings_;
+  Notify notify_;
+  std::optional<double> ended_s_;  // when the source was first seen at its end
+};
+
+}  // namespace pellucida

@@ -1,0 +1,20 @@
+#include "widgets/ButtonKey.h"
+
+#include <QAbstractButton>
+#include <QShortcut>
+
+namespace pellucida {
+
+QString tip_with_key(const QString& text, const QKeySequence& key) {
+  return text + " (" + key.toString(QKeySequence::PortableText) + ")";
+}
+
+void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& tip) {
+  button.setToolTip(tip_with_key(tip, key));
+  // Not the button's own shortcut: that is lost with each new text, and acts a tenth of a second late.
+  auto* shortcut = new QShortcut(key, &button);
+  shortcut->setAutoRepeat(false);
+  QObject::connect(shortcut, &QShortcut::activated, &button, &QAbstractButton::click);
+}
+
+}  // namespace pellucida

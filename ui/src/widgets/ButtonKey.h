@@ -1,0 +1,16 @@
+#pragma once
+#include <QKeySequence>
+#include <QString>
+
+class QAbstractButton;
+
+namespace pellucida {
+
+/// "Text (key)": how every tip in the window names its key.
+QString tip_with_key(const QString& text, const QKeySequence& key);
+
+/// The key clicks the button, wherever the window has its focus, and the button's tip names the key. A key may be given
+/// once in a window: one given twice does nothing.
+void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& tip);
+
+}  // namespace pellucida

@@ -1,0 +1,40 @@
+#include "widgets/FeedPanel.h"
+
+#include <QToolButton>
+
+#include "pellucida/visualization_vtk/FeedView.h"
+#include "pellucida/visualization_vtk/PanZoomStyle.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+
+FeedPanel::FeedPanel(FeedView& feed, QWidget* parent) : FeedPanel(feed, new ViewWidget(feed, 0, nullptr), parent) {}
+
+FeedPanel::FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent)
+    : Panel("Microscope", view, parent), view_(view) {
+  vtkNew<PanZoomStyle> style;
+  view_->set_style(style);
+  add_buttons(feed);
+}
+
+void FeedPanel::add_buttons(FeedView& feed) {
+  const auto toggle = [&](const char* text, const char* tip, const QKeySequence& key, bool on, auto change) {
+    connect(add_toggle(text, tip, key, on), &QToolButton::toggled, this, [this, &feed, change](bool now) {
+      change(feed, now);
+      view_->render();
+    });
+  };
+  toggle("Contours", "Membranes found in the image", Qt::Key_1, true,
+         [](FeedView& view, bool on) { view.show_contours(on); });
+  toggle("Model", "Section through the mechanical model", Qt::Key_2, true,
+         [](FeedView& view, bool on) { view.show_model_section(on); });
+  toggle("Tools", "Needle and holding pipette", Qt::Key_3, true, [](FeedView& view, bool on) { view.show_tools(on); });
+  toggle("Whole frame", "The whole image instead of the cell", Qt::Key_W, false,
+         [](FeedView& view, bool on) { view.set_framing(on ? FeedFraming::kFrame : FeedFraming::kCell); });
+  connect(add_button("Reset", "Undo panning and zooming", Qt::Key_F), &QToolButton::clicked, this, [this, &feed] {
+    feed.reset_camera();
+    view_->render();
+  });
+}
+
+}  // namespace pellucida

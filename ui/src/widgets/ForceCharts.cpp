@@ -1,0 +1,51 @@
+#include "widgets/ForceCharts.h"
+
+#include "widgets/Panel.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kPeriod_s = 0.1;
+constexpr double kTimeWindow_s = 60.0;
+constexpr int kSamples = 4;
+
+}  // namespace
+
+ForceCharts::ForceCharts(QWidget* parent) : QSplitter(Qt::Horizontal, parent) {
+  force_time_.set_time_window_s(kTimeWindow_s);
+  setHandleWidth(4);
+  setChildrenCollapsible(false);
+  force_indentation_widget_ = new ViewWidget(force_indentation_, kSamples, nullptr);
+  force_time_widget_ = new ViewWidget(force_time_, kSamples, nullptr);
+  addWidget(new pellucida::Panel("Force over indentation", force_indentation_widget_, nullptr));
+  addWidget(new pellucida::Panel("Force over time", force_time_widget_, nullptr));
+}
+
+// The widgets show the charts: they go first.
+ForceCharts::~ForceCharts() {
+  delete force_indentation_widget_;
+  delete force_time_widget_;
+}
+
+void ForceCharts::append(const std::vector<Measurement>& rows) {
+  for (const Measurement& row : rows) {
+    force_indentation_.append(row);
+    force_time_.append(row);
+  }
+  stale_ = stale_ || !rows.empty();
+}
+
+void ForceCharts::refresh(double now_s) {
+  if (!stale_ || now_s - drawn_s_ < kPeriod_s) return;
+  render();
+  drawn_s_ = now_s;
+  stale_ = false;
+}
+
+void ForceCharts::render() {
+  force_indentation_widget_->render();
+  force_time_widget_->render();
+}
+
+}  // namespace pellucida

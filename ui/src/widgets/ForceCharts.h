@@ -1,0 +1,32 @@
+#pragma once
+#include <QSplitter>
+#include <vector>
+
+#include "pellucida/core/Measurement.h"
+#include "pellucida/visualization_vtk/ForceChart.h"
+
+namespace pellucida {
+
+class ViewWidget;
+
+/// Force over indentation and force over time, side by side.
+class ForceCharts : public QSplitter {
+ public:
+  explicit ForceCharts(QWidget* parent);
+  ~ForceCharts() override;
+
+  void append(const std::vector<Measurement>& rows);
+  /// Draws what is new, at most ten times a second; `now_s` is any monotonic clock.
+  void refresh(double now_s);
+  void render();
+
+ private:
+  ForceChart force_indentation_{ForceChartKind::kForceIndentation};
+  ForceChart force_time_{ForceChartKind::kForceTime};
+  ViewWidget* force_indentation_widget_;
+  ViewWidget* force_time_widget_;
+  double drawn_s_ = -1.0;
+  bool stale_ = false;
+};
+
+}  // namespace pellucida

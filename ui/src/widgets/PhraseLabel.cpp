@@ -1,0 +1,33 @@
+#include "widgets/PhraseLabel.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+
+#include "presenters/StatusPresenter.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kLetters_px = 12;  // as the theme has it
+constexpr int kSlack_px = 6;
+
+}  // namespace
+
+QLabel* add_phrase_label(QBoxLayout& row, const char* widest) {
+  auto* label = new QLabel;
+  label->setObjectName("statusText");
+  QFont letters = label->font();
+  letters.setPixelSize(kLetters_px);
+  if (*widest != '\0') {
+    label->setMinimumWidth(QFontMetrics(letters).horizontalAdvance(QString::fromUtf8(widest)) + kSlack_px);
+  }
+  row.addWidget(label);
+  return label;
+}
+
+void show_phrase(QLabel& label, const Phrase& phrase) {
+  label.setText(QString::fromStdString(phrase.text));
+  label.setStyleSheet("color: " + QString::fromStdString(phrase.color.css()));
+}
+
+}  // namespace pellucida

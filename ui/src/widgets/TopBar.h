@@ -1,0 +1,34 @@
+#pragma once
+#include <QWidget>
+#include <functional>
+
+class QHBoxLayout;
+class QKeySequence;
+class QPushButton;
+
+namespace pellucida {
+
+/// The line at the window's top: name, the run's buttons, the source.
+class TopBar : public QWidget {
+ public:
+  struct Actions {
+    std::function<void()> record;
+    std::function<void()> pause;
+    std::function<void()> restart;  ///< empty: the source can't, and there is no button
+    std::function<void()> note;
+    std::function<void()> picture;
+  };
+
+  TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent);
+
+  void show_state(bool recording, bool paused);
+
+ private:
+  QPushButton* add_button(QHBoxLayout* row, const QString& text, const QKeySequence& key, const QString& tip,
+                          std::function<void()> action);
+
+  QPushButton* record_;
+  QPushButton* pause_;
+};
+
+}  // namespace pellucida
