@@ -150,7 +150,7 @@ HapticsFigures measure_haptics(double seconds) {
   if (!(seconds >= 4.0)) throw UsageError("bench haptics: --seconds must be 4 or more, a second for each turn");
   VirtualInjectionSetup setup("injection");
   LiveRun run(setup.make_microscope(Pace::kWallClock), {});
-  const auto contacts = tap_contacts(run);
+  ContactTap contacts(run);
 
   TeleoperationMap map;
   const PlainVector3 push(-setup.needle().force().frame().axis.eigen());
@@ -159,7 +159,7 @@ HapticsFigures measure_haptics(double seconds) {
   TeleoperationRun::Options options;
   options.haptics = default_settings(hand.specification(), map.scale_um_per_m());
   options.loop.priority = kFifoPriority;
-  TeleoperationRun rig(run, *contacts, hand, map, setup.injector(), options);
+  TeleoperationRun rig(run, contacts, hand, map, setup.injector(), options);
 
   LoopRounds loop;
   CyclictestRounds cyclictest;

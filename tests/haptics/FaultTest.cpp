@@ -127,6 +127,33 @@ TEST_F(Fault, BlindThePipetteGoesNoDeeperButComesBackAtOnce) {
   EXPECT_GT(run_.run(1.0).back().tip_um.x, back.back().tip_um.x + 15.0);
 }
 
+// Another scale or device while the camera has stalled: the new hand knows no more of the cell than the old one did.
+TEST_F(Fault, BlindAnotherHandMayNotPushEither) {
+  run_.camera_stalled = true;
+  const double tip_um = run_.run(0.5).back().tip_um.x;
+  run_.change_hand();
+  EXPECT_EQ(run_.run(0.1).back().contact_state, ContactState::kStale);
+  run_.arm.intent_m.x() += 0.01;
+  for (const HapticRecord& record : run_.run(0.8)) ASSERT_LE(record.tip_um.x, tip_um + 1.0);
+  EXPECT_TRUE(told(LimitKind::kBlind));
+  EXPECT_GT(run_.arm.position_m().x(), before_.hand_m.x + 1e-3) << "the hand itself went on";
+  // Back is free.
+  run_.arm.intent_m.x() = run_.arm.position_m().x() - 0.01;
+  EXPECT_LT(run_.run(1.0).back().tip_um.x, tip_um - 8.0);
+}
+
+// The same with a contact that lasts: nothing is felt at once, and no step either.
+TEST_F(Fault, AnotherHandFeelsTheContactFadeIn) {
+  run_.change_hand();
+  const auto records = run_.run(0.5);
+  EXPECT_EQ(records.front().contact_state, ContactState::kContact);
+  EXPECT_LT(records.front().hand_force_N.eigen().norm(), 0.01);
+  for (const HapticRecord& record : records) ASSERT_NEAR(record.pipette_um.x, before_.pipette_um.x, 25.0);
+  before_ = records.front();
+  expect_smooth(records);
+  EXPECT_LT(records.back().hand_force_N.x, -0.1);
+}
+
 TEST_F(Fault, TheModelSaysNaN) {
   run_.camera_says_nan = true;
   const auto records = run_.run(0.5);
@@ -232,6 +259,26 @@ TEST_F(Fault, ThePipetteDoesNotFallIntoThePuncturedCell) {
   records.insert(records.end(), back.begin(), back.end());
   records.insert(records.end(), on.begin(), on.end());
   expect_smooth(records);
+}
+
+// The hold is the cell's, not the hand's: a change of hand doesn't end it.
+TEST_F(Fault, AfterAPunctureAnotherHandIsHeldBackToo) {
+  run_.cell.punctured = true;
+  HapticRecord record;
+  for (int k = 0; k < 200 && record.contact_state != ContactState::kPunctured; ++k) record = run_.tick();
+  ASSERT_EQ(record.contact_state, ContactState::kPunctured);
+  const double tip_um = record.tip_um.x;
+  run_.camera_stalled = true;
+  run_.change_hand();
+  run_.arm.intent_m.x() += 0.01;
+  for (const HapticRecord& after : run_.run(0.9 * settings_.limits.puncture_hold_s)) {
+    ASSERT_LE(after.tip_um.x, tip_um + 1.0);
+  }
+  EXPECT_GT(run_.arm.position_m().x(), record.hand_m.x + 3e-3);
+  // The hold ends when it would have without the change.
+  const double held_um = run_.run(0.2 * settings_.limits.puncture_hold_s).back().tip_um.x;
+  run_.arm.intent_m.x() += 0.005;
+  EXPECT_GT(run_.run(0.5).back().tip_um.x, held_um + 5.0);
 }
 
 TEST_F(Fault, TheForceDropsThoughTheStateSaysContact) {

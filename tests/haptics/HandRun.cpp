@@ -40,7 +40,12 @@ HandRun::HandRun(const DeviceSpecification& device, const HapticSettings& settin
     : arm(device, arm_options),
       camera_(camera),
       map_(std::move(map)),
-      servo_(arm, *map_, HapticPorts{contact_, pipette_, command_}, settings) {}
+      settings_(settings),
+      servo_(std::make_unique<HapticServo>(arm, *map_, ports(), settings)) {}
+
+void HandRun::change_hand() {
+  servo_ = std::make_unique<HapticServo>(arm, *map_, ports(), settings_, servo_->contact());
+}
 
 ContactModel HandRun::look() const {
   ContactModel model;
@@ -87,9 +92,9 @@ HapticRecord HandRun::tick(double dt_s) {
   state.tip_um = pipette_um_;
   pipette_.publish(state);
   film();
-  servo_.turn(now_s_);
+  servo_->turn(now_s_);
   HapticRecord record;
-  while (const auto drained = servo_.records().pop()) record = *drained;
+  while (const auto drained = servo_->records().pop()) record = *drained;
   return record;
 }
 
@@ -103,7 +108,7 @@ std::vector<HapticRecord> HandRun::run(double seconds) {
 
 std::vector<LimitEvent> HandRun::events() {
   std::vector<LimitEvent> drained;
-  while (const auto event = servo_.events().pop()) drained.push_back(*event);
+  while (const auto event = servo_->events().pop()) drained.push_back(*event);
   return drained;
 }
 

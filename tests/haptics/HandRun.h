@@ -57,6 +57,9 @@ class HandRun {
   /// Ticks for that long; all records.
   std::vector<HapticRecord> run(double seconds);
 
+  /// Another hand takes the pipette where it is: a servo of its own, on the same cell and camera.
+  void change_hand();
+
   double now_s() const { return now_s_; }
   std::vector<LimitEvent> events();
 
@@ -66,7 +69,7 @@ class HandRun {
   bool camera_says_nan = false;
   bool pipette_lost = false;
   double stiffness_error_ratio = 1.0;  ///< the stiffness reported over the true one
-  HapticServo& servo() { return servo_; }
+  HapticServo& servo() { return *servo_; }
   const PipetteCommand& command() const { return last_command_; }
   double pipette_x_um() const { return pipette_um_.x(); }
 
@@ -75,6 +78,7 @@ class HandRun {
     double due_s;
     ContactModel model;
   };
+  HapticPorts ports() { return {contact_, pipette_, command_}; }
   void film();
   ContactModel look() const;
 
@@ -83,7 +87,8 @@ class HandRun {
   LatestValue<ContactModel> contact_;
   LatestValue<PipetteState> pipette_;
   LatestValue<PipetteCommand> command_;
-  HapticServo servo_;
+  HapticSettings settings_;
+  std::unique_ptr<HapticServo> servo_;
   PipetteCommand last_command_;
   Eigen::Vector3d pipette_um_ = Eigen::Vector3d::Zero();
   std::deque<Waiting> under_way_;

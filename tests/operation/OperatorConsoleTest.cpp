@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -162,6 +163,74 @@ TEST_F(OperatorConsoleTest, NumbersOutOfRangeAreRefused) {
   EXPECT_THROW(console_.choose(99), UsageError);
   EXPECT_THROW(console_.scale(3), UsageError);
   EXPECT_FALSE(console_.find_hand("no such hand"));
+}
+
+// A camera that stalls on command.
+class StallingSource final : public FrameSource {
+ public:
+  StallingSource(std::unique_ptr<FrameSource> source, const std::atomic<bool>& stalled)
+      : source_(std::move(source)), stalled_(stalled) {}
+  const SourceInfo& info() const noexcept override { return source_->info(); }
+  std::optional<Frame> next() override {
+    while (stalled_) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return source_->next();
+  }
+
+ private:
+  std::unique_ptr<FrameSource> source_;
+  const std::atomic<bool>& stalled_;
+};
+
+// Blind, the pipette goes no deeper: whichever hand, at whichever scale.
+TEST(OperatorConsole, WhatIsKnownOfTheCellOutlivesAChangeOfHand) {
+  std::atomic<bool> stalled{false};
+  VirtualInjectionSetup setup("injection");
+  LiveRun run(std::make_unique<StallingSource>(setup.make_microscope(Pace::kWallClock), stalled), {});
+  OperatorConsole console(run, setup.injector(), &setup.needle());
+  const auto tick_until = [&](const std::function<bool(const HapticRecord&)>& condition) {
+    for (int k = 0; k < 4500; ++k) {
+      console.update();
+      if (condition(console.status().tick)) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+  };
+  run.start();
+  console.choose(console.find_hand("Mouse").value());
+  EXPECT_TRUE(tick_until([&](const HapticRecord&) { return console.plan().has_value(); }));
+  console.scale(0);
+  console.grip(true);
+  const PlainVector3 axis = console.plan()->axis;
+  EXPECT_TRUE(tick_until([&](const HapticRecord& tick) {
+    if (tick.contact_state != ContactState::kContact) console.move_px(2.0 * axis.x, 2.0 * axis.y);
+    return tick.contact_state == ContactState::kContact;
+  }));
+  stalled = true;
+  const auto blind = [](const HapticRecord& tick) {
+    return tick.contact_state == ContactState::kStale && tick.contact_age_s > CellLimits{}.blind_age_s;
+  };
+  EXPECT_TRUE(tick_until(blind));
+
+  const auto depth_um = [&] { return console.status().tick.tip_um.eigen().dot(axis.eigen()); };
+  const auto push = [&](const char* change) {
+    EXPECT_TRUE(tick_until(blind)) << change;
+    console.grip(true);
+    EXPECT_TRUE(tick_until([](const HapticRecord& tick) { return tick.hand_state == HandState::kWorking; })) << change;
+    const double before_um = depth_um();
+    for (int k = 0; k < 20; ++k) {
+      console.move_px(5.0 * axis.x, 5.0 * axis.y);
+      console.update();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    EXPECT_LT(depth_um(), before_um + 3.0) << change;
+  };
+  push("the same hand");
+  console.scale(1);
+  push("another scale");
+  console.choose(console.find_hand("Mouse").value());
+  push("another device");
+  stalled = false;
+  run.stop();
 }
 
 // A real cell: no demonstration on it, and it can't be replaced.

@@ -98,12 +98,12 @@ TEST(TeleoperationRun, TheHandFeelsTheCellAndTheSessionHoldsIt) {
   const TemporaryFolder folder;
   VirtualInjectionSetup setup("injection");
   LiveRun run(setup.make_microscope(Pace::kWallClock), {});
-  const auto contacts = tap_contacts(run);
+  ContactTap contacts(run);
   TeleoperationMap map;
   TestHand hand;
   TeleoperationRun::Options options;
   options.haptics = default_settings(hand.specification(), map.scale_um_per_m());
-  TeleoperationRun rig(run, *contacts, hand, map, setup.injector(), options);
+  TeleoperationRun rig(run, contacts, hand, map, setup.injector(), options);
   run.start_recording(folder / "s");
   run.start();
   rig.start();
@@ -142,13 +142,13 @@ TEST(TeleoperationRun, TheHandFeelsTheCellAndTheSessionHoldsIt) {
 TEST(TeleoperationRun, ASettingTheDeviceCannotHoldIsRefused) {
   VirtualInjectionSetup setup("injection");
   LiveRun run(setup.make_microscope(Pace::kWallClock), {});
-  const auto contacts = tap_contacts(run);
+  ContactTap contacts(run);
   TeleoperationMap map;
   TestHand hand;
   TeleoperationRun::Options options;
   options.haptics = default_settings(hand.specification(), map.scale_um_per_m());
   options.haptics.force_scale_N_per_uN *= 2.0;
-  EXPECT_THROW(TeleoperationRun(run, *contacts, hand, map, setup.injector(), options), UsageError);
+  EXPECT_THROW(TeleoperationRun(run, contacts, hand, map, setup.injector(), options), UsageError);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace pellucida {
 namespace {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr int kLetGoTurns = 30;
+constexpr int kReleaseTurns = 30;
 
 std::int64_t monotonic_ns() noexcept {
   timespec now{};
@@ -76,9 +76,9 @@ void HapticLoop::stop() {
   quick_wake_.reset();
 }
 
-void HapticLoop::turn_at(std::int64_t deadline_ns, bool let_go) noexcept {
+void HapticLoop::turn_at(std::int64_t deadline_ns, bool release_hand) noexcept {
   const std::int64_t begin_ns = monotonic_ns();
-  servo_.turn(clock_.now_s(), let_go);
+  servo_.turn(clock_.now_s(), release_hand);
   const std::int64_t end_ns = monotonic_ns();
   lateness_.add_ns(begin_ns - deadline_ns);
   compute_.add_ns(end_ns - begin_ns);
@@ -100,12 +100,12 @@ void HapticLoop::run(std::stop_token stop) {
   sharpen_timers();
   prefault_stack();
   std::int64_t deadline_ns = monotonic_ns() + period_ns_;
-  int left = kLetGoTurns;
+  int left = kReleaseTurns;
   while (left > 0) {
     sleep_until(deadline_ns);
-    const bool let_go = stop.stop_requested();
-    if (let_go) --left;
-    turn_at(deadline_ns, let_go);
+    const bool release_hand = stop.stop_requested();
+    if (release_hand) --left;
+    turn_at(deadline_ns, release_hand);
     deadline_ns = next_deadline_ns(deadline_ns);
   }
   servo_.release();

@@ -16,17 +16,18 @@ const HapticSettings& checked(const HapticSettings& settings, const DeviceSpecif
 
 }  // namespace
 
-HapticServo::HapticServo(HapticDevice& device, MotionMap& map, const HapticPorts& ports, const HapticSettings& settings)
+HapticServo::HapticServo(HapticDevice& device, MotionMap& map, const HapticPorts& ports, const HapticSettings& settings,
+                         const CellContact& known)
     : device_(device),
       ports_(ports),
-      step_(device.specification(), map, checked(settings, device.specification(), map.scale_um_per_m())),
+      step_(device.specification(), map, checked(settings, device.specification(), map.scale_um_per_m()), known),
       scale_um_per_m_(map.scale_um_per_m()) {}
 
 void HapticServo::set(const HapticSettings& settings) {
   settings_.publish(checked(settings, device_.specification(), scale_um_per_m_.load(std::memory_order_relaxed)));
 }
 
-void HapticServo::turn(double now_s, bool let_go) noexcept {
+void HapticServo::turn(double now_s, bool release_hand) noexcept {
   HapticInput input;
   input.now_s = now_s;
   input.dt_s = started_ ? std::max(0.0, now_s - last_s_) : 0.0;
@@ -35,12 +36,12 @@ void HapticServo::turn(double now_s, bool let_go) noexcept {
 
   // A device that failed to take the last force is as lost as one that doesn't answer.
   input.hand_read = device_.read(now_s, input.hand) && !write_failed_;
-  input.let_go = let_go;
+  input.release_hand = release_hand;
   if (settings_.refresh()) step_.set(settings_.value());
   if (ports_.pipette.refresh()) step_.see(ports_.pipette.value());
   if (ports_.contact.refresh()) step_.see(ports_.contact.value());
-  input.stop_requested = stop_.exchange(false, std::memory_order_acq_rel);
-  input.release_requested = release_.exchange(false, std::memory_order_acq_rel);
+  input.stop = stop_.exchange(false, std::memory_order_acq_rel);
+  input.release_stop = release_.exchange(false, std::memory_order_acq_rel);
 
   const HapticOutput output = step_.compute(input);
   write_failed_ = !device_.write(output.force_N);

@@ -3,7 +3,7 @@
 namespace pellucida {
 
 HandEngagement::HandEngagement(LiveRun& run, Manipulator& manipulator, const HapticLoopOptions& loop)
-    : live_run_(run), manipulator_(manipulator), loop_(loop), contacts_(tap_contacts(run)) {}
+    : live_run_(run), manipulator_(manipulator), loop_(loop), contacts_(run) {}
 
 HandEngagement::~HandEngagement() {
   disengage();
@@ -17,7 +17,7 @@ void HandEngagement::set_device(std::unique_ptr<HapticDevice> device) {
 void HandEngagement::engage(const TeleoperationSettings& motion, const HapticSettings& settings) {
   disengage();
   map_ = std::make_unique<TeleoperationMap>(motion);
-  auto run = std::make_unique<TeleoperationRun>(live_run_, *contacts_, *device_, *map_, manipulator_,
+  auto run = std::make_unique<TeleoperationRun>(live_run_, contacts_, *device_, *map_, manipulator_,
                                                 TeleoperationRun::Options{settings, loop_, {}});
   {
     const std::lock_guard lock(mutex_);

@@ -44,7 +44,7 @@ class HandEngagement {
   LiveRun& live_run_;
   Manipulator& manipulator_;
   HapticLoopOptions loop_;
-  std::shared_ptr<LatestValue<ContactModel>> contacts_;
+  ContactTap contacts_;
 
   // In this order: what the run uses outlives it.
   std::unique_ptr<ConsoleDevice> device_;

@@ -2,18 +2,18 @@
 
 namespace pellucida {
 
-std::shared_ptr<LatestValue<ContactModel>> tap_contacts(LiveRun& run) {
-  auto slot = std::make_shared<LatestValue<ContactModel>>();
-  run.set_contact_sink([slot](const ContactModel& contact) { slot->publish(contact); });
-  return slot;
+ContactTap::ContactTap(LiveRun& run) : newest_(std::make_shared<LatestValue<ContactModel>>()) {
+  run.set_contact_sink([newest = newest_](const ContactModel& contact) { newest->publish(contact); });
 }
 
-TeleoperationRun::TeleoperationRun(LiveRun& run, LatestValue<ContactModel>& contacts, HapticDevice& device,
-                                   MotionMap& map, Manipulator& manipulator, const Options& options)
+TeleoperationRun::TeleoperationRun(LiveRun& run, ContactTap& contacts, HapticDevice& device, MotionMap& map,
+                                   Manipulator& manipulator, const Options& options)
     : run_(run),
+      contacts_(contacts),
       options_(options),
       manipulator_(manipulator, run.clock(), options.manipulator),
-      servo_(device, map, {contacts, manipulator_.states(), manipulator_.commands()}, options.haptics),
+      servo_(device, map, {contacts.newest(), manipulator_.states(), manipulator_.commands()}, options.haptics,
+             contacts.known()),
       loop_(servo_, run.clock(), options.loop) {}
 
 TeleoperationRun::~TeleoperationRun() {
@@ -33,6 +33,7 @@ void TeleoperationRun::start() {
 
 void TeleoperationRun::stop() {
   loop_.stop();
+  contacts_.keep(servo_.contact());
   recorder_.reset();
   manipulator_.stop();
 }

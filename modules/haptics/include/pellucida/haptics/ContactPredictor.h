@@ -68,6 +68,12 @@ class ContactPredictor {
   /// Forgets everything: as before the first frame.
   void clear() noexcept;
 
+  /// Keeps what the frames said and drops the force: it fades in from zero.
+  void fade_in() noexcept {
+    gain_.set(0.0);
+    correction_uN_.setZero();
+  }
+
   /// Shifts the tip's coordinates by this much (a recalibrated manipulator): the force stays.
   void shift(const Eigen::Vector3d& way_um) noexcept {
     frame_.tip_um += way_um;

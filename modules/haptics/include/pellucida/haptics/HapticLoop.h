@@ -48,7 +48,7 @@ class HapticLoop {
 
  private:
   void run(std::stop_token stop);
-  void turn_at(std::int64_t deadline_ns, bool let_go) noexcept;
+  void turn_at(std::int64_t deadline_ns, bool release_hand) noexcept;
   std::int64_t next_deadline_ns(std::int64_t deadline_ns) noexcept;
 
   HapticServo& servo_;

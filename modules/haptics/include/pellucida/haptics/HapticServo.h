@@ -25,14 +25,20 @@ class HapticServo {
   static constexpr std::size_t kRecordCapacity = 8192;
   static constexpr std::size_t kEventCapacity = 1024;
 
-  /// `device`, `map` and the slots of `ports` must outlive the servo. Throws UsageError when the settings have a fault.
-  HapticServo(HapticDevice& device, MotionMap& map, const HapticPorts& ports, const HapticSettings& settings);
+  /// `device`, `map` and the slots of `ports` must outlive the servo. `known`: what the servo before it knew of cell
+  /// and camera. Throws UsageError when the settings have a fault.
+  HapticServo(HapticDevice& device, MotionMap& map, const HapticPorts& ports, const HapticSettings& settings,
+              const CellContact& known = CellContact{});
   HapticServo(const HapticServo&) = delete;
   HapticServo& operator=(const HapticServo&) = delete;
 
-  /// The turning thread only. `now_s`: the run's clock. `let_go`: the loop is about to end, the force goes to zero.
+  /// The turning thread only. `now_s`: the run's clock. `release_hand`: the loop is about to end, the force goes to
+  /// zero.
   /// No call allocates, locks or throws.
-  void turn(double now_s, bool let_go = false) noexcept;
+  void turn(double now_s, bool release_hand = false) noexcept;
+
+  /// What is known of cell and camera, for the next servo. The turning thread, or any once nobody turns any more.
+  const CellContact& contact() const noexcept { return step_.contact(); }
 
   /// Writes zero to the device. The turning thread only.
   void release() noexcept;

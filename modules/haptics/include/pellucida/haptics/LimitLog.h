@@ -33,4 +33,27 @@ class LimitLog {
   std::array<Kind, kKindCount> kinds_{};
 };
 
+/// The limits that act in one tick, collected on the way through it. Must not outlive the log.
+class ActingLimits {
+ public:
+  explicit ActingLimits(LimitLog& log) noexcept : log_(log) {}
+
+  /// This limit acts, and what it compares.
+  void add(LimitKind kind, double value = 0.0, double limit = 0.0) noexcept {
+    mask_ |= limit_bit(kind);
+    log_.note(kind, value, limit);
+  }
+  /// These act; what they compare follows by `explain`.
+  void add(std::uint32_t mask) noexcept { mask_ |= mask; }
+  /// What a limit compares, where it acts.
+  void explain(LimitKind kind, double value, double limit) noexcept {
+    if ((mask_ & limit_bit(kind)) != 0) log_.note(kind, value, limit);
+  }
+  std::uint32_t mask() const noexcept { return mask_; }
+
+ private:
+  LimitLog& log_;
+  std::uint32_t mask_ = 0;
+};
+
 }  // namespace pellucida

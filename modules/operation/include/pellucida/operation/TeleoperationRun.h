@@ -26,8 +26,25 @@ struct HandStatus {
   std::optional<std::string> fault;  ///< of the manipulator: one line, while it is lost
 };
 
-/// The newest contact of a run, for the hand: sets the run's sink. To be called before the run starts.
-std::shared_ptr<LatestValue<ContactModel>> tap_contacts(LiveRun& run);
+/// The contact of a run for the hands that work on it, one after the other: the newest frame for the hand at work, and
+/// what is known of cell and camera, from each hand to the next. What protects the cell so outlives a change of device
+/// or motion scale, even while no frame comes.
+class ContactTap {
+ public:
+  /// Sets the run's contact sink: before the run starts.
+  explicit ContactTap(LiveRun& run);
+
+  /// Reader: the 1 kHz loop of the hand at work.
+  LatestValue<ContactModel>& newest() noexcept { return *newest_; }
+
+  /// The controlling thread only, while no hand is at work.
+  const CellContact& known() const noexcept { return known_; }
+  void keep(const CellContact& known) noexcept { known_ = known; }
+
+ private:
+  std::shared_ptr<LatestValue<ContactModel>> newest_;  // the run's sink shares it
+  CellContact known_;
+};
 
 /// The hand on a live run: device, 1 kHz loop, manipulator, each with its thread, fed by the run's measured frames; the
 /// hand's activity goes into the run's events and recording. Public calls come from one controlling thread, the
@@ -40,10 +57,10 @@ class TeleoperationRun {
     ManipulatorStageOptions manipulator;
   };
 
-  /// All of these must outlive this object; `contacts` is the run's tap, read by this object alone. Throws UsageError
-  /// if the device can't render the settings.
-  TeleoperationRun(LiveRun& run, LatestValue<ContactModel>& contacts, HapticDevice& device, MotionMap& map,
-                   Manipulator& manipulator, const Options& options);
+  /// All of these must outlive this object; `contacts` is the run's tap, used by this object alone until `stop`. Throws
+  /// UsageError if the device can't render the settings.
+  TeleoperationRun(LiveRun& run, ContactTap& contacts, HapticDevice& device, MotionMap& map, Manipulator& manipulator,
+                   const Options& options);
   ~TeleoperationRun();
   TeleoperationRun(const TeleoperationRun&) = delete;
   TeleoperationRun& operator=(const TeleoperationRun&) = delete;
@@ -51,7 +68,7 @@ class TeleoperationRun {
   /// Opens the manipulator and starts the threads. Throws DeviceError when the manipulator is missing, or the system
   /// refuses an enforced real-time policy.
   void start();
-  /// The force fades, the pipette stops, the threads end.
+  /// The force fades, the pipette is held, the threads end; the tap keeps what is known of cell and camera.
   void stop();
 
   /// From the next tick on. Throws as the constructor.
@@ -67,6 +84,7 @@ class TeleoperationRun {
 
  private:
   LiveRun& run_;
+  ContactTap& contacts_;
   Options options_;
   ManipulatorStage manipulator_;
   HapticServo servo_;
