@@ -3,42 +3,11 @@
 #include <cstdio>
 
 #include "commands/MeasureSession.h"
-#include "pellucida/operation/HapticPathBlock.h"
+#include "pellucida/operation/HapticWriter.h"
 #include "pellucida/operation/ProfileStrength.h"
 #include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {
-namespace {
-
-constexpr std::size_t kBlockTicks = 1000;
-
-// Carries plan, hand and limits into the session while it is written.
-class HandWriter {
- public:
-  explicit HandWriter(SimulatedInjectionSource& microscope) : microscope_(microscope) {}
-
-  void add(SessionWriter& writer) {
-    if (!planned_ && microscope_.plan()) {
-      writer.set_plan(to_json(*microscope_.plan()));
-      planned_ = true;
-    }
-    for (const Event& event : microscope_.take_events()) writer.event(event);
-    const auto records = microscope_.take_records();
-    records_.insert(records_.end(), records.begin(), records.end());
-    // What is left at the end is less than a block only when the operator is done.
-    if (records_.size() >= kBlockTicks || (!records_.empty() && microscope_.outcome().done)) {
-      writer.write_hand(make_haptic_path_block(records_, 0.0), records_.front().time_s);
-      records_.clear();
-    }
-  }
-
- private:
-  SimulatedInjectionSource& microscope_;
-  std::vector<HapticRecord> records_;
-  bool planned_ = false;
-};
-
-}  // namespace
 
 GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, const PipelineOptions& pipeline,
                                     const std::filesystem::path& folder, const SessionOptions& session_options,
@@ -46,14 +15,33 @@ GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, c
   SimulatedInjectionOptions of_profile = operated;
   of_profile.cell = strength_of(load_profile(pipeline.profile));
   SimulatedInjectionSource microscope(of_profile);
-  HandWriter hand(microscope);
+  SessionWriter* session = nullptr;
+  HapticWriter hand([&](const Event& event) { session->event(event); },
+                    [&](const Frozen<vtkPolyData>& paths, double time_s) {
+                      session->write_hand(paths, time_s);
+                      return true;
+                    });
+  bool planned = false;
+  const auto take_ticks = [&](SessionWriter& writer) {
+    session = &writer;
+    for (const LimitEvent& limit : microscope.take_events()) hand.add(limit);
+    for (const HapticRecord& tick : microscope.take_records()) hand.add(tick);
+  };
+  SessionAddition addition;
+  addition.after_frame = [&](SessionWriter& writer, const Scene& scene) {
+    microscope.see(scene);
+    if (!planned && microscope.plan()) writer.set_plan(to_json(*microscope.plan()));
+    planned = microscope.plan().has_value();
+    take_ticks(writer);
+    hand.flush(scene.measurement.time_s, 0.0);
+  };
+  addition.at_end = [&](SessionWriter& writer) {
+    take_ticks(writer);
+    hand.finish(0.0);
+  };
   GuidedResult result;
   // One thread: the hand must know of a frame before the next is exposed.
-  result.measured = measure_session(microscope, pipeline, 1, folder, session_options, command_line,
-                                    [&](SessionWriter& writer, const Scene& scene) {
-                                      microscope.see(scene);
-                                      hand.add(writer);
-                                    });
+  result.measured = measure_session(microscope, pipeline, 1, folder, session_options, command_line, addition);
   result.injection = microscope.outcome();
   return result;
 }

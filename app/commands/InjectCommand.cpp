@@ -40,7 +40,7 @@ void add_inject_command(CLI::App& app) {
                                                    {"3d+haptics", Modality::kSpaceAndHaptics},
                                                    {"3d+haptics+guide", Modality::kSpaceAndFixture}};
   command
-      ->add_option("--modality", arguments->operated.person.modality,
+      ->add_option("--modality", arguments->operated.simulated_operator.modality,
                    "what the operator sees and feels: image, 3d, 3d+haptics, 3d+haptics+guide (default)")
       ->transform(CLI::CheckedTransformer(modalities).description(""));
   command->add_option("--seed", arguments->operated.seed, "of the operator")->capture_default_str();

@@ -103,8 +103,7 @@ std::string cell_line(const BatchResult& result) {
 
 BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline, int job_count,
                             const std::filesystem::path& folder, const SessionOptions& session_options,
-                            const std::string& command_line,
-                            const std::function<void(SessionWriter&, const Scene&)>& beside) {
+                            const std::string& command_line, const SessionAddition& addition) {
   // The profile first: a wrong name must not leave an empty session behind.
   const CellProfile profile = load_profile(pipeline.profile);
   SessionInfo info;
@@ -121,8 +120,9 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
                              .progress = [&](long done, std::optional<long> all) { progress.update(done, all); }};
   BatchResult result = run_batch(source, options, [&](const Scene& scene) {
     writer.write(scene);
-    if (beside) beside(writer, scene);
+    if (addition.after_frame) addition.after_frame(writer, scene);
   });
+  if (addition.at_end) addition.at_end(writer);
   if (pipeline.palpation) writer.set_palpation(palpation_json(*pipeline.palpation, result));
   writer.close();
   return result;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "SimulatedOperator.h"
+#include "TrialDraw.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/evaluation/TrialSeries.h"
 #include "pellucida/evaluation/TrialSummary.h"
@@ -24,7 +24,7 @@ std::string rows_of(std::span<const TrialOutcome> outcomes) {
   return text.str();
 }
 
-/// Thirty persons in all four modalities, run once for all cases.
+/// Thirty simulated operators in all four modalities, run once for all cases.
 const std::vector<TrialOutcome>& thirty() {
   static const std::vector<TrialOutcome> outcomes = [] {
     SeriesOptions options;
@@ -69,7 +69,7 @@ TEST(Trial, HapticsLowerTheApproachSpeed) {
   }
 }
 
-// What the arm does by itself, without a mind that slows: the felt force moves it.
+// What the arm does by itself, without an operator who slows: the felt force moves it.
 TEST(Trial, TheArmAloneYieldsToTheForce) {
   SeriesOptions options;
   options.trials = 30;
@@ -132,13 +132,14 @@ TEST(Trial, NumbersOutOfRangeAreRefused) {
   EXPECT_THROW(TrialScene(load_scenario("default")), UsageError);
 }
 
-TEST(SimulatedOperator, IsTheSameInEveryModality) {
-  const SimulatedOperator one = person_of(3, Modality::kFlatImage), other = person_of(3, Modality::kSpaceAndFixture);
+TEST(TrialDraw, TheOperatorIsTheSameInEveryModality) {
+  const DrawnOperator one = draw_operator(3, Modality::kFlatImage),
+                      other = draw_operator(3, Modality::kSpaceAndFixture);
   EXPECT_EQ(one.arm.mass_kg, other.arm.mass_kg);
-  EXPECT_EQ(one.sight_and_skill.tremor_rms_m, other.sight_and_skill.tremor_rms_m);
+  EXPECT_EQ(one.options.tremor_rms_m, other.options.tremor_rms_m);
   EXPECT_EQ(one.insertion_speed_um_per_s, other.insertion_speed_um_per_s);
-  EXPECT_NE(one.arm.mass_kg, person_of(4, Modality::kFlatImage).arm.mass_kg);
-  EXPECT_NE(placement_of(3).turn_deg, placement_of(4).turn_deg);
+  EXPECT_NE(one.arm.mass_kg, draw_operator(4, Modality::kFlatImage).arm.mass_kg);
+  EXPECT_NE(draw_placement(3).turn_deg, draw_placement(4).turn_deg);
 }
 
 }  // namespace

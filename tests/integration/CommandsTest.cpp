@@ -150,6 +150,19 @@ TEST(Commands, ForceTakesAnyAngleOffsetAndTip) {
   }
 }
 
+// An operator who gives up leaves the last ticks, too, however few they are.
+TEST(Commands, AGivenUpInjectionKeepsEveryTickOfTheHand) {
+  const auto folder = test::fresh_folder("commands_given_up", testing::TempDir());
+  const auto session = folder / "session";
+  const auto outcome =
+      test::run_program("inject --no-frames --max-duration-s 2 --output '" + session.string() + "'", folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("given up"), std::string::npos) << outcome.out;
+  // A block of a second, and what was left.
+  EXPECT_TRUE(std::filesystem::exists(session / "haptics" / "haptics_00000000.vtp"));
+  EXPECT_TRUE(std::filesystem::exists(session / "haptics" / "haptics_00000001.vtp"));
+}
+
 // With no display the main job runs headless, a guided injection from end to end: a session that checks out, the hand
 // in it, and a picture that shows something.
 TEST(Commands, WorkstationWithoutADisplayLeavesASessionAndAPicture) {

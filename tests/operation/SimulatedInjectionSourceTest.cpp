@@ -15,7 +15,7 @@ struct Ran {
   InjectionOutcome outcome;
   std::optional<InjectionPlan> plan;
   std::vector<HapticRecord> ticks;
-  std::vector<Event> events;
+  std::vector<LimitEvent> events;
 };
 
 Ran run(const SimulatedInjectionOptions& options) {
@@ -24,7 +24,7 @@ Ran run(const SimulatedInjectionOptions& options) {
   ran.measured = run_batch(microscope, {}, [&](const Scene& scene) {
     microscope.see(scene);
     for (const HapticRecord& tick : microscope.take_records()) ran.ticks.push_back(tick);
-    for (const Event& event : microscope.take_events()) ran.events.push_back(event);
+    for (const LimitEvent& event : microscope.take_events()) ran.events.push_back(event);
   });
   ran.outcome = microscope.outcome();
   ran.plan = microscope.plan();
@@ -53,7 +53,7 @@ TEST(SimulatedInjectionSource, AGuidedInjectionGoesFromEndToEnd) {
     ASSERT_NEAR(ran.ticks[k].time_s - ran.ticks[k - 1].time_s, 1e-3, 1e-9);
   }
   EXPECT_TRUE(std::any_of(ran.events.begin(), ran.events.end(),
-                          [](const Event& event) { return event.kind == "limit" && event.detail == "puncture"; }));
+                          [](const LimitEvent& event) { return event.kind == LimitKind::kPuncture && event.begun; }));
 }
 
 TEST(SimulatedInjectionSource, TheSameSeedsGiveTheSameInjection) {
@@ -92,7 +92,7 @@ TEST(SimulatedInjectionSource, NoPunctureIsReportedBeforeTheMembraneGivesWay) {
 
 TEST(SimulatedInjectionSource, WithoutHapticsNothingIsFelt) {
   SimulatedInjectionOptions options;
-  options.person.modality = Modality::kSpace;
+  options.simulated_operator.modality = Modality::kSpace;
   options.max_duration_s = 4.0;
   const Ran ran = run(options);
   ASSERT_FALSE(ran.ticks.empty());

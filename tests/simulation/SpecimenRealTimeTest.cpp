@@ -36,7 +36,7 @@ TEST(SpecimenRealTime, TheHandAllocatesNothing) {
     hand.read(1e-3 * k, sample);
   }
   EXPECT_EQ(counter.count(), 0u);
-  EXPECT_GT(hand.person().submovement_count(), 0);
+  EXPECT_GT(hand.simulated_operator().submovement_count(), 0);
 }
 
 }  // namespace

@@ -2,28 +2,25 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <string>
 
-#include "SimulatedOperator.h"
+#include "TrialDraw.h"
 #include "TrialMeter.h"
-#include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
-#include "pellucida/haptics/HapticServo.h"
 #include "pellucida/simulation/OperatorPlan.h"
-#include "pellucida/simulation/SimulatedHand.h"
+#include "pellucida/simulation/SimulatedTeleoperation.h"
 #include "pellucida/simulation/VirtualSpecimen.h"
-#include "pellucida/teleoperation/ManipulatorStage.h"
 #include "pellucida/teleoperation/SimulatedInjector.h"
-#include "pellucida/teleoperation/TeleoperationMap.h"
 
 namespace pellucida {
 namespace {
 
-constexpr double kTick_s = 1e-3;
-constexpr long kCommandTicks = 10;  // 100 Hz
+// From a command to the motion: the injector's latency, and half the time between two of its turns.
+const double kManipulatorLag_s =
+    SimulatedInjectorOptions{}.latency_s +
+    0.5 * SimulatedTeleoperation::kTick_s * static_cast<double>(SimulatedTeleoperation::kManipulatorTicks);
 constexpr double kExpelled_s = 0.6;
 
 bool has_haptics(Modality modality) noexcept {
@@ -40,11 +37,10 @@ Eigen::Vector3d start_of(const InjectionPlan& plan, const Placement& place) {
          place.start_out_um * out;
 }
 
-OperatorPlan plan_of(const InjectionPlan& plan, const SimulatedOperator& person, const TrialOptions& options,
-                     double lag_s) {
+OperatorPlan plan_of(const InjectionPlan& plan, const DrawnOperator& drawn, const TrialOptions& options, double lag_s) {
   OperatorPlan wanted = operator_plan(plan, options.motion_scale_um_per_m, lag_s);
   wanted.inject_s = kExpelled_s;
-  wanted.insertion_speed_um_per_s = person.insertion_speed_um_per_s;
+  wanted.insertion_speed_um_per_s = drawn.insertion_speed_um_per_s;
   return wanted;
 }
 
@@ -81,67 +77,6 @@ ContactCameraOptions camera_of(const TrialOptions& options) {
   return camera;
 }
 
-/// What a practised person knows of the chain: map's filter, injector and half a command's time, camera and half a
-/// frame.
-double learnt_lag_s(const TrialOptions& options, const TeleoperationMap& map) noexcept {
-  return map.lag_s() + SimulatedInjectorOptions{}.latency_s + 0.5 * kTick_s * static_cast<double>(kCommandTicks) +
-         options.camera.delay_s + 0.5 / options.camera.frame_rate_hz;
-}
-
-/// All the parts of a trial, put together as a workstation's are, turned by one clock.
-class Workplace {
- public:
-  Workplace(const TrialOptions& options, const SpecimenContact& cell, const CellStrength& strength,
-            const InjectionPlan& plan, const SimulatedOperator& person)
-      : cell_(cell),
-        injector_(injector_at(start_of(plan, placement_of(options.seed))),
-                  [this](const InjectorPose& pose) { cell_.advance(pose.tip_um, pose.time_s, pose.deposited_pl); }),
-        stage_(injector_, clock_),
-        map_(motion_of(options)),
-        hand_(person.sight_and_skill, plan_of(plan, person, options, learnt_lag_s(options, map_)), person.arm,
-              options.seed),
-        servo_(hand_, map_, {contacts_, stage_.states(), stage_.commands()},
-               haptics_of(options, plan, hand_.specification(), strength)),
-        camera_(camera_of(options), cell.force()) {
-    injector_.open();
-    cell_.advance(injector_.pose().tip_um, 0.0);
-  }
-
-  void tick(long count) {
-    const double now_s = kTick_s * static_cast<double>(count);
-    clock_.set(now_s);
-    // Time goes on for the injector, and with it for the needle in the cell.
-    injector_.state(now_s);
-    if (count % kCommandTicks == 0) stage_.turn();
-    if (camera_.look(cell_.moment(), now_s)) {
-      const ContactModel& seen = camera_.newest();
-      contacts_.publish(seen);
-      hand_.see({now_s, seen.tip_um, true, seen.state == CellState::kPunctured});
-    }
-    servo_.turn(now_s);
-    servo_.newest().refresh();
-    while (servo_.records().pop()) {
-    }
-    while (servo_.events().pop()) {
-    }
-  }
-
-  const SpecimenMoment& moment() const noexcept { return cell_.moment(); }
-  const HapticRecord& record() noexcept { return servo_.newest().value(); }
-  const OperatorModel& person() const noexcept { return hand_.person(); }
-
- private:
-  ManualClock clock_;
-  SpecimenContact cell_;
-  SimulatedInjector injector_;
-  ManipulatorStage stage_;
-  TeleoperationMap map_;
-  SimulatedHand hand_;
-  LatestValue<ContactModel> contacts_;
-  HapticServo servo_;
-  ContactCamera camera_;
-};
-
 }  // namespace
 
 FieldList fields_of(TrialOptions& options) {
@@ -170,7 +105,7 @@ TrialScene::TrialScene(const Scenario& scenario) : scenario_(scenario), force_(V
 }
 
 SpecimenContact TrialScene::cell(std::uint64_t seed) const {
-  const Placement place = placement_of(seed);
+  const Placement place = draw_placement(seed);
   SpecimenForce::Frame frame = force_.frame();
   const Eigen::AngleAxisd turn(place.turn_deg * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ());
   frame.center_um.x += place.center_x_um;
@@ -207,18 +142,39 @@ InjectionPlan trial_plan(const TrialOptions& options, const SpecimenForce& cell)
 
 TrialOutcome run_trial(const TrialScene& scene, const TrialOptions& options) {
   check(options);
-  const SpecimenContact cell = scene.cell(options.seed);
-  SimulatedOperator person = person_of(options.seed, options.modality);
-  if (!options.slows_on_force) person.sight_and_skill.slowing_N = 0.0;
+  SpecimenContact cell = scene.cell(options.seed);
+  DrawnOperator drawn = draw_operator(options.seed, options.modality);
+  if (!options.slows_on_force) drawn.options.slowing_N = 0.0;
   const InjectionPlan plan = trial_plan(options, cell.force());
-  const auto workplace = std::make_unique<Workplace>(options, cell, scene.strength(), plan, person);
+
+  SimulatedInjector injector(
+      injector_at(start_of(plan, draw_placement(options.seed))),
+      [&cell](const InjectorPose& pose) { cell.advance(pose.tip_um, pose.time_s, pose.deposited_pl); });
+  injector.open();
+  cell.advance(injector.pose().tip_um, 0.0);
+  SimulatedTeleoperation teleoperation(injector, motion_of(options));
+  const double lag_s =
+      teleoperation.learnt_lag_s(kManipulatorLag_s, options.camera.delay_s, options.camera.frame_rate_hz);
+  teleoperation.start(drawn.options, plan_of(plan, drawn, options, lag_s), drawn.arm, options.seed,
+                      [&](const DeviceSpecification& device) { return haptics_of(options, plan, device, scene.strength()); });
+  ContactCamera camera(camera_of(options), cell.force());
   TrialMeter meter(options, plan);
 
-  const long last = std::lround(options.time_limit_s / kTick_s);
+  const long last = std::lround(options.time_limit_s / SimulatedTeleoperation::kTick_s);
   for (long count = 0; count <= last; ++count) {
-    workplace->tick(count);
-    meter.look(workplace->moment(), workplace->record(), workplace->person().phase());
-    if (workplace->person().done()) break;
+    const double now_s = teleoperation.begin_tick();
+    // Time goes on for the injector, and with it for the needle in the cell.
+    injector.state(now_s);
+    teleoperation.turn_manipulator();
+    if (camera.look(cell.moment(), now_s)) {
+      const ContactModel& seen = camera.newest();
+      teleoperation.show(seen, {now_s, seen.tip_um, true, seen.state == CellState::kPunctured});
+    }
+    const HapticRecord& tick = teleoperation.turn_hand();
+    while (teleoperation.take_event()) {
+    }
+    meter.look(cell.moment(), tick, teleoperation.simulated_operator().phase());
+    if (teleoperation.simulated_operator().done()) break;
   }
   return meter.outcome();
 }

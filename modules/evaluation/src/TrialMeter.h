@@ -4,6 +4,7 @@
 
 #include "pellucida/evaluation/Trial.h"
 #include "pellucida/haptics/HapticRecord.h"
+#include "pellucida/simulation/SimulatedOperator.h"
 #include "pellucida/simulation/SpecimenContact.h"
 
 namespace pellucida {

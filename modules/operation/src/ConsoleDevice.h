@@ -19,7 +19,7 @@ class ConsoleDevice final : public HapticDevice {
         cue_(dynamic_cast<TouchCueDevice*>(device_.get())) {}
 
   // What it is; nullptr where it isn't.
-  SimulatedHand* simulated_operator() noexcept { return simulated_; }
+  SimulatedHand* simulated_hand() noexcept { return simulated_; }
   MouseHand* mouse() const noexcept { return mouse_; }
   TouchCueDevice* cue() noexcept { return cue_; }
 
@@ -35,7 +35,7 @@ class ConsoleDevice final : public HapticDevice {
 
   bool read(double now_s, HandSample& sample) noexcept override {
     const bool there = device_->read(now_s, sample);
-    if (simulated_) phase_.store(simulated_->person().phase(), std::memory_order_relaxed);
+    if (simulated_) phase_.store(simulated_->simulated_operator().phase(), std::memory_order_relaxed);
     sample.buttons |= held_.load(std::memory_order_relaxed);
     sample.buttons &= ~withheld_.load(std::memory_order_relaxed);
     return there;

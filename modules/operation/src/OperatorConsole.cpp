@@ -263,10 +263,10 @@ void OperatorConsole::make_plan(const ContactModel& contact) {
 
 // The tip as it lies under the eyes, whether or not it was measured; the membrane as it was.
 void OperatorConsole::show_operator() {
-  if (!hand_->engaged() || !hand_->device()->simulated_operator()) return;
+  if (!hand_->engaged() || !hand_->device()->simulated_hand()) return;
   const PipetteState pipette = hand_->status().pipette;
   if (pipette.known) {
-    hand_->device()->simulated_operator()->see({pipette.time_s, pipette.tip_um, true, broken_});
+    hand_->device()->simulated_hand()->see({pipette.time_s, pipette.tip_um, true, broken_});
   }
 }
 

@@ -19,17 +19,17 @@ const SpecimenMoment& CommandedNeedle::move(double time_s, const PlainVector3& t
   if (renew_wanted_.exchange(false, std::memory_order_acquire)) contact_.reset();
   if (!std::isfinite(time_s) || !tip_um.eigen().allFinite()) return contact_.moment();
   const SpecimenMoment& moment = contact_.advance(tip_um, time_s, expelled_pL);
-  told_.publish({velocity_um_per_s, expelled_pL, moment});
+  newest_.publish({velocity_um_per_s, expelled_pL, moment});
   return moment;
 }
 
 NeedleCommand CommandedNeedle::at(double) {
-  if (told_.refresh()) moved_ = true;
+  if (newest_.refresh()) moved_ = true;
   NeedleCommand command;
-  command.moment = moved_ ? told_.value().moment : waiting_;
+  command.moment = moved_ ? newest_.value().moment : waiting_;
   command.tip_um = command.moment->tip_um;
-  command.velocity_um_per_s = moved_ ? told_.value().velocity_um_per_s : PlainVector3{};
-  command.expelled_pL = moved_ ? told_.value().expelled_pL : 0.0;
+  command.velocity_um_per_s = moved_ ? newest_.value().velocity_um_per_s : PlainVector3{};
+  command.expelled_pL = moved_ ? newest_.value().expelled_pL : 0.0;
   return command;
 }
 

@@ -43,7 +43,7 @@ SimulatedHand::SimulatedHand(const OperatorOptions& options, const OperatorPlan&
 }
 
 void SimulatedHand::step() noexcept {
-  const double dt = OperatorModel::kStep_s;
+  const double dt = SimulatedOperator::kStep_s;
   if (shown_.refresh()) {
     OperatorView view = shown_.value();
     view.time_s -= offset_s_;
@@ -72,8 +72,8 @@ bool SimulatedHand::read(double now_s, HandSample& sample) noexcept {
   }
   // Time left out moves the operator's own clock, not the operator.
   const double ahead_s = now_s - offset_s_ - operator_.time_s();
-  if (ahead_s > 1.0) offset_s_ += ahead_s - OperatorModel::kStep_s;
-  while (operator_.time_s() + 0.5 * OperatorModel::kStep_s < now_s - offset_s_) step();
+  if (ahead_s > 1.0) offset_s_ += ahead_s - SimulatedOperator::kStep_s;
+  while (operator_.time_s() + 0.5 * SimulatedOperator::kStep_s < now_s - offset_s_) step();
   sample.time_s = now_s;
   sample.position_m = position_m_;
   sample.velocity_m_per_s = velocity_m_per_s_;

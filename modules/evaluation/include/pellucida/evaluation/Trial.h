@@ -3,7 +3,7 @@
 
 #include "pellucida/evaluation/ContactCamera.h"
 #include "pellucida/planning/InjectionPlan.h"
-#include "pellucida/simulation/OperatorModel.h"
+#include "pellucida/simulation/OperatorOptions.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/SpecimenContact.h"
 
@@ -18,7 +18,7 @@ struct TrialOptions {
 
   double motion_scale_um_per_m = 1e4;  ///< 10 um of the tip for 1 mm of the hand
   double force_scale_N_per_uN = 0.05;  ///< with haptics: 0.4 N at the hand when a cell gives way at 7.5 uN
-  bool slows_on_force = true;          ///< false: a felt force moves the arm, but not the operator's mind
+  bool slows_on_force = true;          ///< false: a felt force moves the arm, but doesn't slow the operator
   double approach_distance_um = 10.0;
   double guide_radius_um = 0.0;
   double guide_width_um = 0.5;

@@ -1,15 +1,13 @@
 #pragma once
 #include <thread>
-#include <vector>
 
 #include "pellucida/haptics/HapticServo.h"
-#include "pellucida/operation/LimitDigest.h"
+#include "pellucida/operation/HapticWriter.h"
 #include "pellucida/pipeline/LiveRun.h"
 
 namespace pellucida {
 
-/// Carries what the 1 kHz loop did into the run's events and its recording, on a thread of its own: ticks in blocks of
-/// about a second, limits as events. Nothing is dropped while the disk is slower: blocks wait.
+/// Writes the activity of the 1 kHz loop to the run's events and recording (`HapticWriter`), on a thread of its own.
 class HapticRecorder {
  public:
   /// Both must outlive the recorder, which is the only one to drain the servo's records and events.
@@ -21,19 +19,11 @@ class HapticRecorder {
 
  private:
   void run(std::stop_token stop);
-  void drain(bool last);
-  void hand_on();
-
-  struct Block {
-    Frozen<vtkPolyData> paths;
-    double time_s = 0.0;
-  };
+  void drain();
 
   HapticServo& servo_;
   LiveRun& run_;
-  LimitDigest limits_;
-  std::vector<HapticRecord> records_;
-  std::vector<Block> waiting_;  // blocks waiting for the disk, oldest first
+  HapticWriter writer_;
   std::jthread thread_;
 };
 

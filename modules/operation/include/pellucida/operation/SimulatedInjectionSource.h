@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/core/Event.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/haptics/CellStrength.h"
 #include "pellucida/haptics/HapticRecord.h"
+#include "pellucida/haptics/LimitEvent.h"
 #include "pellucida/planning/InjectionPlan.h"
-#include "pellucida/simulation/OperatorModel.h"
+#include "pellucida/simulation/OperatorOptions.h"
 
 namespace pellucida {
 
 /// Options of a virtual microscope with a simulated operator at its needle.
 struct SimulatedInjectionOptions {
-  std::string scenario = "injection";                              ///< by name or file
-  OperatorOptions person{.modality = Modality::kSpaceAndFixture};  ///< and what the operator sees and feels
+  std::string scenario = "injection";  ///< by name or file
+  OperatorOptions simulated_operator{.modality = Modality::kSpaceAndFixture};
   CellStrength cell;             ///< of the kind of cell, for the limits of force and depth
   std::uint64_t seed = 1;        ///< of the operator
   double vision_delay_s = 0.04;  ///< from a frame's exposure to its force at the hand
@@ -39,12 +39,12 @@ struct InjectionOutcome {
 };
 
 /// The virtual microscope as a source of frames, with the simulated operator guiding its needle through plan, hand, 1
-/// kHz step and injector, all in simulated time: a frame is delivered once the hand has worked up to its exposure. The
-/// measured frames come back through `see`, so that operator and hand know no more than in a live run. Deterministic as
-/// long as every frame is passed to `see` before the next is requested. One thread at a time.
+/// kHz step and injector, all in simulated time: a frame is there when the hand has worked up to its exposure. What the
+/// frames were measured as comes by `see`, so that operator and hand know no more than in a live run. Deterministic
+/// by its options as long as every frame is seen before the next is asked for. One thread at a time.
 class SimulatedInjectionSource final : public FrameSource {
  public:
-  /// Throws as load_scenario, OperatorModel and HapticServo.
+  /// Throws as load_scenario, SimulatedOperator and HapticServo do.
   explicit SimulatedInjectionSource(const SimulatedInjectionOptions& options);
   ~SimulatedInjectionSource() override;
 
@@ -59,7 +59,7 @@ class SimulatedInjectionSource final : public FrameSource {
   const std::optional<InjectionPlan>& plan() const noexcept;
   /// Ticks and limits of the hand since they were last taken; times are the session's.
   std::vector<HapticRecord> take_records();
-  std::vector<Event> take_events();
+  std::vector<LimitEvent> take_events();
   InjectionOutcome outcome() const;
 
  private:

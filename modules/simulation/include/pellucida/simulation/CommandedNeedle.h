@@ -14,7 +14,7 @@ namespace pellucida {
 ///     auto needle = std::make_shared<CommandedNeedle>(scenario);
 ///     VirtualMicroscope microscope(scenario, needle, Pace::kWallClock);   // into a LiveRun
 ///     ...                                                                 // meanwhile, in the 1 kHz thread:
-///     const SpecimenMoment& felt = needle->move(time_s, tip_um, velocity_um_per_s, expelled_pL);
+///     const SpecimenMoment& moment = needle->move(time_s, tip_um, velocity_um_per_s, expelled_pL);
 class CommandedNeedle : public NeedleDrive {
  public:
   /// The needle waits where the scenario's motion starts: `motion.gap_um` before the membrane, on the configuration's
@@ -41,19 +41,19 @@ class CommandedNeedle : public NeedleDrive {
   std::optional<double> duration_s() const noexcept override { return std::nullopt; }
 
  private:
-  struct Told {
+  struct Moved {
     PlainVector3 velocity_um_per_s;
     double expelled_pL = 0.0;
     SpecimenMoment moment;
   };
-  static_assert(std::is_trivially_copyable_v<Told>);
+  static_assert(std::is_trivially_copyable_v<Moved>);
 
   SpecimenForce force_;
   PlainVector3 start_um_;
   double puncture_force_uN_ = 0.0;
   SpecimenContact contact_;  // the moving thread's
   SpecimenMoment waiting_;   // shown before the first move
-  LatestValue<Told> told_;
+  LatestValue<Moved> newest_;
   bool moved_ = false;  // the microscope's: a move has arrived
   std::atomic<bool> renew_wanted_{false};
 };

@@ -3,7 +3,7 @@
 
 #include "pellucida/core/LatestValue.h"
 #include "pellucida/haptics/HapticDevice.h"
-#include "pellucida/simulation/OperatorModel.h"
+#include "pellucida/simulation/SimulatedOperator.h"
 
 namespace pellucida {
 
@@ -27,7 +27,7 @@ struct ArmOptions {
 ///     hand.read(now_s, sample); ...; hand.write(force_N);   // each tick
 class SimulatedHand final : public HapticDevice {
  public:
-  /// Throws as OperatorModel; UsageError when an arm's number is out of range.
+  /// Throws as SimulatedOperator; UsageError when an arm's number is out of range.
   SimulatedHand(const OperatorOptions& options, const OperatorPlan& plan, const ArmOptions& arm, std::uint64_t seed);
 
   /// Takes what the display shows now.
@@ -41,12 +41,12 @@ class SimulatedHand final : public HapticDevice {
   /// hand is then released.
   bool write(const PlainVector3& force_N) noexcept override;
 
-  const OperatorModel& person() const noexcept { return operator_; }
+  const SimulatedOperator& simulated_operator() const noexcept { return operator_; }
 
  private:
   void step() noexcept;
 
-  OperatorModel operator_;
+  SimulatedOperator operator_;
   ArmOptions arm_;
   double tremor_gain_ = 1.0;  ///< makes the hand, held by the arm alone, tremble by the option's RMS
   DeviceSpecification specification_;

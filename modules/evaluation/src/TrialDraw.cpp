@@ -1,4 +1,4 @@
-#include "SimulatedOperator.h"
+#include "TrialDraw.h"
 
 #include <random>
 
@@ -23,28 +23,28 @@ class Draw {
 
 }  // namespace
 
-SimulatedOperator person_of(std::uint64_t seed, Modality modality) {
+DrawnOperator draw_operator(std::uint64_t seed, Modality modality) {
   Draw draw(seed, 0x7065726fU);
-  SimulatedOperator person;
-  OperatorOptions& skill = person.sight_and_skill;
+  DrawnOperator drawn;
+  OperatorOptions& options = drawn.options;
   const auto spread = [&](double& value) { value *= draw.between(0.75, 1.25); };
-  skill.modality = modality;
-  skill.tremor_rms_m = draw.between(50e-6, 150e-6);
-  skill.tremor_Hz = draw.between(8.5, 11.5);
-  skill.visual_delay_s = draw.between(0.19, 0.26);
-  skill.haptic_delay_s = draw.between(0.11, 0.13);
-  for (double* value : {&skill.lateral_noise_um, &skill.flat_depth_noise_um, &skill.space_depth_noise_um,
-                        &skill.motor_noise_ratio, &skill.look_interval_s, &skill.fitts_slope_s}) {
+  options.modality = modality;
+  options.tremor_rms_m = draw.between(50e-6, 150e-6);
+  options.tremor_Hz = draw.between(8.5, 11.5);
+  options.visual_delay_s = draw.between(0.19, 0.26);
+  options.haptic_delay_s = draw.between(0.11, 0.13);
+  for (double* value : {&options.lateral_noise_um, &options.flat_depth_noise_um, &options.space_depth_noise_um,
+                        &options.motor_noise_ratio, &options.look_interval_s, &options.fitts_slope_s}) {
     spread(*value);
   }
-  for (double* value : {&person.arm.mass_kg, &person.arm.damping_N_s_per_m, &person.arm.stiffness_N_per_m,
-                        &person.insertion_speed_um_per_s}) {
+  for (double* value : {&drawn.arm.mass_kg, &drawn.arm.damping_N_s_per_m, &drawn.arm.stiffness_N_per_m,
+                        &drawn.insertion_speed_um_per_s}) {
     spread(*value);
   }
-  return person;
+  return drawn;
 }
 
-Placement placement_of(std::uint64_t seed) {
+Placement draw_placement(std::uint64_t seed) {
   Draw draw(seed, 0x706c6163U);
   Placement place;
   place.center_x_um = draw.between(-5.0, 5.0);

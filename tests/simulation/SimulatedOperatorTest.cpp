@@ -1,4 +1,4 @@
-#include "pellucida/simulation/OperatorModel.h"
+#include "pellucida/simulation/SimulatedOperator.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kStep_s = OperatorModel::kStep_s;
+constexpr double kStep_s = SimulatedOperator::kStep_s;
 
 OperatorPlan plan_along_x() {
   OperatorPlan plan;
@@ -58,7 +58,7 @@ struct Bench {
   }
 };
 
-TEST(OperatorModel, AimedMoveHasABellShapedSpeed) {
+TEST(SimulatedOperator, AimedMoveHasABellShapedSpeed) {
   Bench bench(exact(), plan_along_x(), {300, 0, 0});
   std::vector<double> speed;
   while (bench.time_s < 1.6) {
@@ -80,7 +80,7 @@ TEST(OperatorModel, AimedMoveHasABellShapedSpeed) {
   EXPECT_NEAR(bench.tip_um.x, 100, 3.1);
 }
 
-TEST(OperatorModel, NothingMovesBeforeTheReactionTime) {
+TEST(SimulatedOperator, NothingMovesBeforeTheReactionTime) {
   for (double delay_s : {0.15, 0.2, 0.4}) {
     OperatorOptions options = exact();
     options.visual_delay_s = delay_s;
@@ -95,26 +95,26 @@ TEST(OperatorModel, NothingMovesBeforeTheReactionTime) {
   }
 }
 
-TEST(OperatorModel, CorrectionsReachAPointInSpiteOfNoise) {
+TEST(SimulatedOperator, CorrectionsReachAPointInSpiteOfNoise) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     OperatorOptions options;
     options.motor_noise_ratio = 0.15;
     Bench bench(options, plan_along_x(), {400, 80, -30}, seed);
-    while (bench.time_s < 10 && bench.hand.person().phase() < OperatorPhase::kInsert) bench.tick();
-    EXPECT_EQ(bench.hand.person().phase(), OperatorPhase::kInsert) << seed;
-    EXPECT_GE(bench.hand.person().submovement_count(), 2) << seed;
+    while (bench.time_s < 10 && bench.hand.simulated_operator().phase() < OperatorPhase::kInsert) bench.tick();
+    EXPECT_EQ(bench.hand.simulated_operator().phase(), OperatorPhase::kInsert) << seed;
+    EXPECT_GE(bench.hand.simulated_operator().submovement_count(), 2) << seed;
     EXPECT_LE((bench.tip_um.eigen() - Eigen::Vector3d(100, 0, 0)).norm(), 15) << seed;
   }
 }
 
-TEST(OperatorModel, DepthIsWorstWithAFlatImage) {
+TEST(SimulatedOperator, DepthIsWorstWithAFlatImage) {
   const auto depth_rms_um = [](Modality modality) {
     double squares = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
       OperatorOptions options;
       options.modality = modality;
       Bench bench(options, plan_along_x(), {300, 0, 25}, seed);
-      while (bench.time_s < 10 && bench.hand.person().phase() < OperatorPhase::kInsert) bench.tick();
+      while (bench.time_s < 10 && bench.hand.simulated_operator().phase() < OperatorPhase::kInsert) bench.tick();
       squares += bench.tip_um.z * bench.tip_um.z / 60;
     }
     return std::sqrt(squares);
@@ -124,7 +124,7 @@ TEST(OperatorModel, DepthIsWorstWithAFlatImage) {
   EXPECT_LT(flat, 20);
 }
 
-TEST(OperatorModel, TremorIsAtTenHertzAndAsStrongAsAsked) {
+TEST(SimulatedOperator, TremorIsAtTenHertzAndAsStrongAsAsked) {
   for (double rms_m : {50e-6, 100e-6, 200e-6}) {
     OperatorOptions options = exact();
     options.tremor_rms_m = rms_m;
@@ -161,7 +161,7 @@ TEST(OperatorModel, TremorIsAtTenHertzAndAsStrongAsAsked) {
   }
 }
 
-TEST(OperatorModel, SameSeedSameHand) {
+TEST(SimulatedOperator, SameSeedSameHand) {
   const auto path = [](std::uint64_t seed) {
     Bench bench(OperatorOptions{}, plan_along_x(), {300, 40, 10}, seed);
     std::vector<double> places;
@@ -177,7 +177,7 @@ TEST(OperatorModel, SameSeedSameHand) {
   EXPECT_NE(one, path(6));
 }
 
-TEST(OperatorModel, FeltDropEndsThePushSoonerThanSeeingIt) {
+TEST(SimulatedOperator, FeltDropEndsThePushSoonerThanSeeingIt) {
   const auto overshoot_um = [](Modality modality) {
     OperatorOptions options = exact();
     options.modality = modality;
@@ -185,7 +185,7 @@ TEST(OperatorModel, FeltDropEndsThePushSoonerThanSeeingIt) {
     Bench bench(options, plan, {110, 0, 0});
     bool broken = false;
     double broken_s = -1, deepest_um = 0;
-    while (bench.time_s < 20 && !bench.hand.person().done()) {
+    while (bench.time_s < 20 && !bench.hand.simulated_operator().done()) {
       const double push_um = plan.entry_um.x - bench.tip_um.x;
       if (!broken && push_um >= 44) {
         broken = true;
@@ -195,10 +195,11 @@ TEST(OperatorModel, FeltDropEndsThePushSoonerThanSeeingIt) {
       // 0.3 N when the membrane breaks.
       bench.tick({broken || push_um < 0 ? 0.0 : 0.3 * push_um / 44, 0, 0}, broken);
     }
-    EXPECT_TRUE(bench.hand.person().done());
+    EXPECT_TRUE(bench.hand.simulated_operator().done());
     EXPECT_TRUE(broken);
-    EXPECT_GE(bench.hand.person().noticed_puncture_s(), broken_s + (modality == Modality::kSpace ? 0.2 : 0.12));
-    EXPECT_LE(bench.hand.person().noticed_puncture_s(), broken_s + 0.3);
+    EXPECT_GE(bench.hand.simulated_operator().noticed_puncture_s(),
+              broken_s + (modality == Modality::kSpace ? 0.2 : 0.12));
+    EXPECT_LE(bench.hand.simulated_operator().noticed_puncture_s(), broken_s + 0.3);
     EXPECT_NEAR(bench.tip_um.x, plan.removal_um.x, 5);
     return deepest_um;
   };
@@ -210,21 +211,21 @@ double intended_speed_um_per_s(double slowing_N, const PlainVector3& force_N) {
   OperatorOptions options = exact();
   options.modality = Modality::kSpaceAndHaptics;
   options.slowing_N = slowing_N;
-  OperatorModel person(options, plan_along_x(), 1);
+  SimulatedOperator simulated(options, plan_along_x(), 1);
   const PlainVector3 start_um{120, 0, 0};
   double speed = 0;
-  for (int k = 0; k < 8000 && person.phase() != OperatorPhase::kDone; ++k) {
-    const bool pushes = person.phase() == OperatorPhase::kInsert;
-    const OperatorIntent& intent = person.tick(pushes ? force_N : PlainVector3{});
+  for (int k = 0; k < 8000 && simulated.phase() != OperatorPhase::kDone; ++k) {
+    const bool pushes = simulated.phase() == OperatorPhase::kInsert;
+    const OperatorIntent& intent = simulated.tick(pushes ? force_N : PlainVector3{});
     const Eigen::Vector3d tip_um = start_um.eigen() + 1e4 * world_from_hand(intent.position_m).eigen();
-    if (k % 33 == 0) person.see({person.time_s(), PlainVector3(tip_um), true, false});
+    if (k % 33 == 0) simulated.see({simulated.time_s(), PlainVector3(tip_um), true, false});
     if (tip_um.x() < 60) return speed;
     if (pushes && tip_um.x() < 80) speed = std::max(speed, -1e4 * intent.velocity_m_per_s.x);
   }
   return 0;
 }
 
-TEST(OperatorModel, SlowsAgainstAResistanceButNotForAGuidesPush) {
+TEST(SimulatedOperator, SlowsAgainstAResistanceButNotForAGuidesPush) {
   const double free = intended_speed_um_per_s(0.4, {});
   EXPECT_NEAR(free, plan_along_x().insertion_speed_um_per_s, 4);
   EXPECT_NEAR(intended_speed_um_per_s(0.4, {0.4, 0, 0}), 0.5 * free, 3);
@@ -233,17 +234,17 @@ TEST(OperatorModel, SlowsAgainstAResistanceButNotForAGuidesPush) {
 }
 
 // A picture that comes 0.15 s late: who knows of it aims once, who does not goes to and fro.
-TEST(OperatorModel, KnowsTheLagOfWhatItIsShown) {
+TEST(SimulatedOperator, KnowsTheLagOfWhatItIsShown) {
   const auto turns = [](double known_lag_s) {
     OperatorPlan plan = plan_along_x();
     plan.lag_s = known_lag_s;
-    OperatorModel person(exact(), plan, 1);
+    SimulatedOperator simulated(exact(), plan, 1);
     std::vector<double> x_um;
     int count = 0;
-    for (int k = 0; k < 3000 && person.phase() != OperatorPhase::kInsert; ++k) {
-      x_um.push_back(300 + 1e4 * person.tick({}).position_m.x);
+    for (int k = 0; k < 3000 && simulated.phase() != OperatorPhase::kInsert; ++k) {
+      x_um.push_back(300 + 1e4 * simulated.tick({}).position_m.x);
       const auto late = static_cast<std::size_t>(std::max(0, k - 150));
-      if (k % 33 == 0) person.see({person.time_s(), {x_um[late], 0, 0}, true, false});
+      if (k % 33 == 0) simulated.see({simulated.time_s(), {x_um[late], 0, 0}, true, false});
       if (x_um.size() > 2 && (x_um[x_um.size() - 1] - x_um[x_um.size() - 2]) > 1e-6) ++count;
     }
     return count;  // milliseconds on the way back
@@ -252,20 +253,20 @@ TEST(OperatorModel, KnowsTheLagOfWhatItIsShown) {
   EXPECT_GT(turns(0.0), 100);
 }
 
-TEST(OperatorModel, DepositsAtTheTargetAndPressesTheButtonOnlyThere) {
+TEST(SimulatedOperator, DepositsAtTheTargetAndPressesTheButtonOnlyThere) {
   OperatorPlan plan = plan_along_x();
   plan.inject_s = 0.7;
   Bench bench(OperatorOptions{}, plan, {150, 5, 3}, 9);
   int pressed = 0;
   bool broken = false;
-  while (bench.time_s < 30 && !bench.hand.person().done()) {
+  while (bench.time_s < 30 && !bench.hand.simulated_operator().done()) {
     broken = broken || bench.tip_um.x < 60;
     bench.tick({}, broken);
     if (!(bench.sample.buttons & kInject)) continue;
     ++pressed;
     EXPECT_LE((bench.tip_um.eigen() - plan.target_um.eigen()).norm(), 15);
   }
-  EXPECT_TRUE(bench.hand.person().done());
+  EXPECT_TRUE(bench.hand.simulated_operator().done());
   EXPECT_NEAR(pressed * kStep_s, 0.7, 0.01);
 }
 
@@ -287,7 +288,7 @@ TEST(SimulatedHand, InjectsTheVirtualCell) {
       SimulatedHand hand(options, plan, ArmOptions{}, seed);
       HandSample sample;
       hand.read(0, sample);
-      for (int k = 1; k < 40000 && !hand.person().done(); ++k) {
+      for (int k = 1; k < 40000 && !hand.simulated_operator().done(); ++k) {
         const double time_s = k * kStep_s;
         hand.read(time_s, sample);
         const Eigen::Vector3d tip_um =
@@ -298,7 +299,7 @@ TEST(SimulatedHand, InjectsTheVirtualCell) {
         hand.write(feels ? hand_from_world(Eigen::Vector3d(0.02 * felt.reply.force_uN.eigen())) : PlainVector3{});
         if (k % 33 == 0) hand.see({time_s, tip_um, true, felt.state == CellState::kPunctured});
       }
-      EXPECT_TRUE(hand.person().done()) << seed;
+      EXPECT_TRUE(hand.simulated_operator().done()) << seed;
       const SpecimenMoment after = *needle.at(0).moment;
       EXPECT_EQ(after.state, CellState::kFree) << seed;
       if (after.deposited_pL > 4.9 && after.puncture_count == 1) ++injected;
@@ -352,13 +353,13 @@ TEST(SimulatedHand, LimitsAndBadNumbers) {
   for (int k = 0; k <= 3000; ++k) hand.read(k * kStep_s, sample);
   EXPECT_NEAR(sample.position_m.x, hand.specification().max_force_N / 300, 1e-4);
   // A long pause is left out, not replayed.
-  const double before_s = hand.person().time_s();
+  const double before_s = hand.simulated_operator().time_s();
   hand.read(1000, sample);
-  EXPECT_LE(hand.person().time_s(), before_s + 0.01);
+  EXPECT_LE(hand.simulated_operator().time_s(), before_s + 0.01);
 
   OperatorOptions options;
   options.tremor_Hz = 30;
-  EXPECT_THROW(OperatorModel(options, plan_along_x(), 1), UsageError);
+  EXPECT_THROW(SimulatedOperator(options, plan_along_x(), 1), UsageError);
   ArmOptions arm;
   arm.mass_kg = 0;
   EXPECT_THROW(SimulatedHand(exact(), plan_along_x(), arm, 1), UsageError);

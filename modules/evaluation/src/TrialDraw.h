@@ -5,17 +5,17 @@
 
 namespace pellucida {
 
-/// The numbers of one simulated operator.
-struct SimulatedOperator {
-  OperatorOptions sight_and_skill;
+/// What the seed of a trial draws of its operator.
+struct DrawnOperator {
+  OperatorOptions options;
   ArmOptions arm;
   double insertion_speed_um_per_s = 40.0;
 };
 
-/// The person of a seed: the defaults of OperatorOptions and ArmOptions, each spread evenly by about a quarter to
-/// either side (tremor from 50 to 150 um, within what the header's source finds). The same person whatever the
-/// modality, so that modalities are compared within persons.
-SimulatedOperator person_of(std::uint64_t seed, Modality modality);
+/// The simulated operator of a seed: the defaults of OperatorOptions and ArmOptions, each spread evenly by about a
+/// quarter to either side (tremor from 50 to 150 um, within what the header's source finds). The same operator whatever
+/// the modality, so that modalities are compared within operators.
+DrawnOperator draw_operator(std::uint64_t seed, Modality modality);
 
 /// Where a trial's scene lies: small differences from trial to trial, by its seed.
 struct Placement {
@@ -25,6 +25,6 @@ struct Placement {
   double start_across_um = 0.0;                 ///< in the image plane: -15..15
   double start_out_um = 0.0;                    ///< out of it: -15..15
 };
-Placement placement_of(std::uint64_t seed);
+Placement draw_placement(std::uint64_t seed);
 
 }  // namespace pellucida
