@@ -111,17 +111,17 @@ bool ContactPredictor::land(const Eigen::Vector3d& tip_um, const Eigen::Vector3d
                        next_.time_s - frame_.time_s <= settings_.age_limit_s;
   const bool punctured = !released_ && (next_.state == CellState::kPunctured || dropped);
   if (punctured) {
-    // What was felt stays as it is and fades out; this frame's own force isn't taken in.
+    // The force stays as it is and fades out; this frame's own force isn't taken in.
     released_ = true;
     in_contact_run_ = next_.state == CellState::kContact;
     contact_since_s_ = next_.time_s;
     frame_.time_s = next_.time_s;
     frame_.index = next_.index;
   } else if (!released_ || gain_.value() <= 0.0) {
-    // Nothing is to be kept smooth while nothing is felt.
-    const bool felt = !released_ && gain_.value() > 0.0;
+    // Nothing is to be kept smooth while there is no force.
+    const bool rendered = !released_ && gain_.value() > 0.0;
     correction_uN_ = old_uN + correction_part(tip_um) * correction_uN_ - new_uN;
-    if (!felt) correction_uN_.setZero();
+    if (!rendered) correction_uN_.setZero();
     frame_ = next_;
     // Over the way out of the contact, and so that the fading adds at most a quarter to the stiffness.
     landing_way_um_ = (tip_um - frame_.tip_um).dot(frame_.push);

@@ -112,10 +112,10 @@ GamepadHand::GamepadHand(const GamepadOptions& options)
 
 GamepadHand::~GamepadHand() {
   stop();
-  let_go();
+  release();
 }
 
-void GamepadHand::let_go() {
+void GamepadHand::release() {
   if (sdl_->controller) SDL_GameControllerClose(sdl_->controller);
   if (sdl_->joystick) SDL_JoystickClose(sdl_->joystick);
   sdl_->controller = nullptr;
@@ -138,7 +138,7 @@ PolledHand::Reading GamepadHand::poll(const TouchCue& cue, std::stop_token stop)
   wait_for(stop, 1.0 / options_.rate_Hz);
   SDL_JoystickUpdate();
   if (sdl_->joystick && !SDL_JoystickGetAttached(sdl_->joystick)) {
-    let_go();
+    release();
     until_next_look_ = 0;
   }
   if (!sdl_->joystick) {

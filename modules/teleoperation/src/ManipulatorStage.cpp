@@ -15,8 +15,8 @@ bool usable(const PipetteCommand& command) noexcept {
                           std::isfinite(command.max_speed_um_per_s));
 }
 
-/// The same command, but standing still and not injecting.
-PipetteCommand standing(PipetteCommand command) noexcept {
+/// The same command, but held and not injecting.
+PipetteCommand holding(PipetteCommand command) noexcept {
   if (!command.tip_um.eigen().allFinite()) command.tip_um = {};
   command.velocity_um_per_s = {};
   command.max_speed_um_per_s = 0.0;
@@ -90,7 +90,7 @@ void ManipulatorStage::serve(double now_s) {
   } else if (has_command_ && !held_ && (fresh || now_s - command_seen_s_ > options_.command_timeout_s)) {
     // Silence, or impossible numbers: stop.
     held_ = true;
-    manipulator_.command(standing(commands_.value()), now_s);
+    manipulator_.command(holding(commands_.value()), now_s);
     std::lock_guard lock(mutex_);
     ++counts_.hold_count;
   }

@@ -66,12 +66,12 @@ void SimulatedInjector::open() {
 }
 
 void SimulatedInjector::close() noexcept {
-  stand();
+  hold();
   waiting_.clear();
   open_ = false;
 }
 
-void SimulatedInjector::stand() {
+void SimulatedInjector::hold() {
   target_um_ = motor_um_;
   velocity_um_per_s_.setZero();
   speed_limit_um_per_s_ = 0.0;
@@ -83,7 +83,7 @@ void SimulatedInjector::command(const PipetteCommand& command, double now_s) {
   if (!open_) throw DeviceError("simulated injector: not open; open it before commanding it");
   follow_time(now_s);
   if (command.stop) {
-    stand();
+    hold();
     waiting_.clear();
     stopped_ = true;
     return;

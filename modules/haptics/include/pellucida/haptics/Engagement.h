@@ -15,7 +15,7 @@ namespace pellucida {
 /// | kHolding     | held: the hand asks for more depth than it may have | kLeading, when it comes back or may go on |
 /// | kRetracting  | is taken back along the push        | kLeading, when the button is released                     |
 ///
-/// The last four are engaged states: the motion map ties hand and tip, and the device gives its force. A lost, jumped
+/// The last four are engaged states: the motion map joins hand and tip, and the device gives its force. A lost, jumped
 /// or stopped pipette leads from each state but kWaiting to kDisplaced; a lost hand from the engaged ones to kReleased.
 /// The emergency stop is no state but a latch: while it is set the pipette is displaced, or still waits.
 enum class Engagement : std::uint8_t { kWaiting, kDisplaced, kReleased, kLeading, kClutched, kHolding, kRetracting };

@@ -34,7 +34,7 @@ class PipetteLead {
 
   /// Puts the pipette's proxy there: it was out of our hands.
   void place(const Eigen::Vector3d& tip_um) noexcept { pipette_.place(tip_um); }
-  /// Ties the hand as it is to the pipette as it is; link and fixtures start from nothing.
+  /// Engages the hand as it is with the pipette as it is; link and fixtures start from nothing.
   void engage(const HandSample& hand) noexcept;
   /// The same with the hand already `ahead_um` beyond the pipette: so far it comes back before it takes the pipette.
   void engage_ahead(const HandSample& hand, const Eigen::Vector3d& ahead_um) noexcept;

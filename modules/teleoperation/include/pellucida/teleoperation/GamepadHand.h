@@ -43,7 +43,7 @@ class GamepadHand final : public PolledHand {
   struct Sdl;
   Reading poll(const TouchCue& cue, std::stop_token stop) override;
   bool look_for_it();
-  void let_go();
+  void release();
   void rumble(const TouchCue& cue);
 
   GamepadOptions options_;

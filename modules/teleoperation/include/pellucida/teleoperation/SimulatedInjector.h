@@ -61,7 +61,7 @@ class SimulatedInjector final : public Manipulator {
 
   void follow_time(double now_s);
   void take_due_commands();
-  void stand();
+  void hold();
   void step(double dt_s);
 
   SimulatedInjectorOptions options_;
