@@ -9,7 +9,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kStep_s = 1e-3;
 constexpr double kHaltTime_s = 0.04;
 constexpr double kTargetWidth_um = 3.0;
 constexpr double kTremorBandwidth_Hz = 1.0;
@@ -47,19 +46,19 @@ Eigen::Vector3d OperatorMotion::end_m() const noexcept {
 
 PlainVector3 OperatorMotion::position_before_m(double lag_s) const noexcept {
   const auto size = static_cast<long>(past_m_.size());
-  const long step = step_count_ - 1 - std::min(std::lround(lag_s / kStep_s), size - 1);
+  const long step = step_count_ - 1 - std::min(std::lround(lag_s / kOperatorStep_s), size - 1);
   return step >= 0 ? past_m_[static_cast<std::size_t>(step % size)] : PlainVector3{};
 }
 
 void OperatorMotion::step(double now_s) noexcept {
   // Ended moves, those under way, and what a halt has left.
-  drift_m_per_s_ = Eigen::Vector3d(std::exp(-kStep_s / kHaltTime_s) * drift_m_per_s_.eigen());
-  base_m_ = Eigen::Vector3d(base_m_.eigen() + kStep_s * drift_m_per_s_.eigen());
+  drift_m_per_s_ = Eigen::Vector3d(std::exp(-kOperatorStep_s / kHaltTime_s) * drift_m_per_s_.eigen());
+  base_m_ = Eigen::Vector3d(base_m_.eigen() + kOperatorStep_s * drift_m_per_s_.eigen());
   Eigen::Vector3d position = base_m_.eigen(), velocity = drift_m_per_s_.eigen();
   int kept = 0;
   for (int k = 0; k < move_count_; ++k) {
     const Submovement& move = moves_[static_cast<std::size_t>(k)];
-    const double u = (now_s + kStep_s - move.start_s) / move.duration_s;
+    const double u = (now_s + kOperatorStep_s - move.start_s) / move.duration_s;
     if (u >= 1) {
       base_m_ = Eigen::Vector3d(base_m_.eigen() + move.way_m.eigen());
       position += move.way_m.eigen();
@@ -77,8 +76,8 @@ void OperatorMotion::step(double now_s) noexcept {
 
 OperatorTremor::OperatorTremor(const OperatorOptions& options, NormalNoise& noise) noexcept {
   // The gain gives each of three axes its share.
-  const double pi = std::numbers::pi, r = std::exp(-pi * kTremorBandwidth_Hz * kStep_s);
-  const double angle = 2 * pi * options.tremor_Hz * kStep_s, r2 = r * r;
+  const double pi = std::numbers::pi, r = std::exp(-pi * kTremorBandwidth_Hz * kOperatorStep_s);
+  const double angle = 2 * pi * options.tremor_Hz * kOperatorStep_s, r2 = r * r;
   pole_ = r2;
   turn_ = 2 * r * std::cos(angle);
   const double variance = (1 + r2) / ((1 - r2) * (1 + r2 * r2 - 2 * r2 * std::cos(2 * angle)));

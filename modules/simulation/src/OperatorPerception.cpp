@@ -6,7 +6,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kStep_s = 1e-3;
 constexpr double kFeelingTime_s = 0.02;
 
 }  // namespace
@@ -50,11 +49,11 @@ Eigen::Vector3d OperatorPerception::look(const Seen& seen, NormalNoise& noise) n
 
 bool OperatorPerception::feel(const PlainVector3& force_N, bool attends) noexcept {
   const double resistance_N = std::max(0.0, force_N.eigen().dot(against_.eigen()));
-  felt_now_N_ += kStep_s / kFeelingTime_s * (resistance_N - felt_now_N_);
+  felt_now_N_ += kOperatorStep_s / kFeelingTime_s * (resistance_N - felt_now_N_);
   const auto size = static_cast<long>(felt_N_.size());
   const long tick = tick_++;
   felt_N_[static_cast<std::size_t>(tick % size)] = felt_now_N_;
-  const long delay = std::min(std::lround(options_.haptic_delay_s / kStep_s), size - 1);
+  const long delay = std::min(std::lround(options_.haptic_delay_s / kOperatorStep_s), size - 1);
   if (!haptics_ || !attends || tick < delay) {
     felt_peak_N_ = felt_late_N_ = 0.0;
     return false;

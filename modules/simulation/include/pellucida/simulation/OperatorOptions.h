@@ -2,6 +2,9 @@
 
 namespace pellucida {
 
+/// The step of a simulated operator's time, s.
+inline constexpr double kOperatorStep_s = 1e-3;
+
 /// What the operator sees and feels.
 enum class Modality {
   kFlatImage,        ///< the microscope's image: depth only from blur

@@ -30,7 +30,7 @@ struct OperatorIntent {
 /// and neither allocates nor throws.
 class SimulatedOperator {
  public:
-  static constexpr double kStep_s = 1e-3;
+  static constexpr double kStep_s = kOperatorStep_s;
 
   /// Throws UsageError when an option or the plan's scale is out of range.
   SimulatedOperator(const OperatorOptions& options, const OperatorPlan& plan, std::uint64_t seed);
