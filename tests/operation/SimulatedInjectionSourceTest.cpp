@@ -73,7 +73,7 @@ TEST(SimulatedInjectionSource, TheSameSeedsGiveTheSameInjection) {
 TEST(SimulatedInjectionSource, NoPunctureIsReportedBeforeTheMembraneGivesWay) {
   for (const unsigned seed : {1u, 2u}) {
     SimulatedInjectionOptions options;
-    options.person.modality = Modality::kFlatImage;
+    options.simulated_operator.modality = Modality::kFlatImage;
     options.seed = seed;
     options.max_duration_s = 3.4;
     const Ran ran = run(options);
