@@ -197,7 +197,7 @@ TEST(OperatorConsole, WhatIsKnownOfTheCellOutlivesAChangeOfHand) {
   };
   run.start();
   console.choose(console.find_hand("Mouse").value());
-  EXPECT_TRUE(tick_until([&](const HapticRecord&) { return console.plan().has_value(); }));
+  ASSERT_TRUE(tick_until([&](const HapticRecord&) { return console.plan().has_value(); }));
   console.scale(0);
   console.grip(true);
   const PlainVector3 axis = console.plan()->axis;
