@@ -11,12 +11,13 @@
 #include "commands/ForceCommand.h"
 #include "commands/IdentifyCommand.h"
 #include "commands/InjectCommand.h"
+#include "commands/Manual.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/SimulateCommand.h"
 #include "commands/TrialCommand.h"
+#include "commands/Versions.h"
 #include "commands/WorkstationCommand.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/core/Version.h"
 
 namespace {
 
@@ -31,7 +32,7 @@ int report(pellucida::ExitCode code, const char* text) {
 int main(int argc, char** argv) {
   CLI::App app("Pellucida: see a living cell's membrane in 3-D, and the force on it, from the microscope image alone",
                "pellucida");
-  app.set_version_flag("--version", pellucida::kVersion);
+  app.set_version_flag("--version", pellucida::version_text, "Version of the program and of its libraries, and exit");
   app.require_subcommand(0, 1);
   pellucida::add_workstation_command(app);
   pellucida::add_simulate_command(app);
@@ -45,15 +46,18 @@ int main(int argc, char** argv) {
   pellucida::add_bench_command(app);
   pellucida::add_devices_command(app);
   pellucida::add_profiles_command(app);
+  // Hidden, for the build: the commands as the man page lists them.
+  app.add_flag_callback("--manual-of-commands",
+                        [&app] { throw CLI::CallForVersion(pellucida::manual_of_commands(app), 0); })
+      ->group("");
   pellucida::keep_command_line(argc, argv);
   try {
     app.parse(argc, argv);
     // Without a subcommand: the workstation on the virtual microscope.
     if (app.get_subcommands().empty()) app.parse("workstation");
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::CallForVersion& version) {
-    return app.exit(version);
+  } catch (const CLI::Success& asked) {
+    // Help, version, manual.
+    return app.exit(asked);
   } catch (const CLI::ParseError& error) {
     const std::string text = std::string(error.what()) + "; see pellucida --help";
     return report(pellucida::ExitCode::kWrongUsage, text.c_str());

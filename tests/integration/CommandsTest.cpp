@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
@@ -9,6 +10,7 @@
 
 #include "pellucida/core/Measurement.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/core/Version.h"
 #include "support/RunProgram.h"
 
 // Commands that need no long run: help, profiles, force, the headless workstation, bench.
@@ -26,7 +28,33 @@ TEST(Commands, EachHasHelpAndExplainsItsOptions) {
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;
   }
-  EXPECT_EQ(test::run_program("--version", folder).exit_code, 0);
+}
+
+// A report of a fault has to say what it ran on.
+TEST(Commands, VersionTellsOfProgramLibrariesAndDevices) {
+  const auto outcome = test::run_program("--version", test::fresh_folder("commands_version", testing::TempDir()));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, std::string("Pellucida ") + kVersion);
+  std::map<std::string, std::string> versions;
+  while (std::getline(lines, line)) {
+    const std::size_t end = line.find("  ");
+    ASSERT_NE(end, std::string::npos) << line;
+    versions[line.substr(0, end)] = line.substr(line.find_first_not_of(' ', end));
+  }
+  const auto is_version = [](const std::string& text) {
+    return text.find('.') != std::string::npos && text.find_first_not_of("0123456789.") == std::string::npos;
+  };
+  for (const char* library :
+       {"VTK", "Qt", "OpenCV", "ITK", "libtiff", "Eigen", "Ceres Solver", "nlohmann JSON", "CLI11"}) {
+    EXPECT_TRUE(is_version(versions[library])) << library << " " << versions[library];
+  }
+  for (const char* library : {"SDL", "libspnav", "libserialport"}) {
+    const std::string& version = versions[library];
+    EXPECT_TRUE(is_version(version) || version.starts_with("not in this build: no ")) << library << " " << version;
+  }
 }
 
 TEST(Commands, ProfilesAreListed) {

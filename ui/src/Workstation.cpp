@@ -4,6 +4,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
+#include <QIcon>
 #include <QMutex>
 #include <QSet>
 #include <QSurfaceFormat>
@@ -55,6 +56,9 @@ int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsol
 #endif
   QApplication app(argc, argv);
   QApplication::setApplicationName("Pellucida");
+  // The desktop entry and the icon of an installed program.
+  QApplication::setDesktopFileName("pellucida");
+  QApplication::setWindowIcon(QIcon::fromTheme("pellucida"));
   apply_theme(app);
   MainWindow window(std::move(run), std::move(console), options);
   window.show();

@@ -20,12 +20,12 @@ fs::path resource_folder(const char* named, const fs::path& program) {
   std::error_code code;
   if (named && *named) {
     if (fs::is_directory(named, code)) return named;
-    throw InputError(std::string(kVariable) + " names " + named + ", which is no folder; name the one with the " +
-                     kContents + ", or unset it");
+    throw InputError(std::string(kVariable) + " names " + named +
+                     ", which is not a folder; set it to the folder of the " + kContents + ", or unset it");
   }
   if (program.empty()) {
-    throw InputError(std::string("where the program lies can't be read from /proc; set ") + kVariable +
-                     " to the folder with the " + kContents);
+    throw InputError(std::string("the program's own path cannot be read from /proc; set ") + kVariable +
+                     " to the folder of the " + kContents);
   }
   const fs::path beside = program.parent_path().parent_path() / "share" / "pellucida";
   if (fs::is_directory(beside, code)) return beside;

@@ -6,13 +6,14 @@
 
 namespace pellucida {
 
-/// The folder with what the running program reads (profiles, scenarios, reference, devices): the one that the
-/// environment variable PELLUCIDA_RESOURCES names if it is set, else `../share/pellucida` beside the executable's own
-/// folder. In a build tree that is a link to the source tree's `resources`. Throws InputError when the folder isn't
-/// there: where it was looked for, and how to mend it.
+/// The folder of the files the running program reads (profiles, scenarios, reference, devices): the value of the
+/// environment variable PELLUCIDA_RESOURCES if it is set, otherwise `../share/pellucida` relative to the executable's
+/// folder. In a build tree that is a link to the source tree's `resources`. Throws InputError when there is no such
+/// folder: which one was expected, and how to correct it.
 std::filesystem::path resource_folder();
 
-/// The same rule for any value of the variable (nullptr or empty: not set) and any executable (absolute path; empty: unknown).
+/// The same rule for any value of the variable (nullptr or empty: not set) and any executable (absolute path; empty:
+/// unknown).
 std::filesystem::path resource_folder(const char* named, const std::filesystem::path& program);
 
 /// The file `folder/name.extension` of the resources, or `name` itself when it names an existing file.

@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+
+namespace pellucida {
+
+/// What `pellucida --version` prints: name and version, then one line per library with the version in use (for a
+/// library that does not report it at run time: the version compiled against), and which devices this build lacks.
+std::string version_text();
+
+}  // namespace pellucida
