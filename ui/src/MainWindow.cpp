@@ -9,6 +9,7 @@
 #include "HandControl.h"
 #include "RunControl.h"
 #include "pellucida/core/Error.h"
+#include "presenters/ReadoutPresenter.h"
 #include "presenters/SourcePresenter.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/ForceCharts.h"
@@ -34,13 +35,13 @@ QString text_of(const std::string& utf8) {
 }  // namespace
 
 MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, WindowOptions options)
-    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)) {
-  source_->SetExchange(run_->scenes());
+    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
   feed_.set_caption(source_caption(run_->source_info()));
   control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
                                           [this](const QString& text, bool problem) { notify(text, problem); });
   build();
   clock_.start();
+  readouts_->show_texts(readout_texts(nullptr, run_->profile()));
   show_status();
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
@@ -142,16 +143,11 @@ void MainWindow::tick() {
   spent.start();
   const double begin_s = now_s();
   const bool plan_changed = hand_ && hand_->tick();
-  if (poll_scene()) {
-    feed_.refresh();
-    membranes_.refresh();
-    feed_panel_->view().render();
-    membrane_panel_->view().render();
+  if (scenes_.poll()) {
+    show_scene();
   } else if (plan_changed) {
     feed_panel_->view().render();
   }
-  poll_rows();
-  charts_->refresh(begin_s);
   if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
     show_status();
     status_shown_s_ = begin_s;
@@ -161,32 +157,22 @@ void MainWindow::tick() {
   timer_.start(std::max(kTick_ms - spent_ms, spent_ms / 3));
 }
 
-// The newest measured scene; until there is one, the newest frame as it came.
-bool MainWindow::poll_scene() {
-  if (source_->Poll()) {
-    scene_seen_ = true;
-    return true;
-  }
-  if (scene_seen_) return false;
-  const auto frame = run_->frames()->peek();
-  if (!frame) return false;
-  source_->SetScene(*frame);
-  return true;
-}
-
-void MainWindow::poll_rows() {
-  const auto rows = run_->measurements_since(row_count_);
-  charts_->append(rows);
-  row_count_ += rows.size();
+// All of the window that shows a scene, in one go.
+void MainWindow::show_scene() {
+  readouts_->show_texts(readout_texts(scenes_.measured(), run_->profile()));
+  feed_.refresh();
+  membranes_.refresh();
+  charts_->append(scenes_.new_rows());
+  feed_panel_->view().render();
+  membrane_panel_->view().render();
+  charts_->render();
+  ++drawn_count_;
 }
 
 void MainWindow::show_status() {
   const LiveStatus status = run_->status();
   if (options_.repeat) control_->repeat_when_ended(status, now_s());
-  std::optional<Measurement> row;
-  if (scene_seen_) row = source_->GetScene().measurement;
-  const StatusTexts texts = status_.update(status, row, run_->paused(), now_s());
-  readouts_->show_texts(texts);
+  const StatusTexts texts = status_.update(status, scenes_.measured(), run_->paused(), drawn_count_, now_s());
   status_line_->show_texts(texts);
   if (now_s() >= notice_until_s_ || status.fault) status_line_->show_notice(texts.notice);
   if (hand_) hand_->show_status();
@@ -200,13 +186,8 @@ void MainWindow::notify(const QString& text, bool problem) {
 
 void MainWindow::finish_with_screenshot() {
   // What is on screen may lag behind by a tick: all parts once more, then the picture.
-  poll_scene();
-  poll_rows();
-  feed_.refresh();
-  membranes_.refresh();
-  feed_panel_->view().render();
-  membrane_panel_->view().render();
-  charts_->render();
+  scenes_.poll();
+  show_scene();
   show_status();
   if (!grab().save(text_of(options_.screenshot), "PNG")) {
     screenshot_fault_ = std::make_exception_ptr(OutputError("can't write the screenshot " + options_.screenshot +

@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QTimer>
+#include <cstdint>
 #include <exception>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "pellucida/ui/Workstation.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
+#include "presenters/SceneFeed.h"
 #include "presenters/StatusPresenter.h"
 
 class QSplitter;
@@ -27,7 +29,7 @@ class StatusLine;
 class TopBar;
 
 /// The workstation's window in Guide mode: feed and 3-D membranes side by side, force curves below, the figures on top.
-/// One timer polls the run; views are rendered only when there is something new.
+/// One timer polls the run. A tick with a new scene shows that scene everywhere, and nothing newer anywhere.
 class MainWindow : public QMainWindow {
  public:
   /// `console`: the hand on that run; nullptr: none.
@@ -43,8 +45,7 @@ class MainWindow : public QMainWindow {
   QSplitter* build_views();
 
   void tick();
-  bool poll_scene();
-  void poll_rows();
+  void show_scene();
   void show_status();
   void notify(const QString& text, bool problem);
   void finish_with_screenshot();
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<OperatorConsole> console_;
   WindowOptions options_;
   vtkNew<StageSource> source_;
+  SceneFeed scenes_;
   FeedView feed_{source_};
   MembraneView membranes_{source_};
   StatusPresenter status_;
@@ -71,8 +73,7 @@ class MainWindow : public QMainWindow {
   QElapsedTimer clock_;
   double status_shown_s_ = -1.0;
   double notice_until_s_ = 0.0;
-  std::size_t row_count_ = 0;
-  bool scene_seen_ = false;
+  std::uint64_t drawn_count_ = 0;
   std::exception_ptr screenshot_fault_;
 };
 

@@ -24,11 +24,11 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
-#sourceCaption, #statusText { color: @dim; font-size: 12px; }
+#sourceCaption, #statusText, #notice { color: @dim; font-size: 12px; }
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
-#readoutNote { color: @dim; font-size: 12px; }
+#forceNote { color: @dim; font-size: 12px; }
 #statePill { border-radius: 15px; padding: 0px 18px; font-size: 15px; font-weight: 700; color: @window; }
 #handBar { border-top: 1px solid @border; }
 #handPill { border-radius: 11px; font-size: 12px; font-weight: 700; color: @window; }

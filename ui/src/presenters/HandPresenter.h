@@ -5,7 +5,7 @@
 #include "pellucida/operation/TeleoperationRun.h"
 #include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/visualization/PlanMarks.h"
-#include "presenters/StatusPresenter.h"
+#include "presenters/Phrase.h"
 
 namespace pellucida {
 

@@ -6,7 +6,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPeriod_s = 0.1;
 constexpr double kTimeWindow_s = 60.0;
 constexpr int kSamples = 4;
 
@@ -33,14 +32,6 @@ void ForceCharts::append(const std::vector<Measurement>& rows) {
     force_indentation_.append(row);
     force_time_.append(row);
   }
-  stale_ = stale_ || !rows.empty();
-}
-
-void ForceCharts::refresh(double now_s) {
-  if (!stale_ || now_s - drawn_s_ < kPeriod_s) return;
-  render();
-  drawn_s_ = now_s;
-  stale_ = false;
 }
 
 void ForceCharts::render() {

@@ -16,8 +16,6 @@ class ForceCharts : public QSplitter {
   ~ForceCharts() override;
 
   void append(const std::vector<Measurement>& rows);
-  /// Draws what is new, at most ten times a second; `now_s` is any monotonic clock.
-  void refresh(double now_s);
   void render();
 
  private:
@@ -25,8 +23,6 @@ class ForceCharts : public QSplitter {
   ForceChart force_time_{ForceChartKind::kForceTime};
   ViewWidget* force_indentation_widget_;
   ViewWidget* force_time_widget_;
-  double drawn_s_ = -1.0;
-  bool stale_ = false;
 };
 
 }  // namespace pellucida

@@ -3,7 +3,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 
-#include "presenters/StatusPresenter.h"
+#include "presenters/Phrase.h"
 
 namespace pellucida {
 namespace {

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 
 #include "Theme.h"
-#include "presenters/StatusPresenter.h"
+#include "presenters/ReadoutPresenter.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
@@ -24,23 +24,25 @@ ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   state_->setFixedSize(132, 30);
   row->addWidget(state_);
   // Room for the widest value, so that nothing jumps while the numbers run.
-  indentation_ = add_figure(row, "INDENTATION", "000.0 µm");
-  force_ = add_figure(row, "FORCE OF THE NEEDLE", "0.00 µN", "95 %: 00.00 – 00.00 µN");
-  pressure_ = add_figure(row, "PRESSURE", "0000 Pa");
-  confidence_ = add_figure(row, "CONFIDENCE", "100 %");
+  indentation_ = add_figure(row, "indentation", "INDENTATION", "000.0 µm");
+  force_ = add_figure(row, "force", "FORCE OF THE NEEDLE", "0.00 µN", "95 %: 00.00 – 00.00 µN");
+  pressure_ = add_figure(row, "pressure", "PRESSURE", "0000 Pa");
+  confidence_ = add_figure(row, "confidence", "CONFIDENCE", "100 %");
   row->addStretch(1);
+  profile_ = add_figure(row, "profile", "CELL PROFILE", "");
 }
 
-ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, const char* widest,
+ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, const char* heading, const char* widest,
                                           const char* widest_note) {
   auto* box = new QVBoxLayout;
   box->setSpacing(0);
-  auto* title = new QLabel(name, this);
+  auto* title = new QLabel(heading, this);
   title->setObjectName("readoutName");
   box->addWidget(title);
 
   Figure figure;
   figure.value = new QLabel(this);
+  figure.value->setObjectName(name);
   QFont letters = figure.value->font();
   letters.setPixelSize(23);
   letters.setBold(true);
@@ -51,7 +53,7 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
   line->addWidget(figure.value);
   if (widest_note) {
     figure.note = new QLabel(this);
-    figure.note->setObjectName("readoutNote");
+    figure.note->setObjectName(QString(name) + "Note");
     QFont small = figure.note->font();
     small.setPixelSize(12);
     figure.note->setMinimumWidth(QFontMetrics(small).horizontalAdvance(QString::fromUtf8(widest_note)) + 4);
@@ -63,14 +65,17 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
   return figure;
 }
 
-void ReadoutBar::show_texts(const StatusTexts& texts) {
+void ReadoutBar::show_texts(const ReadoutTexts& texts) {
   state_->setText(QString::fromStdString(texts.state.text));
   state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
   show_phrase(*indentation_.value, texts.indentation);
   show_phrase(*force_.value, texts.force);
-  force_.note->setText(QString::fromStdString(texts.force_interval));
+  show_phrase(*force_.note, texts.force_note);
+  for (QLabel* label : {force_.value, force_.note}) label->setToolTip(QString::fromStdString(texts.force_tip));
   show_phrase(*pressure_.value, texts.pressure);
   show_phrase(*confidence_.value, texts.confidence);
+  show_phrase(*profile_.value, texts.profile);
+  profile_.value->setToolTip(QString::fromStdString(texts.profile_tip));
 }
 
 }  // namespace pellucida

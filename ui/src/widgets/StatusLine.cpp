@@ -17,9 +17,10 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   row->setSpacing(24);
   // Room for the widest text, so that nothing jumps.
   frame_age_ = add_phrase_label(*row, "Frame age 0000 ms");
-  frame_rate_ = add_phrase_label(*row, "000.0 frames/s");
+  frame_rate_ = add_phrase_label(*row, "Frames/s: 000.0 measured, 000.0 drawn");
   lost_ = add_phrase_label(*row, "00000 frames skipped");
   notice_ = add_phrase_label(*row);
+  notice_->setObjectName("notice");
   notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addStretch(1);
   recording_ = add_phrase_label(*row);

@@ -10,7 +10,7 @@
 
 namespace pellucida {
 
-ViewWidget::ViewWidget(View& view, int samples, QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
+ViewWidget::ViewWidget(View& view, int samples, QWidget* parent) : QVTKOpenGLNativeWidget(parent), view_(view) {
   window_->SetMultiSamples(samples);
   setRenderWindow(window_.Get());
   view.add_to(window_, {}, devicePixelRatioF());

@@ -16,6 +16,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   ViewWidget(View& view, int samples, QWidget* parent);
   ~ViewWidget() override;
 
+  View& view() noexcept { return view_; }
   /// What the mouse does; nullptr for nothing.
   void set_style(vtkInteractorObserver* style);
   /// Renders now; does nothing while the widget can't be seen.
@@ -25,6 +26,7 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   bool event(QEvent* event) override;
 
  private:
+  View& view_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
 };
 

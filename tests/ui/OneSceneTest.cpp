@@ -1,0 +1,127 @@
+// The window shows one scene at a time: readouts, 3-D label and charts say the same number in each moment.
+#include <gtest/gtest.h>
+#include <vtkImageData.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "MainWindow.h"
+#include "pellucida/simulation/VirtualMicroscope.h"
+#include "pellucida/visualization/Readout.h"
+#include "pellucida/visualization/VirtualDisplay.h"
+#include "pellucida/visualization_vtk/ForceChart.h"
+#include "pellucida/visualization_vtk/MembraneView.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+// The virtual microscope with pixels said to be 0.4 times as large as they are.
+class SmallPixels final : public FrameSource {
+ public:
+  explicit SmallPixels(const Scenario& scenario) : microscope_(scenario), info_(microscope_.info()) {
+    info_.pixel_size_um *= kRatio;
+  }
+  const SourceInfo& info() const noexcept override { return info_; }
+  std::optional<Frame> next() override {
+    auto frame = microscope_.next();
+    if (!frame) return frame;
+    auto image = frame->image.shallow_copy();
+    image->SetSpacing(info_.pixel_size_um, info_.pixel_size_um, 1.0);
+    frame->image = Frozen<vtkImageData>(image);
+    return frame;
+  }
+
+ private:
+  static constexpr double kRatio = 0.4;
+  VirtualMicroscope microscope_;
+  SourceInfo info_;
+};
+
+class OneScene : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    static VirtualDisplay display;
+    static int argc = 1;
+    static char name[] = "test";
+    static char* argv[] = {name, nullptr};
+    if (!qApp) new QApplication(argc, argv);
+  }
+
+  void open(std::unique_ptr<FrameSource> source, const PipelineOptions& pipeline) {
+    auto run = std::make_unique<LiveRun>(std::move(source), pipeline);
+    WindowOptions options;
+    options.width_px = 1000;
+    options.height_px = 640;
+    options.repeat = true;
+    window_ = std::make_unique<MainWindow>(std::move(run), nullptr, options);
+    window_->show();
+  }
+
+  // The views of one kind in the window.
+  template <class V>
+  std::vector<V*> views() const {
+    std::vector<V*> found;
+    for (QVTKOpenGLNativeWidget* widget : window_->findChildren<QVTKOpenGLNativeWidget*>()) {
+      auto* view = dynamic_cast<ViewWidget*>(widget);
+      if (auto* one = view ? dynamic_cast<V*>(&view->view()) : nullptr) found.push_back(one);
+    }
+    return found;
+  }
+
+  std::string text(const char* label) const {
+    const auto* found = window_->findChild<QLabel*>(label);
+    return found ? found->text().toStdString() : std::string("no label ") + label;
+  }
+
+  // Calls `look` between the window's events until it says so, or a minute has gone.
+  template <class Look>
+  static bool watch(Look look) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 60000) {
+      QApplication::processEvents(QEventLoop::AllEvents, 5);
+      if (look()) return true;
+    }
+    return false;
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(OneScene, ReadoutLabelAndChartsSayTheSameForce) {
+  Scenario scenario = load_scenario("default");
+  scenario.motion.approach_speed_um_per_s = 100.0;
+  open(std::make_unique<VirtualMicroscope>(scenario), {});
+  std::set<std::string> seen;
+  const bool done = watch([&] {
+    const std::string label = views<MembraneView>().front()->contact_label();
+    if (label.empty()) return false;
+    EXPECT_EQ(text("force"), label);
+    for (const ForceChart* chart : views<ForceChart>()) {
+      const auto newest = chart->newest();
+      EXPECT_TRUE(newest);
+      if (newest) EXPECT_EQ(readout::number(newest->force_uN, 2) + " µN", label);
+    }
+    seen.insert(label);
+    return seen.size() >= 12 || HasFailure();
+  });
+  EXPECT_TRUE(done) << seen.size() << " different forces seen";
+}
+
+TEST_F(OneScene, TheProfileAndTheReasonForNoForceAreShown) {
+  open(std::make_unique<SmallPixels>(load_scenario("default")), {.profile = "mouse-embryo"});
+  EXPECT_TRUE(watch([&] { return text("notice").find("check the pixel size") != std::string::npos; }))
+      << text("notice");
+  EXPECT_EQ(text("profile"), "mouse-embryo");
+  EXPECT_EQ(text("force"), "\u2013");
+  EXPECT_EQ(text("forceNote"), "no force, see below");
+}
+
+}  // namespace
+}  // namespace pellucida
