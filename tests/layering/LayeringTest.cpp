@@ -128,6 +128,31 @@ TEST(Layering, OpenCvAndItkInNoPublicHeader) {
   }
 }
 
+long line_count(const fs::path& file) {
+  std::ifstream stream(file);
+  long count = 0;
+  for (std::string line; std::getline(stream, line);) ++count;
+  return count;
+}
+
+constexpr long kMostLinesOfAFile = 400, kMostLinesOfAPart = 5000;
+// Still to be split; the list may only get shorter.
+const std::set<std::string> kLargeParts = {"tracking"};
+
+TEST(Size, NoFileIsTooLongAndNoPartTooLarge) {
+  for (const auto& [part, uses] : allowed_parts()) {
+    long part_count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_of(part))) {
+      if (!entry.is_regular_file() || !is_code(entry.path())) continue;
+      const long count = line_count(entry.path());
+      part_count += count;
+      EXPECT_LE(count, kMostLinesOfAFile) << entry.path();
+    }
+    EXPECT_GT(part_count, 0) << part;
+    if (!kLargeParts.contains(part)) EXPECT_LE(part_count, kMostLinesOfAPart) << part;
+  }
+}
+
 TEST(Layering, TheCoresSpeakNoVtk) {
   // The parts a real-time thread or the thread sanitizer's build uses: their main targets are free of VTK.
   for (const char* part : {"core", "mechanics", "reconstruction", "tracking"}) {
