@@ -87,10 +87,10 @@ FoundTool tool_of(const Drawing& d) {
   return tool;
 }
 
-struct Error {
+struct NeedleError {
   double along = 0.0, across = 0.0;
 };
-Error error_of(const NeedleTracker& needle, const Drawing& d) {
+NeedleError error_of(const NeedleTracker& needle, const Drawing& d) {
   const Eigen::Vector2d off = needle.estimate().tip - d.tip, u = d.direction();
   return {off.dot(u), off.dot(Eigen::Vector2d(-u.y(), u.x()))};
 }
@@ -103,7 +103,7 @@ TEST_P(AnyNeedle, TipAndAxisAreFoundToAFractionOfAPixel) {
   const FrameSampler image(picture.view());
   NeedleTracker needle;
   ASSERT_TRUE(needle.start(image, tool_of(d), noise_level(image)));
-  const Error error = error_of(needle, d);
+  const NeedleError error = error_of(needle, d);
   EXPECT_NEAR(error.along, 0.0, 0.35 * std::max(1.0, d.blur));
   EXPECT_NEAR(error.across, 0.0, 0.2 * std::max(1.0, d.blur));
   EXPECT_GT(needle.estimate().direction.dot(d.direction()), std::cos(0.01));
@@ -129,9 +129,9 @@ INSTANTIATE_TEST_SUITE_P(Looks, AnyNeedle,
 
 // Follows a needle that goes forward by `step` px a frame, `clear` frames in the clear, then up to a membrane that it
 // pushes before it.
-std::vector<Error> push(Drawing d, double step, int clear_frames, int contact_frames, NeedleTracker& needle,
-                        int* within_sigma = nullptr) {
-  std::vector<Error> errors;
+std::vector<NeedleError> push(Drawing d, double step, int clear_frames, int contact_frames, NeedleTracker& needle,
+                              int* within_sigma = nullptr) {
+  std::vector<NeedleError> errors;
   Picture picture = draw(d);
   if (!needle.start(FrameSampler(picture.view()), tool_of(d), 0.01)) return errors;
   for (int k = 0; k < clear_frames + contact_frames; ++k) {
@@ -153,9 +153,9 @@ std::vector<Error> push(Drawing d, double step, int clear_frames, int contact_fr
 TEST(NeedleTracker, FollowsIntoAMembraneThatHidesItsEnd) {
   NeedleTracker needle;
   int within_sigma = 0;
-  const std::vector<Error> errors = push({}, 1.3, 12, 12, needle, &within_sigma);
+  const std::vector<NeedleError> errors = push({}, 1.3, 12, 12, needle, &within_sigma);
   ASSERT_EQ(errors.size(), 24U);
-  for (const Error& error : errors) {
+  for (const NeedleError& error : errors) {
     EXPECT_NEAR(error.along, 0.0, 0.6);
     EXPECT_NEAR(error.across, 0.0, 0.15);
   }
