@@ -47,8 +47,7 @@ HandControl::HandControl(OperatorConsole& console, FeedView& feed, ViewWidget& f
 HandControl::~HandControl() = default;
 
 QList<QKeySequence> HandControl::keys() {
-  return {QKeySequence(Qt::Key_Escape), QKeySequence("Shift+Esc"), QKeySequence(kInjectKey),
-          QKeySequence(kRetractKey)};
+  return {QKeySequence(Qt::Key_Escape), QKeySequence("Shift+Esc"), QKeySequence(kInjectKey), QKeySequence(kRetractKey)};
 }
 
 void HandControl::listen_for_stop() {

@@ -155,8 +155,9 @@ TrialOutcome run_trial(const TrialScene& scene, const TrialOptions& options) {
   SimulatedTeleoperation teleoperation(injector, motion_of(options));
   const double lag_s =
       teleoperation.learnt_lag_s(kManipulatorLag_s, options.camera.delay_s, options.camera.frame_rate_hz);
-  teleoperation.start(drawn.options, plan_of(plan, drawn, options, lag_s), drawn.arm, options.seed,
-                      [&](const DeviceSpecification& device) { return haptics_of(options, plan, device, scene.strength()); });
+  teleoperation.start(
+      drawn.options, plan_of(plan, drawn, options, lag_s), drawn.arm, options.seed,
+      [&](const DeviceSpecification& device) { return haptics_of(options, plan, device, scene.strength()); });
   ContactCamera camera(camera_of(options), cell.force());
   TrialMeter meter(options, plan);
 

@@ -82,8 +82,7 @@ void HandBar::build_stop(QHBoxLayout* bar) {
   release_ = new HoldButton(
       "Release\n(hold)", [this] { actions_.release_stop(); }, this);
   release_->setObjectName("releaseStop");
-  release_->setToolTip(
-      tip_with_key("Hold for a second to release the emergency stop", QKeySequence("Shift+Esc")));
+  release_->setToolTip(tip_with_key("Hold for a second to release the emergency stop", QKeySequence("Shift+Esc")));
   release_->setFocusPolicy(Qt::NoFocus);
   release_->setFixedSize(96, 54);
   release_->hide();

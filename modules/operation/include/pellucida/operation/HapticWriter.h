@@ -10,8 +10,8 @@
 
 namespace pellucida {
 
-/// What the 1 kHz loop did, as a session keeps it: limits as events (`LimitDigest`), ticks as blocks of a second. Nothing is dropped
-/// while the disk is slower: blocks wait. One thread.
+/// What the 1 kHz loop did, as a session keeps it: limits as events (`LimitDigest`), ticks as blocks of a second.
+/// Nothing is dropped while the disk is slower: blocks wait. One thread.
 class HapticWriter {
  public:
   static constexpr std::size_t kBlockTicks = 1000;
