@@ -50,7 +50,9 @@ bool is_group(const FieldList& fields, const std::string& key) {
 
 std::optional<std::string> read_group(const Json& json, const std::string& group, const FieldList& fields,
                                       UnknownKeys unknown) {
-  for (const auto& [name, value] : json.items()) {
+  for (const auto& item : json.items()) {
+    const std::string& name = item.key();
+    const Json& value = item.value();
     const std::string key = group.empty() ? name : group + '.' + name;
     const bool dotted = name.find('.') != std::string::npos;  // in the file itself; groups are objects there
     const FieldPlace* field = dotted ? nullptr : fields.find(key);
