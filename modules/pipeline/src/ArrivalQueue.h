@@ -12,7 +12,7 @@ namespace pellucida {
 
 /// How much waits in an ArrivalQueue.
 struct QueueLoad {
-  std::size_t unsettled_bytes = 0;  ///< of frames that are not settled, or stand behind one that is not
+  std::size_t unsettled_bytes = 0;  ///< of frames that are not settled, or queued behind one that is not
   std::size_t ready_bytes = 0;      ///< of what could be taken now
 
   std::size_t byte_count() const noexcept { return unsettled_bytes + ready_bytes; }

@@ -101,7 +101,7 @@ class ReaderPace {
   bool paused_ = false;
   bool restart_wanted_ = false;
   bool ended_ = false;
-  bool resting_ = false;                // a pause was told to the reader, its end was not
+  bool resting_ = false;                // the reader knows of a pause, not yet of its end
   std::optional<double> due_offset_s_;  // the clock less the recording's time
 };
 

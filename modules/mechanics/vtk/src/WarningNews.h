@@ -8,7 +8,7 @@
 namespace pellucida {
 
 /// Which warnings of a frame are news: one that has not been there for `kQuiet_s`. One that comes and goes with each
-/// passing loss of contact is told once.
+/// passing loss of contact is reported once.
 class WarningNews {
  public:
   static constexpr double kQuiet_s = 5.0;
