@@ -29,8 +29,8 @@ struct SessionOptions {
   bool frames = true;  ///< keep the images themselves
 };
 
-/// How images are packed: small for about 4 ms of processor time each, or quick, twice as large and in a tenth of the
-/// time. Every reader of VTK files reads both.
+/// How images are packed: small for about 4 ms of processor time each, or quick: larger files in
+/// less time. Every reader of VTK files reads both.
 enum class Packing { kSmall, kQuick };
 
 /// What one step cost to write.
