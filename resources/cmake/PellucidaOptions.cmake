@@ -66,3 +66,6 @@ if(PELLUCIDA_FUZZ)
   # Everything counts its branches for the fuzzer; the fuzzers alone carry its main function.
   target_compile_options(pellucida_build_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
+
+# For files that use ITK: Debian's headers refuse any compiler but GCC by name.
+set(PELLUCIDA_ITK_OPTIONS "$<$<CXX_COMPILER_ID:Clang>:-include;${CMAKE_CURRENT_LIST_DIR}/itk_with_clang.h>")

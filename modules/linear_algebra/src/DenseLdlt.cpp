@@ -141,13 +141,18 @@ void eliminate_plain(double* panel, double* rest, int rows, int pivots, DenseWor
 }
 
 #if defined(__x86_64__)
+// By default GCC splits 512-bit vectors in two; clang doesn't know the word.
+#if defined(__clang__)
+#define PELLUCIDA_AVX512 "avx512f"
+#else
+#define PELLUCIDA_AVX512 "avx512f,prefer-vector-width=512"
+#endif
 __attribute__((target("avx2"))) void eliminate_avx2(double* panel, double* rest, int rows, int pivots,
                                                     DenseWorkspace& workspace) {
   eliminate<4>(panel, rest, rows, pivots, workspace);
 }
-__attribute__((target("avx512f,prefer-vector-width=512"))) void eliminate_avx512(double* panel, double* rest, int rows,
-                                                                                 int pivots,
-                                                                                 DenseWorkspace& workspace) {
+__attribute__((target(PELLUCIDA_AVX512))) void eliminate_avx512(double* panel, double* rest, int rows, int pivots,
+                                                                DenseWorkspace& workspace) {
   eliminate<8>(panel, rest, rows, pivots, workspace);
 }
 #endif

@@ -52,7 +52,7 @@ class SimulatedHand final : public HapticDevice {
   DeviceSpecification specification_;
   LatestValue<OperatorView> shown_;
   bool started_ = false;
-  double start_s_ = 0.0, offset_s_ = 0.0;
+  double offset_s_ = 0.0;
   PlainVector3 position_m_, velocity_m_per_s_, force_N_, last_tremor_m_;
   bool inject_ = false;
 };
