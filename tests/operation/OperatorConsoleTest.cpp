@@ -1,4 +1,4 @@
-#include "pellucida/operation/OperatorConsole.h"
+#include "ConsoleFixture.h"
 
 #include <gtest/gtest.h>
 
@@ -8,61 +8,9 @@
 #include <thread>
 
 #include "pellucida/core/Error.h"
-#include "pellucida/operation/VirtualInjectionSetup.h"
 
 namespace pellucida {
 namespace {
-
-// A console on the virtual microscope, its window's tick in the test's hands.
-class OperatorConsoleTest : public testing::Test {
- protected:
-  OperatorConsoleTest() { run_.start(); }
-  ~OperatorConsoleTest() override { run_.stop(); }
-
-  // Ticks until the condition holds; a minute and a half is for a machine that is busy with other things.
-  bool tick_until(const std::function<bool()>& condition) {
-    for (int k = 0; k < 4500; ++k) {
-      console_.update();
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return false;
-  }
-  bool tick_until_state(HandState state) {
-    return tick_until([&] { return console_.status().tick.hand_state == state; });
-  }
-  void choose(std::string_view name) { console_.choose(console_.find_hand(name).value()); }
-  double tip_x_um() { return console_.status().tick.tip_um.x; }
-
-  VirtualInjectionSetup setup_{"injection"};
-  LiveRun run_{setup_.make_microscope(Pace::kWallClock), {}};
-  OperatorConsole console_{run_, setup_.injector(), &setup_.needle(), {.rest_s = 0.5}};
-};
-
-TEST_F(OperatorConsoleTest, TheDemonstrationPlansTouchesBreaksDepositsAndBeginsAnew) {
-  EXPECT_EQ(console_.status().tick.hand_state, HandState::kWaiting);
-  choose("Demonstration");
-  EXPECT_TRUE(console_.is_demonstration());
-  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
-  EXPECT_GT(console_.plan()->depth_um, 20.0);
-  EXPECT_NEAR(console_.depth_stop_um(), console_.plan()->depth_um + console_.plan()->options.overshoot_um, 1e-9);
-  bool touched = false, punctured = false, deposited = false;
-  ASSERT_TRUE(tick_until([&] {
-    const HandStatus status = console_.status();
-    // Measured, whether or not a busy machine let the hand feel it in time.
-    touched = touched || run_.scenes()->peek()->contact.state == CellState::kContact;
-    punctured = punctured || status.tick.contact_state == ContactState::kPunctured;
-    deposited = deposited || (status.tick.buttons & kInject) != 0;
-    return console_.doing().starts_with("Taking the needle out for");
-  })) << console_.doing();
-  EXPECT_TRUE(touched);
-  EXPECT_TRUE(punctured);
-  EXPECT_TRUE(deposited);
-  // The next cell gets a plan of its own.
-  ASSERT_TRUE(tick_until([&] { return !console_.plan(); }));
-  EXPECT_TRUE(tick_until([&] { return console_.plan() && console_.doing() == "Approaching"; }));
-  EXPECT_FALSE(console_.status().fault);
-}
 
 TEST_F(OperatorConsoleTest, TheMouseLeadsOnlyWhileItHoldsTheNeedle) {
   choose("Mouse");

@@ -18,18 +18,12 @@
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionReader.h"
 #include "pellucida/teleoperation/TeleoperationMap.h"
+#include "support/WaitUntil.h"
 
 namespace pellucida {
 namespace {
 
-// Waits for a condition; a minute is for a machine that is busy with other things.
-bool wait_until(const std::function<bool()>& condition) {
-  for (int i = 0; i < 6000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
+using test::wait_until;
 
 // A Touch whose hand a test moves.
 class TestHand final : public HapticDevice {

@@ -18,20 +18,14 @@
 #include "pellucida/session/SessionReader.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pipeline/FlatSource.h"
+#include "support/WaitUntil.h"
 
 namespace pellucida {
 namespace {
 
-namespace fs = std::filesystem;
+using test::wait_until;
 
-// Waits for a condition; a minute is for a machine that is busy with other things.
-bool wait_until(const std::function<bool()>& condition) {
-  for (int i = 0; i < 6000; ++i) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
+namespace fs = std::filesystem;
 
 fs::path fresh(const std::string& name) {
   const auto folder = fs::path(testing::TempDir()) / ("pellucida_live_" + name);

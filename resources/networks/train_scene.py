@@ -1,0 +1,187 @@
+#!/usr/bin/python3
+"""Trains the scene network, which labels each pixel of a micrograph: zona, inside of the cell, needle, holding pipette,
+another body, background; and where the needle's tip is.
+
+    film_samples --count 6000 --family tuning --output samples        (a test program of this project draws them)
+    python3 train_scene.py samples scene.onnx --minutes 60
+
+Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only;
+the validation families stay unseen. The picture is scaled so that the cell covers 14 to 150 network pixels, turned,
+mirrored, its grey values stretched, bent and inverted: nothing of polarity or brightness is left to learn.
+"""
+import argparse
+import csv
+import os
+import time
+
+import cv2
+import numpy as np
+import torch
+from torch import nn
+
+CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
+SIDE = 192             # of a training picture, network pixels
+CACHE_SIDE = 720       # longest side of a sample kept in memory, pixels
+TIP_SIGMA = 1.5        # of the tip's heat spot, output pixels
+CLASS_WEIGHTS = [0.5, 2.0, 1.0, 2.5, 1.0, 1.0]
+
+
+class Block(nn.Sequential):
+    def __init__(self, inputs, outputs, stride=1, size=3):
+        super().__init__(nn.Conv2d(inputs, outputs, size, stride, size // 2, bias=False), nn.BatchNorm2d(outputs),
+                         nn.ReLU())
+
+
+class SceneNetwork(nn.Module):
+    """A U of five levels; input (n, 1, h, w), h and w multiples of 32; output (n, 7, h/2, w/2): logits of the six
+    classes, then of the tip."""
+
+    def __init__(self, widths=(12, 20, 32, 48, 64)):
+        super().__init__()
+        self.stem = Block(1, widths[0], stride=2, size=5)
+        self.first = Block(widths[0], widths[0])
+        self.down = nn.ModuleList(
+            nn.Sequential(Block(a, b, stride=2), Block(b, b)) for a, b in zip(widths, widths[1:]))
+        self.up = nn.ModuleList(Block(a + b, a) for a, b in reversed(list(zip(widths, widths[1:]))))
+        self.out = nn.Conv2d(widths[0], CLASSES + 1, 1)
+
+    def forward(self, x):
+        x = self.first(self.stem(x))
+        kept = [x]
+        for down in self.down:
+            x = down(x)
+            kept.append(x)
+        for up, skip in zip(self.up, kept[-2::-1]):
+            x = up(torch.cat([nn.functional.interpolate(x, scale_factor=2.0, mode="nearest"), skip], 1))
+        return self.out(x)
+
+
+def normalised(picture):
+    """Zero median, unit spread (mean absolute deviation), as the program does before it asks the network."""
+    x = picture.astype(np.float32)
+    x -= np.median(x)
+    return np.clip(x / (np.abs(x).mean() + 1e-3), -6, 6)
+
+
+class Samples:
+    def __init__(self, folder):
+        self.items = []
+        with open(os.path.join(folder, "samples.csv")) as file:
+            for row in csv.DictReader(file):
+                path = os.path.join(folder, row["file"])
+                image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
+                label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+                ratio = min(1.0, CACHE_SIDE / max(image.shape))
+                size = (round(image.shape[1] * ratio), round(image.shape[0] * ratio))
+                image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+                label = cv2.resize(label, size, interpolation=cv2.INTER_NEAREST)
+
+                def number(key, scale=ratio):
+                    return float(row[key]) * scale if row.get(key) else None
+                tip = (number("tip_x_px"), number("tip_y_px"))
+                cell = (number("center_x_px"), number("center_y_px"), number("outer_radius_px"))
+                self.items.append((image, label, tip if tip[0] is not None else None,
+                                   cell if cell[2] is not None else None))
+
+    def draw(self, random):
+        image, label, tip, cell = self.items[random.integers(len(self.items))]
+        h, w = image.shape
+        whole = SIDE / max(h, w)
+        if cell is not None and random.random() < 0.6:
+            scale = np.exp(random.uniform(np.log(14), np.log(150))) / (2 * cell[2])
+            middle = np.array(cell[:2]) + random.normal(0, 0.4, 2) * cell[2]
+            if random.random() < 0.5:
+                middle = random.uniform(0, 1, 2) * (w, h)
+        else:
+            scale = whole * random.uniform(0.9, 1.6)
+            middle = np.array([w, h]) / 2 + random.normal(0, 0.15, 2) * (w, h)
+        scale = min(scale, 3.0)
+        angle = random.uniform(0, 2 * np.pi)
+        a = scale * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        if random.random() < 0.5:
+            a[:, 0] *= -1
+        m = np.hstack([a, (np.array([SIDE, SIDE]) / 2 - a @ middle)[:, None]])
+        if scale < 0.7:
+            image = cv2.GaussianBlur(image, (0, 0), 0.42 / scale)
+        x = cv2.warpAffine(image, m, (SIDE, SIDE), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT_101)
+        y = cv2.warpAffine(label, m, (SIDE, SIDE), flags=cv2.INTER_NEAREST, borderMode=cv2.BORDER_REFLECT_101)
+        x = x.astype(np.float32)
+        if random.random() < 0.3:
+            x = 255 - x
+        if random.random() < 0.3:
+            x = 255 * (np.clip(x, 0, 255) / 255) ** np.exp(random.uniform(-0.6, 0.6))
+        if random.random() < 0.4:
+            u, v = np.meshgrid(np.linspace(-1, 1, SIDE), np.linspace(-1, 1, SIDE))
+            x += random.normal(0, 25) * u + random.normal(0, 25) * v + random.normal(0, 12) * (u * u + v * v)
+        if random.random() < 0.3:
+            x = cv2.GaussianBlur(x, (0, 0), random.uniform(0.3, 1.2))
+        x += random.normal(0, random.uniform(0, 6), x.shape)
+        heat = np.zeros((SIDE // 2, SIDE // 2), np.float32)
+        if tip is not None:
+            at = (m @ np.array([*tip, 1.0])) / 2 - 0.25
+            u, v = np.meshgrid(np.arange(SIDE // 2), np.arange(SIDE // 2))
+            heat = np.exp(-((u - at[0]) ** 2 + (v - at[1]) ** 2) / (2 * TIP_SIGMA ** 2)).astype(np.float32)
+        return normalised(x), y[::2, ::2].astype(np.int64), heat
+
+
+def batch(samples, random, count):
+    xs, ys, hs = zip(*(samples.draw(random) for _ in range(count)))
+    return torch.from_numpy(np.stack(xs)[:, None]), torch.from_numpy(np.stack(ys)), torch.from_numpy(np.stack(hs))
+
+
+def loss_of(out, labels, heat, weights):
+    logits = out[:, :CLASSES]
+    crossed = nn.functional.cross_entropy(logits, labels, weight=weights)
+    share = torch.softmax(logits, 1)
+    truth = nn.functional.one_hot(labels, CLASSES).permute(0, 3, 1, 2).float()
+    both = (share * truth).sum((0, 2, 3))
+    dice = 1 - ((2 * both + 1) / (share.sum((0, 2, 3)) + truth.sum((0, 2, 3)) + 1)).mean()
+    tip = nn.functional.binary_cross_entropy_with_logits(out[:, CLASSES], heat, pos_weight=torch.tensor(20.0))
+    return crossed + dice + 2 * tip
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("samples")
+    parser.add_argument("output")
+    parser.add_argument("--minutes", type=float, default=60)
+    parser.add_argument("--start", help="weights to go on from (.pt)")
+    parser.add_argument("--threads", type=int, default=1)
+    options = parser.parse_args()
+    torch.set_num_threads(options.threads)
+    torch.manual_seed(1)
+    cv2.setNumThreads(1)
+    random = np.random.default_rng(1)
+    samples = Samples(options.samples)
+    print(f"{len(samples.items)} samples", flush=True)
+    network = SceneNetwork()
+    print(f"{sum(p.numel() for p in network.parameters())} parameters", flush=True)
+    if options.start:
+        network.load_state_dict(torch.load(options.start))
+    optimiser = torch.optim.AdamW(network.parameters(), lr=4e-3, weight_decay=1e-4)
+    weights = torch.tensor(CLASS_WEIGHTS)
+    begin, step, mean = time.time(), 0, None
+    while True:
+        share = (time.time() - begin) / (60 * options.minutes)
+        if share >= 1:
+            break
+        for group in optimiser.param_groups:
+            group["lr"] = 4e-3 * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
+        loss = loss_of(*(lambda x, y, h: (network(x), y, h))(*batch(samples, random, 12)), weights)
+        optimiser.zero_grad()
+        loss.backward()
+        nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+        optimiser.step()
+        mean = loss.item() if mean is None else 0.98 * mean + 0.02 * loss.item()
+        step += 1
+        if step % 50 == 0:
+            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}", flush=True)
+            torch.save(network.state_dict(), options.output[:-5] + ".pt")
+    network.eval()
+    torch.save(network.state_dict(), options.output[:-5] + ".pt")
+    torch.onnx.export(network, torch.zeros(1, 1, SIDE, 256), options.output, opset_version=11, input_names=["picture"],
+                      output_names=["scene"])
+
+
+if __name__ == "__main__":
+    main()
