@@ -61,7 +61,7 @@ if(PELLUCIDA_SANITIZE)
 endif()
 if(PELLUCIDA_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    message(FATAL_ERROR "PELLUCIDA_FUZZ needs clang, not ${CMAKE_CXX_COMPILER_ID}; use cmake --preset fuzz")
+    message(FATAL_ERROR "PELLUCIDA_FUZZ needs clang, not ${CMAKE_CXX_COMPILER_ID}; use cmake --preset asan")
   endif()
   # Everything counts its branches for the fuzzer; the fuzzers alone carry its main function.
   target_compile_options(pellucida_build_options INTERFACE -fsanitize=fuzzer-no-link)
