@@ -64,6 +64,6 @@ while a micropipette enters the cell. Both are measured from the microscope
 image alone, without a force sensor: live in a window, or from recordings, into
 sessions that open in ParaView and tables as CSV.
 .
-A virtual microscope with a virtual oocyte is built in. The pipette can be moved
-with a mouse, a gamepad, a SpaceMouse or a force-feedback device.")
+A virtual microscope with a virtual oocyte is built in. The pipette can be
+moved with a mouse, a gamepad, a SpaceMouse or a force-feedback device.")
 include(CPack)
