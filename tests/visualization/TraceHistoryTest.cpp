@@ -61,6 +61,40 @@ TEST(TraceHistory, AFrameThatWasNotMeasuredIsNoPointAndEndsNothing) {
   EXPECT_EQ(history.marks().size(), 1U);
 }
 
+// 0.1 s a frame, in contact; frames 100 to 199 were not measured, and before them every second one.
+TraceHistory with_a_gap(int rows) {
+  TraceHistory history;
+  for (int i = 0; i < rows; ++i) {
+    Measurement m = row(0.1 * i, CellState::kContact, 0.01 * i, 0.001 * i);
+    m.frame = i;
+    if (i < 100 ? i % 2 == 1 : i < 200) m.state.reset();
+    history.append(m);
+  }
+  return history;
+}
+
+TEST(TraceHistory, ALongStretchWithoutAForceIsAGapAndAFrameIsNone) {
+  const TraceHistory history = with_a_gap(300);
+  for (const auto* points : {&history.over_time(), &history.current_touch()}) {
+    ASSERT_EQ(points->size(), 150U);
+    for (std::size_t i = 0; i < points->size(); ++i) EXPECT_EQ((*points)[i].after_gap, i == 50) << i;
+  }
+}
+
+TEST(TraceHistory, ThinningKeepsTheGap) {
+  const TraceHistory history = with_a_gap(50000);
+  EXPECT_LE(history.over_time().size(), TraceHistory::kMostPoints);
+  int gaps = 0;
+  for (const TracePoint& point : history.over_time()) {
+    gaps += point.after_gap;
+    if (point.after_gap) {
+      EXPECT_GE(point.time_s, 20.0);
+      EXPECT_LT(point.time_s, 30.0);
+    }
+  }
+  EXPECT_EQ(gaps, 1);
+}
+
 TEST(TraceHistory, StaysBoundedAndKeepsFirstAndNewest) {
   TraceHistory history;
   constexpr int kRows = 50000;

@@ -42,11 +42,12 @@ class Views : public testing::Test {
     return picture->GetOutput();
   }
 
-  // Pixels within `tolerance` of a colour (each part, 0..1), in a box given in fractions.
-  static int count_near(vtkImageData* image, const Color& c, double tolerance = 0.12) {
+  // Pixels within `tolerance` of a colour (each part, 0..1), from column `begin_px` to before `end_px`.
+  static int count_near(vtkImageData* image, const Color& c, double tolerance = 0.12, int begin_px = 0,
+                        int end_px = kWidth_px) {
     int count = 0;
     for (int y = 0; y < kHeight_px; ++y) {
-      for (int x = 0; x < kWidth_px; ++x) {
+      for (int x = begin_px; x < end_px; ++x) {
         const auto part = [&](int k) { return image->GetScalarComponentAsDouble(x, y, 0, k) / 255.0; };
         if (std::abs(part(0) - c.red) < tolerance && std::abs(part(1) - c.green) < tolerance &&
             std::abs(part(2) - c.blue) < tolerance) {
@@ -204,6 +205,42 @@ TEST_F(Views, ChartDrawsItsCurveAndSaysWhenThereIsNone) {
   chart.clear();
   EXPECT_LT(count_near(shot(), palette::kCurve, 0.05), 5);
   window->Finalize();
+}
+
+class ChartGap : public Views {
+ protected:
+  // A run in which frames 120 to 209 were not measured; from column `begin_px` to `end_px` the picture shows these
+  // alone.
+  void expect_gap(ForceChartKind kind, int begin_px, int end_px) {
+    const Color& line = palette::kCurve;
+    const auto veil = [](double over, double under) { return 0.22 * over + 0.78 * under; };
+    const Color band{veil(line.red, palette::kPanel.red), veil(line.green, palette::kPanel.green),
+                     veil(line.blue, palette::kPanel.blue)};
+    const auto drawn = [&](const Color& c) { return count_near(shot(), c, 0.03, begin_px, end_px); };
+    const auto rows = test::synthetic_rows(300, 30.0);
+
+    ForceChart chart(kind);
+    chart.add_to(window);
+    for (const Measurement& m : rows) chart.append(m);
+    EXPECT_GT(drawn(line), 50);
+    EXPECT_GT(drawn(band), 50);
+    chart.clear();
+    for (const Measurement& m : rows) {
+      if (m.frame < 120 || m.frame >= 210) chart.append(m);
+    }
+    EXPECT_EQ(drawn(line), 0);
+    EXPECT_EQ(drawn(band), 0);
+    EXPECT_GT(count_near(shot(), line, 0.03), 100);
+    window->Finalize();
+  }
+};
+
+TEST_F(ChartGap, ShowsOverTime) {
+  expect_gap(ForceChartKind::kForceTime, 310, 420);
+}
+
+TEST_F(ChartGap, ShowsOverIndentation) {
+  expect_gap(ForceChartKind::kForceIndentation, 195, 300);
 }
 
 }  // namespace

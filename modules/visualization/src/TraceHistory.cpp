@@ -4,15 +4,24 @@
 
 namespace pellucida {
 
-void TraceHistory::Trace::append(const TracePoint& point) {
+void TraceHistory::Trace::append(TracePoint point, long frame) {
+  point.after_gap = !points.empty() && frame > last_frame + 1 && point.time_s - points.back().time_s > kBridged_s;
+  last_frame = frame;
+
   // The newest point always shows; it is replaced by the next one unless its turn keeps it.
-  if (!points.empty() && offered % every != 0) points.pop_back();
+  if (!points.empty() && offered % every != 0) {
+    point.after_gap |= points.back().after_gap;
+    points.pop_back();
+  }
   points.push_back(point);
   offered = offered % every + 1;
   if (points.size() <= kMostPoints) return;
   std::vector<TracePoint> thinner;
   thinner.reserve(points.size() / 2 + 1);
-  for (std::size_t i = 0; i < points.size(); i += 2) thinner.push_back(points[i]);
+  for (std::size_t i = 0; i < points.size(); i += 2) {
+    thinner.push_back(points[i]);
+    if (i > 0) thinner.back().after_gap |= points[i - 1].after_gap;
+  }
   points.swap(thinner);
   every *= 2;
   offered = every;
@@ -45,8 +54,8 @@ void TraceHistory::append(const Measurement& m) {
                          .force_uN = m.contact_force_uN,
                          .lower_uN = or_force(m.contact_force_lower_uN),
                          .upper_uN = or_force(m.contact_force_upper_uN)};
-  all_.append(point);
-  if (m.state == CellState::kContact && std::isfinite(m.indentation_um)) current_.append(point);
+  all_.append(point, m.frame);
+  if (m.state == CellState::kContact && std::isfinite(m.indentation_um)) current_.append(point, m.frame);
 }
 
 void TraceHistory::clear() {

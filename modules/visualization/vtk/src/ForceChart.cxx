@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "Letters.h"
 #include "pellucida/visualization/Readout.h"
@@ -68,13 +69,24 @@ vtkNew<vtkTable> make_table() {
   return table;
 }
 
+// The points from `first` on. At a gap two rows more: the curve has no number there, the band no width.
 void fill_table(vtkTable* table, const std::vector<TracePoint>& points, std::size_t first, bool over_time) {
-  const auto count = static_cast<vtkIdType>(points.size() - first);
-  table->SetNumberOfRows(count);
-  for (vtkIdType i = 0; i < count; ++i) {
-    const TracePoint& p = points[first + static_cast<std::size_t>(i)];
-    const double values[kColumnCount] = {over_time ? p.time_s : p.indentation_um, p.force_uN, p.lower_uN, p.upper_uN};
-    for (int c = 0; c < kColumnCount; ++c) vtkDoubleArray::SafeDownCast(table->GetColumn(c))->SetValue(i, values[c]);
+  table->SetNumberOfRows(0);
+  const auto add = [&](const TracePoint& p, bool is_edge) {
+    const double x = over_time ? p.time_s : p.indentation_um;
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double values[kColumnCount] = {x, is_edge ? nan : p.force_uN, is_edge ? p.force_uN : p.lower_uN,
+                                         is_edge ? p.force_uN : p.upper_uN};
+    for (int c = 0; c < kColumnCount; ++c) {
+      vtkDoubleArray::SafeDownCast(table->GetColumn(c))->InsertNextValue(values[c]);
+    }
+  };
+  for (std::size_t i = first; i < points.size(); ++i) {
+    if (i > first && points[i].after_gap) {
+      add(points[i - 1], true);
+      add(points[i], true);
+    }
+    add(points[i], false);
   }
   for (int c = 0; c < kColumnCount; ++c) table->GetColumn(c)->Modified();
   table->Modified();

@@ -13,6 +13,7 @@ struct TracePoint {
   double force_uN = 0.0;
   double lower_uN = 0.0;
   double upper_uN = 0.0;
+  bool after_gap = false;  ///< no line joins it to the point before
 };
 
 /// A moment marked on the time axis.
@@ -22,11 +23,13 @@ struct TraceMark {
 };
 
 /// The data of the charts for a run of measurements, bounded however long it lasts: rows with a force, thinned to every
-/// second one whenever a trace grows beyond `kMostPoints`.
+/// second one whenever a trace grows beyond `kMostPoints`. Frames without a force leave a gap in the curve when the
+/// points beside it are more than `kBridged_s` apart; thinning keeps the gap.
 class TraceHistory {
  public:
   static constexpr std::size_t kMostPoints = 4000;
   static constexpr std::size_t kMostMarks = 100;
+  static constexpr double kBridged_s = 0.5;
 
   /// Rows without a force are left out; one of a frame that was not measured also does not end a touch. A step of time
   /// backwards (a recording started again) starts all afresh.
@@ -49,7 +52,8 @@ class TraceHistory {
     std::vector<TracePoint> points;
     std::size_t every = 1;  // keeps one row in this many
     std::size_t offered = 0;
-    void append(const TracePoint& point);
+    long last_frame = 0;  // of the newest point
+    void append(TracePoint point, long frame);
   };
 
   Trace all_;
