@@ -43,24 +43,25 @@ vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
   return table;
 }
 
-void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height, double upper,
+void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height_px, double upper,
                     const std::string& title, HudAlign side, bool open_end) {
   // The bar is at the view's edge, its labels towards the middle.
   const bool right = side == HudAlign::kRight;
   const double bar_x = right ? x - kBarWidth : x;
   for (int i = 0; i < kBands; ++i) {
-    hud.rectangle(bar_x, y + i * height / kBands, kBarWidth, height / kBands + 0.5, color_at(kind, (i + 0.5) / kBands));
+    hud.rectangle(bar_x, y + i * height_px / kBands, kBarWidth, height_px / kBands + 0.5,
+                  color_at(kind, (i + 0.5) / kBands));
   }
   constexpr int kLabels = 5;
   const HudText style{.color = palette::kText, .align = right ? HudAlign::kRight : HudAlign::kLeft};
   for (int i = 0; i < kLabels; ++i) {
     const double part = static_cast<double>(i) / (kLabels - 1);
     const double tick_x = right ? bar_x - 5.0 : bar_x + kBarWidth + 1.0;
-    hud.rectangle(tick_x, y + part * height - 0.5, 4.0, 1.0, palette::kTextDim);
-    hud.text(right ? tick_x - 4.0 : tick_x + 8.0, y + part * height,
+    hud.rectangle(tick_x, y + part * height_px - 0.5, 4.0, 1.0, palette::kTextDim);
+    hud.text(right ? tick_x - 4.0 : tick_x + 8.0, y + part * height_px,
              (open_end && i == kLabels - 1 ? "\u2265 " : "") + readout::plain(part * upper), style);
   }
-  hud.text(x, y + height + 20.0, title, {.color = palette::kText, .align = style.align});
+  hud.text(x, y + height_px + 20.0, title, {.color = palette::kText, .align = style.align});
 }
 
 }  // namespace pellucida

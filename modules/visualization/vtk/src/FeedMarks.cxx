@@ -7,14 +7,14 @@
 
 namespace pellucida {
 
-void draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double height) {
+void draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double height_px) {
   if (rows.empty()) return;
   constexpr double kRow = 20.0;
   double text_width = 0.0;
-  for (const LegendRow& row : rows) text_width = std::max(text_width, hud.text_width(row.text));
+  for (const LegendRow& row : rows) text_width = std::max(text_width, hud.text_width_px(row.text));
   const double plate_height = kRow * static_cast<double>(rows.size()) + 12.0;
-  hud.rounded(10.0, height - 10.0 - plate_height, text_width + 52.0, plate_height, 6.0, palette::kWindow, 0.72);
-  double y = height - 16.0 - 0.5 * kRow;
+  hud.rounded(10.0, height_px - 10.0 - plate_height, text_width + 52.0, plate_height, 6.0, palette::kWindow, 0.72);
+  double y = height_px - 16.0 - 0.5 * kRow;
   for (const LegendRow& row : rows) {
     if (row.dashed) {
       for (const double x : {20.0, 28.0, 36.0}) hud.rectangle(x, y - 1.25, 5.0, 2.5, row.color);

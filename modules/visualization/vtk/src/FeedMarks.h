@@ -16,7 +16,7 @@ namespace pellucida {
 using ToHud = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
 /// The lines drawn, named, in the upper left corner; nothing for no rows.
-void draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double height);
+void draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double height_px);
 
 /// A bar of a round length in the lower left corner.
 void draw_scale_bar(HudCanvas& hud, double um_per_px);

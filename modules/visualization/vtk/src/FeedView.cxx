@@ -284,9 +284,9 @@ void FeedView::prepare(double width_px, double height_px) {
   pipeline_->dashes->SetGapUm(5.0 * um_per_px);
 }
 
-void FeedView::draw_hud(HudCanvas& hud, double width, double height) {
+void FeedView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_frame_) {
-    hud.text(0.5 * width, 0.5 * height, "Waiting for the first frame",
+    hud.text(0.5 * width_px, 0.5 * height_px, "Waiting for the first frame",
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }
@@ -298,13 +298,14 @@ void FeedView::draw_hud(HudCanvas& hud, double width, double height) {
   if (plan_) draw_plan(hud, *plan_, place);
   const auto needle = needle_of(source_->GetScene());
   if (tools_shown_ && needle) draw_tip(hud, *needle, place);
-  draw_legend(hud, legend_, height);
-  draw_scale_bar(hud, 2.0 * main_->GetActiveCamera()->GetParallelScale() / height);
+  draw_legend(hud, legend_, height_px);
+  draw_scale_bar(hud, 2.0 * main_->GetActiveCamera()->GetParallelScale() / height_px);
   if (!caption_.empty()) {
     const HudText style{.color = palette::kText, .align = HudAlign::kRight};
-    const double caption_width = hud.text_width(caption_, style);
-    hud.rounded(width - caption_width - 28.0, height - 38.0, caption_width + 18.0, 26.0, 5.0, palette::kWindow, 0.72);
-    hud.text(width - 19.0, height - 25.0, caption_, style);
+    const double caption_width = hud.text_width_px(caption_, style);
+    hud.rounded(width_px - caption_width - 28.0, height_px - 38.0, caption_width + 18.0, 26.0, 5.0, palette::kWindow,
+                0.72);
+    hud.text(width_px - 19.0, height_px - 25.0, caption_, style);
   }
 }
 

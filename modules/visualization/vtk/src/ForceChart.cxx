@@ -259,12 +259,12 @@ void ForceChart::prepare(double width_px, double height_px) {
   changed_ = false;
 }
 
-void ForceChart::draw_hud(HudCanvas& hud, double width, double height) {
+void ForceChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!points().empty()) {
     if (kind_ == ForceChartKind::kForceTime) draw_marks(hud);
     return;
   }
-  hud.text(0.5 * width, 0.55 * height, "No force measured yet",
+  hud.text(0.5 * width_px, 0.55 * height_px, "No force measured yet",
            {.size_pt = font_size::kNormal, .color = palette::kTextDim, .align = HudAlign::kCentre});
 }
 
@@ -285,7 +285,7 @@ void ForceChart::draw_marks(HudCanvas& hud) const {
     const double x = x0 + (x1 - x0) * (mark.time_s - begin_s) / (end_s - begin_s);
     hud.line(x, y0, x, y1, 1.25, color, 0.8);
     const std::string name = readout::state(mark.state);
-    const double width = hud.text_width(name) + 10.0;
+    const double width = hud.text_width_px(name) + 10.0;
     if (x < free_from || x + width > x1) continue;
     hud.text(x + 6.0, y1 - 9.0, name, {.color = color});
     free_from = x + width;

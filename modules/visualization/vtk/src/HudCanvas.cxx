@@ -70,16 +70,16 @@ void HudCanvas::polygon(const std::vector<double>& xy, const Color& color, doubl
   }
 }
 
-void HudCanvas::rectangle(double x, double y, double width, double height, const Color& color, double opacity) {
-  polygon({x, y, x + width, y, x + width, y + height, x, y + height}, color, opacity);
+void HudCanvas::rectangle(double x, double y, double width_px, double height_px, const Color& color, double opacity) {
+  polygon({x, y, x + width_px, y, x + width_px, y + height_px, x, y + height_px}, color, opacity);
 }
 
-void HudCanvas::rounded(double x, double y, double width, double height, double radius, const Color& color,
+void HudCanvas::rounded(double x, double y, double width_px, double height_px, double radius_px, const Color& color,
                         double opacity) {
   constexpr int kSteps = 6;
-  const double r = std::min({radius, 0.5 * width, 0.5 * height});
-  const double corner_x[] = {x + width - r, x + r, x + r, x + width - r};
-  const double corner_y[] = {y + height - r, y + height - r, y + r, y + r};
+  const double r = std::min({radius_px, 0.5 * width_px, 0.5 * height_px});
+  const double corner_x[] = {x + width_px - r, x + r, x + r, x + width_px - r};
+  const double corner_y[] = {y + height_px - r, y + height_px - r, y + r, y + r};
   std::vector<double> xy;
   for (int corner = 0; corner < 4; ++corner) {
     for (int i = 0; i <= kSteps; ++i) {
@@ -91,13 +91,13 @@ void HudCanvas::rounded(double x, double y, double width, double height, double 
   polygon(xy, color, opacity);
 }
 
-void HudCanvas::line(double x0, double y0, double x1, double y1, double width, const Color& color, double opacity) {
+void HudCanvas::line(double x0, double y0, double x1, double y1, double width_px, const Color& color, double opacity) {
   const double length = std::hypot(x1 - x0, y1 - y0);
   if (length <= 0.0) return;
   // A solid core between two rims that fade out, half a device pixel to either side of the edge.
   const double rim = 0.5 / ratio_;
-  const double core = std::max(0.5 * width - rim, 0.0);
-  const double edge = 0.5 * width + rim;
+  const double core = std::max(0.5 * width_px - rim, 0.0);
+  const double edge = 0.5 * width_px + rim;
   const double nx = -(y1 - y0) / length;
   const double ny = (x1 - x0) / length;
   const auto strip = [&](double from, double to, unsigned clear_corners) {
@@ -110,8 +110,8 @@ void HudCanvas::line(double x0, double y0, double x1, double y1, double width, c
   strip(-edge, -core, 0b1001);
 }
 
-void HudCanvas::disc(double x, double y, double radius, const Color& color, double opacity) {
-  rounded(x - radius, y - radius, 2.0 * radius, 2.0 * radius, radius, color, opacity);
+void HudCanvas::disc(double x, double y, double radius_px, const Color& color, double opacity) {
+  rounded(x - radius_px, y - radius_px, 2.0 * radius_px, 2.0 * radius_px, radius_px, color, opacity);
 }
 
 vtkTextActor* HudCanvas::next_text() {
@@ -144,7 +144,7 @@ void HudCanvas::end() {
   for (std::size_t i = text_count_; i < texts_.size(); ++i) texts_[i]->VisibilityOff();
 }
 
-double HudCanvas::text_width(const std::string& utf8, const HudText& style) {
+double HudCanvas::text_width_px(const std::string& utf8, const HudText& style) {
   vtkNew<vtkTextProperty> property;
   apply(style, ratio_, property);
   int box[4] = {0, 0, 0, 0};

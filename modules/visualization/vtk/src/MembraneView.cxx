@@ -234,16 +234,16 @@ void MembraneView::prepare(double, double) {
   main_->ResetCameraClippingRange();
 }
 
-void MembraneView::draw_hud(HudCanvas& hud, double width, double height) {
+void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_surface_) {
-    hud.text(0.5 * width, 0.5 * height, why_empty(source_->GetScene()),
+    hud.text(0.5 * width_px, 0.5 * height_px, why_empty(source_->GetScene()),
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }
-  const double bar_height = std::clamp(0.38 * height, 90.0, 220.0);
-  const double bar_y = height - bar_height - 46.0;
+  const double bar_height = std::clamp(0.38 * height_px, 90.0, 220.0);
+  const double bar_y = height_px - bar_height - 46.0;
   if (arrows_shown_ && has_forces_) {
-    draw_color_bar(hud, ColorMapKind::kForce, width - 16.0, bar_y, bar_height, force_range_uN_.upper(),
+    draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, bar_y, bar_height, force_range_uN_.upper(),
                    "Node force (µN)", HudAlign::kRight, beyond_scale_);
   }
   if (coloring_available_) {
@@ -260,7 +260,7 @@ void MembraneView::draw_contact_label(HudCanvas& hud) const {
   if (contact_label_.empty()) return;
   const auto [x, y] = to_hud(contact_tail_um_);
   const HudText style{.size_pt = font_size::kTitle, .color = palette::kText, .bold = true, .align = HudAlign::kCentre};
-  const double width = hud.text_width(contact_label_, style) + 18.0;
+  const double width = hud.text_width_px(contact_label_, style) + 18.0;
   hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, palette::kWindow, 0.78);
   hud.text(x, y + 35.0, contact_label_, style);
 }

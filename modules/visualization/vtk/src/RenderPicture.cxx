@@ -32,15 +32,15 @@ class HeaderView : public View {
   }
 
  protected:
-  void draw_hud(HudCanvas& hud, double width, double height) override {
-    const double middle = 0.5 * height;
+  void draw_hud(HudCanvas& hud, double width_px, double height_px) override {
+    const double middle = 0.5 * height_px;
     hud.text(20.0, middle, "Pellucida", {.size_pt = 20, .color = palette::kText, .bold = true});
     double x = 150.0;
 
     // The state as a pill.
     const std::string state = readout::state(m_.state);
     const HudText pill{.size_pt = font_size::kTitle, .color = palette::kWindow, .bold = true};
-    const double pill_width = hud.text_width(state, pill) + 26.0;
+    const double pill_width = hud.text_width_px(state, pill) + 26.0;
     hud.rounded(x, middle - 14.0, pill_width, 28.0, 14.0, state_color(m_.state));
     hud.text(x + 13.0, middle, state, pill);
     x += pill_width + 36.0;
@@ -49,12 +49,12 @@ class HeaderView : public View {
       const HudText dim{.size_pt = font_size::kTitle, .color = palette::kTextDim};
       const HudText bold{.size_pt = 18, .color = palette::kText, .bold = true};
       hud.text(x, middle, name, dim);
-      x += hud.text_width(name, dim) + 10.0;
+      x += hud.text_width_px(name, dim) + 10.0;
       hud.text(x, middle, value, bold);
-      x += hud.text_width(value, bold) + 10.0;
+      x += hud.text_width_px(value, bold) + 10.0;
       if (!after.empty()) {
         hud.text(x, middle, after, dim);
-        x += hud.text_width(after, dim) + 10.0;
+        x += hud.text_width_px(after, dim) + 10.0;
       }
       x += 28.0;
     };
@@ -63,7 +63,7 @@ class HeaderView : public View {
     figure("Force", readout::force(m_), interval.empty() ? "" : "95 %: " + interval);
     figure("Pressure", readout::pressure(m_), "");
     figure("Confidence", readout::confidence(m_), "");
-    hud.text(width - 20.0, middle, "t = " + readout::time(m_.time_s),
+    hud.text(width_px - 20.0, middle, "t = " + readout::time(m_.time_s),
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kRight});
   }
 

@@ -53,7 +53,7 @@ class FeedView : public View {
 
  protected:
   void prepare(double width_px, double height_px) override;
-  void draw_hud(HudCanvas& hud, double width, double height) override;
+  void draw_hud(HudCanvas& hud, double width_px, double height_px) override;
 
  private:
   struct Pipeline;

@@ -29,8 +29,9 @@ struct HudText {
 };
 
 /// Flat shapes and texts over a renderer, redrawn each frame in an immediate style: `begin`, shapes, `end`. Coordinates
-/// are logical pixels of the renderer's viewport, origin at the bottom left; `ratio` (device pixels a logical one)
-/// scales everything, so that a picture of twice the dots looks the same. Shapes keep their order; texts lie on top.
+/// and lengths are logical pixels of the renderer's viewport, origin at the bottom left; `ratio` (device pixels a
+/// logical one) scales everything, so that a picture of twice the dots looks the same. Shapes keep their order; texts
+/// lie on top.
 class HudCanvas {
  public:
   explicit HudCanvas(vtkRenderer* renderer);
@@ -39,18 +40,18 @@ class HudCanvas {
   HudCanvas& operator=(const HudCanvas&) = delete;
 
   void begin(double ratio);
-  void rectangle(double x, double y, double width, double height, const Color& color, double opacity = 1.0);
-  /// A rectangle with corners of radius `radius`, at most half the smaller side.
-  void rounded(double x, double y, double width, double height, double radius, const Color& color,
+  void rectangle(double x, double y, double width_px, double height_px, const Color& color, double opacity = 1.0);
+  /// A rectangle with corners of radius `radius_px`, at most half the smaller side.
+  void rounded(double x, double y, double width_px, double height_px, double radius_px, const Color& color,
                double opacity = 1.0);
-  void line(double x0, double y0, double x1, double y1, double width, const Color& color, double opacity = 1.0);
-  void disc(double x, double y, double radius, const Color& color, double opacity = 1.0);
+  void line(double x0, double y0, double x1, double y1, double width_px, const Color& color, double opacity = 1.0);
+  void disc(double x, double y, double radius_px, const Color& color, double opacity = 1.0);
   /// A text whose middle line is at `y`.
   void text(double x, double y, const std::string& utf8, const HudText& style = {});
   void end();
 
-  /// Width of a text in logical pixels.
-  double text_width(const std::string& utf8, const HudText& style = {});
+  /// Width of a text.
+  double text_width_px(const std::string& utf8, const HudText& style = {});
 
  private:
   // `clear_corners`: a bit for each corner that is drawn without opacity.

@@ -44,7 +44,7 @@ class MembraneView : public View {
 
  protected:
   void prepare(double width_px, double height_px) override;
-  void draw_hud(HudCanvas& hud, double width, double height) override;
+  void draw_hud(HudCanvas& hud, double width_px, double height_px) override;
 
  private:
   void refresh_arrows(vtkPolyData* surface);

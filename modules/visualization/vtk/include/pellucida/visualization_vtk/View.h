@@ -40,7 +40,7 @@ class View {
   /// Called before the scene is rendered: camera and sizes in device pixels.
   virtual void prepare(double /*width_px*/, double /*height_px*/) {}
   /// Draws legends and texts; sizes in logical pixels.
-  virtual void draw_hud(HudCanvas& /*hud*/, double /*width*/, double /*height*/) {}
+  virtual void draw_hud(HudCanvas& /*hud*/, double /*width_px*/, double /*height_px*/) {}
   /// Where a point of the scene lies in the viewport, in logical pixels; {x, y}.
   std::pair<double, double> to_hud(const double world_um[3]) const;
   double hud_ratio() const noexcept { return hud_ratio_; }
