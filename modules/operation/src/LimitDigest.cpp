@@ -50,8 +50,8 @@ void LimitDigest::add(const LimitEvent& limit) {
     stretch.end_s = limit.time_s;
     return;
   }
-  if (!stretch.told) {
-    stretch = {.told = true, .begin_s = limit.time_s};
+  if (!stretch.reported) {
+    stretch = {.reported = true, .begin_s = limit.time_s};
     waiting_.push_back({limit.time_s, event_kind::kLimit, begin_text(limit)});
   }
   stretch.acting = true;
@@ -62,7 +62,7 @@ void LimitDigest::add(const LimitEvent& limit) {
 std::vector<Event> LimitDigest::take(double now_s, double session_lag_s) {
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     Stretch& stretch = stretches_[i];
-    if (!stretch.told || stretch.acting || now_s - stretch.end_s < kQuiet_s) continue;
+    if (!stretch.reported || stretch.acting || now_s - stretch.end_s < kQuiet_s) continue;
     const auto kind = static_cast<LimitKind>(i);
     std::string detail = std::string(to_string(kind)) + ": over";
     if (stretch.count > 1) {
@@ -75,7 +75,7 @@ std::vector<Event> LimitDigest::take(double now_s, double session_lag_s) {
       }
     }
     waiting_.push_back({stretch.end_s, event_kind::kLimit, std::move(detail)});
-    stretch.told = false;
+    stretch.reported = false;
   }
   std::vector<Event> events = std::exchange(waiting_, {});
   for (Event& event : events) event.time_s -= session_lag_s;

@@ -27,7 +27,7 @@ class LimitDigest {
 
  private:
   struct Stretch {
-    bool told = false;  // its beginning is a row, its end is not
+    bool reported = false;  // its beginning is a row, its end is not
     bool acting = false;
     double begin_s = 0.0;
     double end_s = 0.0;  // when it ceased to act, the last time
