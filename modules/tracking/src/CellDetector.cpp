@@ -47,7 +47,7 @@ Judged judge(const Pyramid& pyramid, const CellCandidate& candidate) {
   const GrayImage& level = pyramid.levels[static_cast<std::size_t>(candidate.level)];
   const double noise = pyramid.noises[static_cast<std::size_t>(candidate.level)];
   Eigen::Vector2d center = candidate.center / best.scale();
-  double radius = candidate.radius / best.scale();
+  double radius = candidate.radius_px / best.scale();
   for (int round = 0; round < 3; ++round) {
     RingEdge found = best_in_ring(level, center, 0.55 * radius, 1.5 * radius, {1.3}, noise, kAnyEdgeKind, 64);
     if (found.score > best.ring.score) best.ring = std::move(found);
@@ -96,7 +96,7 @@ Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options,
   }
   if (inside) {
     std::erase_if(candidates, [&](const CellCandidate& candidate) {
-      return (candidate.center - *inside).norm() > 1.1 * candidate.radius;
+      return (candidate.center - *inside).norm() > 1.1 * candidate.radius_px;
     });
     add_click(pyramid, *inside, options, candidates);
   }
@@ -104,7 +104,7 @@ Judged best_candidate(const Pyramid& pyramid, const TrackerOptions& options,
     // Neighbouring levels and bands propose the same ring again.
     const bool again = std::any_of(known.begin(), known.end(), [&](const contour::Circle& circle) {
       return (circle.center - candidate.center).norm() < 0.2 * circle.radius &&
-             std::abs(circle.radius - candidate.radius) < 0.3 * circle.radius;
+             std::abs(circle.radius - candidate.radius_px) < 0.3 * circle.radius;
     });
     if (again) continue;
     // A clear cell is found; what has far fewer votes won't be clearer.

@@ -59,7 +59,7 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
 /// A centre the voting proposes (full image px).
 struct CellCandidate {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  double radius = 0.0;
+  double radius_px = 0.0;
   int level = 0;
   double votes = 0.0;
 };

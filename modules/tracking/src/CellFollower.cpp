@@ -168,8 +168,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   learn_holder_motion(frame);
   membrane_depth_ = measure_membrane_depth();
   // Where a mere shade ends is not known well enough to say that it has entered an untouched outline.
-  const bool told = !zone().is_shade || membrane_depth_ > 0.5 * kEntered_px;
-  const bool entered = needle_.valid() && tip_depth() > kEntered_px && told;
+  const bool certain = !zone().is_shade || membrane_depth_ > 0.5 * kEntered_px;
+  const bool entered = needle_.valid() && tip_depth() > kEntered_px && certain;
   const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
@@ -340,13 +340,13 @@ double CellFollower::confidence() const {
   return bad_frames_ > 0 ? 0.3 * all : all;
 }
 
-SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius) const {
+SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) const {
   SnakeContour result = like;
-  if (like.points.cols() == 0 || radius <= 0.0) return result;
+  if (like.points.cols() == 0 || radius_px <= 0.0) return result;
   const Eigen::Index n = like.points.cols();
   for (Eigen::Index i = 0; i < n; ++i) {
     const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(n);
-    result.points.col(i) = center_now() + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    result.points.col(i) = center_now() + radius_px * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   }
   return result;
 }

@@ -87,7 +87,7 @@ class CellFollower {
   double local_score() const;
   double quality_now() const;
   bool plausible() const;
-  SnakeContour at_rest(const SnakeContour& like, double radius) const;
+  SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d far_side_center() const;
 
   TrackerOptions options_;

@@ -20,8 +20,8 @@ struct Depth {
 };
 Depth depth_of(const CellFollower& cell) {
   const double membrane_sigma = std::hypot(cell.membrane_sigma(), kRounding_px);
-  const double told = cell.needle().estimate().tip_sigma;
-  const double tip_sigma = told > 0.0 ? std::max(told, 0.05) : kUsualTipSigma_px;
+  const double reported = cell.needle().estimate().tip_sigma;
+  const double tip_sigma = reported > 0.0 ? std::max(reported, 0.05) : kUsualTipSigma_px;
   const double apart = std::abs(cell.tip_depth() - cell.membrane_depth());
   Depth depth{cell.membrane_depth(), membrane_sigma};
   if (cell.state() == CellState::kContact && apart < std::max(4.0, 4.0 * std::hypot(membrane_sigma, tip_sigma))) {
