@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
+#include <utility>
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
@@ -39,6 +41,31 @@ double degrees(const Eigen::Vector2d& direction) {
   const double angle = std::atan2(direction.y(), direction.x()) * 180 / std::numbers::pi;
   return std::round(angle * 1e9) / 1e9 + 0.0;
 }
+
+// A column of the file of truth.
+struct TruthColumn {
+  std::string_view name;
+  double (*value)(const Truth& truth);
+};
+
+constexpr TruthColumn kTruthColumns[] = {
+    {"frame", [](const Truth& truth) { return static_cast<double>(truth.observation.frame_index); }},
+    {"time_s", [](const Truth& truth) { return truth.observation.time_s; }},
+    {"state", [](const Truth& truth) { return static_cast<double>(truth.observation.state); }},
+    {"cell_x_um", [](const Truth& truth) { return truth.observation.center_um.x(); }},
+    {"cell_y_um", [](const Truth& truth) { return truth.observation.center_um.y(); }},
+    {"axis_deg", [](const Truth& truth) { return degrees(truth.observation.axis); }},
+    {"tip_x_um", [](const Truth& truth) { return truth.observation.needle->tip_um.x(); }},
+    {"tip_y_um", [](const Truth& truth) { return truth.observation.needle->tip_um.y(); }},
+    {"indentation_um", [](const Truth& truth) { return truth.observation.indentation_um; }},
+    {"dimple_radius_um", [](const Truth& truth) { return truth.observation.dimple_radius_um; }},
+    {"contact_force_uN", [](const Truth& truth) { return truth.contact_force_uN; }},
+    {"pressure_Pa", [](const Truth& truth) { return truth.pressure_Pa; }},
+    {"volume_um3", [](const Truth& truth) { return truth.volume_um3; }},
+    {"rotation_deg", [](const Truth& truth) { return truth.observation.rotation_rad * 180 / std::numbers::pi; }},
+    {"lateral_force_uN", [](const Truth& truth) { return truth.lateral_force_uN; }},
+    {"deposited_pL", [](const Truth& truth) { return truth.deposited_pL; }},
+};
 
 NeedlePose place_needle(const Scenario::Tools& tools, const SpecimenPose& pose, double tip_x_um, double tip_z_um,
                         double length_um) {
@@ -164,23 +191,21 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
 }
 
 TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_(file), contours_(contour_file(file)) {
-  rows_ << "frame,time_s,state,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,dimple_radius_um,"
-           "contact_force_uN,pressure_Pa,volume_um3,rotation_deg,lateral_force_uN,deposited_pL\n";
+  const char* separator = "";
+  for (const TruthColumn& column : kTruthColumns) rows_ << std::exchange(separator, ",") << column.name;
+  rows_ << '\n';
   contours_ << "frame,membrane,point,x_um,y_um\n";
   check(rows_, file_);
   check(contours_, contour_file(file_));
 }
 
 void TruthWriter::write(const Truth& truth) {
-  const Observation& seen = truth.observation;
-  rows_ << seen.frame_index << ',' << csv_number(seen.time_s) << ',' << static_cast<int>(seen.state);
-  for (double value :
-       {seen.center_um.x(), seen.center_um.y(), degrees(seen.axis), seen.needle->tip_um.x(), seen.needle->tip_um.y(),
-        seen.indentation_um, seen.dimple_radius_um, truth.contact_force_uN, truth.pressure_Pa, truth.volume_um3,
-        seen.rotation_rad * 180 / std::numbers::pi, truth.lateral_force_uN, truth.deposited_pL})
-    rows_ << ',' << csv_number(value);
+  const char* separator = "";
+  for (const TruthColumn& column : kTruthColumns)
+    rows_ << std::exchange(separator, ",") << csv_number(column.value(truth));
   rows_ << '\n' << std::flush;
 
+  const Observation& seen = truth.observation;
   for (const auto* contour : {&seen.outer, &seen.inner, &seen.oolemma}) {
     if (!*contour) continue;
     const auto& points = (*contour)->points_um;
