@@ -19,7 +19,7 @@
 #include "HandControl.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
-#include "pellucida/visualization/VirtualDisplay.h"
+#include "ui/DisplayTest.h"
 #include "ui/XInput.h"
 #include "widgets/ViewWidget.h"
 
@@ -28,16 +28,8 @@ namespace {
 
 using test::XInput;
 
-class MainWindowTest : public testing::Test {
+class MainWindowTest : public test::DisplayTest {
  protected:
-  static void SetUpTestSuite() {
-    static VirtualDisplay display;
-    static int argc = 1;
-    static char name[] = "test";
-    static char* argv[] = {name, nullptr};
-    if (!qApp) new QApplication(argc, argv);
-  }
-
   MainWindowTest() {
     auto run = std::make_unique<LiveRun>(setup_.make_microscope(Pace::kWallClock), PipelineOptions{});
     auto console = std::make_unique<OperatorConsole>(*run, setup_.injector(), &setup_.needle());

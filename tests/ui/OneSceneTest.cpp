@@ -13,9 +13,9 @@
 #include "MainWindow.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/ForceChart.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
+#include "ui/DisplayTest.h"
 #include "widgets/ViewWidget.h"
 
 namespace pellucida {
@@ -43,16 +43,8 @@ class SmallPixels final : public FrameSource {
   SourceInfo info_;
 };
 
-class OneScene : public testing::Test {
+class OneScene : public test::DisplayTest {
  protected:
-  static void SetUpTestSuite() {
-    static VirtualDisplay display;
-    static int argc = 1;
-    static char name[] = "test";
-    static char* argv[] = {name, nullptr};
-    if (!qApp) new QApplication(argc, argv);
-  }
-
   void open(std::unique_ptr<FrameSource> source, const PipelineOptions& pipeline) {
     auto run = std::make_unique<LiveRun>(std::move(source), pipeline);
     WindowOptions options;
