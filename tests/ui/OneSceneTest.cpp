@@ -98,7 +98,9 @@ TEST_F(OneScene, ReadoutLabelAndChartsSayTheSameForce) {
     for (const ForceChart* chart : views<ForceChart>()) {
       const auto newest = chart->newest();
       EXPECT_TRUE(newest);
-      if (newest) EXPECT_EQ(readout::number(newest->force_uN, 2) + " µN", label);
+      if (newest) {
+        EXPECT_EQ(readout::number(newest->force_uN, 2) + " µN", label);
+      }
     }
     seen.insert(label);
     return seen.size() >= 12 || HasFailure();
