@@ -16,7 +16,7 @@ TEST(DepthFilter, FollowsASteadyRampWithoutLag) {
     const double depth = 0.6 * frame;
     const auto estimate = filter.update(frame * kFrame_s, depth, 0.2);
     if (frame <= 10) continue;
-    EXPECT_NEAR(estimate.depth_um, depth, 0.01);
+    EXPECT_NEAR(estimate.depth_um, depth, 2e-4);
   }
 }
 

@@ -21,7 +21,7 @@ TEST(ForceCrossCheck, PointLoadFormulaGoesWithTheCubeOfTheDepth) {
 TEST(ForceCrossCheck, TablesHoldThePuncturePointAndBlendBetweenHolders) {
   const ForceTables tables("mouse-oocyte");
   const double quarter = 0.25 * std::numbers::pi;
-  EXPECT_NEAR(tables.force_uN(44.0, 0.0).value(), 7.5, 0.01);
+  EXPECT_NEAR(tables.force_uN(44.0, 0.0).value(), 7.5, 1e-9);
   const double one = tables.force_uN(20.0, 0.0).value(), two = tables.force_uN(20.0, quarter).value();
   EXPECT_LT(two, one);
   EXPECT_NEAR(tables.force_uN(20.0, 0.5 * quarter).value(), 0.5 * (one + two), 1e-9);
