@@ -80,7 +80,7 @@ TEST(Relaxation, RateAndRestAreThoseOfItsFall) {
   relaxation.start(0.0);
   const double now_uN = relaxation.advance(1.0, 3.0), rate = relaxation.rate_uN_per_s();
   const double rest_uN = relaxation.relaxed_uN();
-  EXPECT_NEAR((relaxation.advance(1.0 + 1e-6, 3.0) - now_uN) / 1e-6, rate, 1e-5);
+  EXPECT_NEAR((relaxation.advance(1.0 + 1e-6, 3.0) - now_uN) / 1e-6, rate, 6e-7);
   EXPECT_NEAR(relaxation.advance(1e4, 3.0), rest_uN, 1e-9);
 }
 
@@ -98,8 +98,8 @@ TEST(Relaxation, StorageAndLossAreThoseOfASteadyVibration) {
     across += force * std::cos(kOmega_per_s * t) * kStep_s;
     length_s += kStep_s;
   }
-  EXPECT_NEAR(2.0 * in_phase / length_s, relaxation.storage_ratio(kOmega_per_s), 1e-3);
-  EXPECT_NEAR(2.0 * across / length_s, kOmega_per_s * relaxation.loss_s(kOmega_per_s), 1e-3);
+  EXPECT_NEAR(2.0 * in_phase / length_s, relaxation.storage_ratio(kOmega_per_s), 5e-6);
+  EXPECT_NEAR(2.0 * across / length_s, kOmega_per_s * relaxation.loss_s(kOmega_per_s), 7e-7);
 }
 
 TEST(Relaxation, WithoutArmsIsElastic) {
