@@ -77,13 +77,13 @@ TEST(StabilityLimit, IsTwoOverTheHighestFrequencyForSymplecticEuler) {
   const double physical_s = 2.0 / Specimen(1e-12).highest_frequency_per_s();
   std::printf("symplectic Euler: stable below %.2f / omega_max; 2 / omega_max is %.2g s at 1e-12 kg a node\n", limit,
               physical_s);
-  EXPECT_NEAR(limit, 2.0, 0.1);
+  EXPECT_NEAR(limit, 2.0, 0.04);
 }
 
 TEST(StabilityLimit, IsTheSquareRootOfTwelveOverTheHighestFrequencyForLinearAcceleration) {
   const double limit = stability_limit(make_linear_acceleration, 2.5, 5.0, 200);
   std::printf("linear acceleration: stable below %.2f / omega_max\n", limit);
-  EXPECT_NEAR(limit, std::sqrt(12.0), 0.2);
+  EXPECT_NEAR(limit, std::sqrt(12.0), 0.02);
 }
 
 TEST(StabilityLimit, HasImplicitEulerNone) {
@@ -124,7 +124,7 @@ TEST(EnergyDrift, IsNoneForSymplecticEulerLittleForLinearAccelerationAndALossFor
       "acceleration; within %.4f), %+.4f (implicit Euler)\n",
       dt_s, kDuration_s, symplectic.first, symplectic.second, linear.first, linear.second, implicit.first);
   EXPECT_LT(symplectic.second, 0.05);
-  EXPECT_LT(linear.second, 0.01);
+  EXPECT_LT(linear.second, 0.0016);
   EXPECT_LT(implicit.first, -0.1);
 }
 
@@ -164,7 +164,7 @@ TEST(Order, IsOneForTheEulersAndTwoForLinearAccelerationWithoutDampers) {
                                     {make_linear_acceleration, 2.0}}) {
     const double coarse = motion_error(make, kDuration_s / 16, kDuration_s, exact);
     const double fine = motion_error(make, kDuration_s / 32, kDuration_s, exact);
-    EXPECT_NEAR(std::log2(coarse / fine), order, 0.35);
+    EXPECT_NEAR(std::log2(coarse / fine), order, 0.022);
   }
 }
 
@@ -194,8 +194,8 @@ TEST(RampForce, IsQuasiStaticWithLittleMassOrImplicitSteps) {
       "us), %.3f (1e-6 kg, 100 us); linear acceleration %.3f (1e-6 kg, 200 us); implicit Euler %.3f (1e-12 kg, "
       "8.3 ms)\n",
       light, heavy, linear, implicit);
-  EXPECT_NEAR(light, 1.0, 0.05);
-  EXPECT_NEAR(implicit, 1.0, 0.01);
+  EXPECT_NEAR(light, 1.0, 0.017);
+  EXPECT_NEAR(implicit, 1.0, 3e-4);
 }
 
 TEST(Damping, NeverAddsEnergyWhateverTheIntegrator) {
@@ -235,8 +235,8 @@ TEST_P(Kernel, HasTheForcesOfEquationOne) {
   springs_.add(state.x_um, &expected, nullptr);
   expected = -expected;
   springs_.add_damping(state.x_um, state.v_um_per_s, 3e-3, expected);
-  EXPECT_LT((kernel.spring_force_uN() - expected).cwiseAbs().maxCoeff(), 1e-5 * expected.cwiseAbs().maxCoeff());
-  EXPECT_LT((kernel.state().x_um - state.x_um).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((kernel.spring_force_uN() - expected).cwiseAbs().maxCoeff(), 7e-6 * expected.cwiseAbs().maxCoeff());
+  EXPECT_LT((kernel.state().x_um - state.x_um).cwiseAbs().maxCoeff(), 1.2e-7);
   EXPECT_EQ(kernel.spring_count(), springs_.count());
 }
 
@@ -261,7 +261,7 @@ TEST_P(Kernel, MovesLikeSymplecticEulerInDoublePrecision) {
   kernel.step(kStep_s, kSteps);
   const double moved = (state.x_um - mesh_.points_um).cwiseAbs().maxCoeff();
   EXPECT_GT(moved, 0.1);
-  EXPECT_LT((kernel.state().x_um - state.x_um).cwiseAbs().maxCoeff(), 1e-3 * moved);
+  EXPECT_LT((kernel.state().x_um - state.x_um).cwiseAbs().maxCoeff(), 1e-6 * moved);
 }
 
 TEST_P(Kernel, GivesTheSameBitsWithAvx2) {
@@ -289,7 +289,7 @@ TEST_P(Kernel, LosesNoSmallStep) {
   state.x_um.row(0).array() += 20.0;
   kernel.set_state(state);
   kernel.step(1e-7, 20000);
-  EXPECT_NEAR((kernel.state().x_um.row(0) - state.x_um.row(0)).mean(), 3.0 * 2e-3, 2e-5);
+  EXPECT_NEAR((kernel.state().x_um.row(0) - state.x_um.row(0)).mean(), 3.0 * 2e-3, 8e-8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Frequencies, Kernel, ::testing::Values(1, 4, 9));
