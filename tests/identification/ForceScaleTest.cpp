@@ -13,7 +13,7 @@ namespace {
 TEST(ForceScale, TakesConfigurationOneThroughThePoint) {
   CellProfile cell = testing::coarse_cell();
   apply(scale_to_point(cell, 7.5, 30.0, 0.05), cell);
-  EXPECT_NEAR(force_curve(cell, 1, 30.0, 5.0).back().push_force_uN, 7.5, 1e-3);
+  EXPECT_NEAR(force_curve(cell, 1, 30.0, 5.0).back().push_force_uN, 7.5, 5e-7);
   EXPECT_DOUBLE_EQ(cell.force_scale_relative_sigma, 0.05);
 }
 

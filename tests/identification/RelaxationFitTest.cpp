@@ -41,12 +41,12 @@ RelaxationRecord made_record(const std::vector<RelaxationArm>& arms) {
 TEST(RelaxationFit, FindsTheArmsOfAMadeRecord) {
   const RelaxationFit fit = fit_relaxation(made_record({{0.3, 0.8}, {0.25, 6.0}}));
   ASSERT_EQ(fit.arms.size(), 2U);
-  EXPECT_NEAR(fit.arms[0].fraction, 0.3, 0.01);
-  EXPECT_NEAR(fit.arms[0].time_s, 0.8, 0.04);
-  EXPECT_NEAR(fit.arms[1].fraction, 0.25, 0.01);
-  EXPECT_NEAR(fit.arms[1].time_s, 6.0, 0.2);
-  EXPECT_NEAR(fit.contact_height_um, 99.0, 0.05);
-  EXPECT_LT(fit.ramp_and_hold_rms_uN, 2e-4);
+  EXPECT_NEAR(fit.arms[0].fraction, 0.3, 1e-7);
+  EXPECT_NEAR(fit.arms[0].time_s, 0.8, 1e-7);
+  EXPECT_NEAR(fit.arms[1].fraction, 0.25, 1e-7);
+  EXPECT_NEAR(fit.arms[1].time_s, 6.0, 1e-7);
+  EXPECT_NEAR(fit.contact_height_um, 99.0, 1e-7);
+  EXPECT_LT(fit.ramp_and_hold_rms_uN, 1e-9);
 }
 
 /// Two arms within 2 nN on ramp and hold, and far better than one.
@@ -81,10 +81,10 @@ TEST(RelaxationFit, RefusesWhatHoldsNoPush) {
 
 TEST(RelaxationRecord, TakesOffTheForceBeforeTheRamp) {
   const RelaxationRecord record = read_relaxation_record(kShippedRecord);
-  EXPECT_NEAR(record.baseline_uN, 0.0087, 0.0003);
+  EXPECT_NEAR(record.baseline_uN, 0.0087, 1.4e-4);
   EXPECT_NEAR(record.force_uN.head(record.ramp_begin).mean(), 0.0, 1e-12);
-  EXPECT_NEAR(record.time_s[record.hold_begin] - record.time_s[record.ramp_begin], 1.0, 0.01);
-  EXPECT_NEAR(record.height_um[0] - record.height_um[record.hold_begin], 20.0, 0.1);
+  EXPECT_NEAR(record.time_s[record.hold_begin] - record.time_s[record.ramp_begin], 1.0, 1e-9);
+  EXPECT_NEAR(record.height_um[0] - record.height_um[record.hold_begin], 20.0, 0.002);
 }
 
 TEST(RelaxationRecord, FaultsAreNamed) {
