@@ -59,7 +59,7 @@ void expect_solves(const Problem& problem, double shift) {
   const Eigen::MatrixXd right = Eigen::MatrixXd::Random(shifted.rows(), 3);
   Eigen::MatrixXd solution = right;
   factor.solve(solution);
-  EXPECT_LT((shifted * solution - right).norm(), 1e-8 * right.norm());
+  EXPECT_LT((shifted * solution - right).norm(), 1e-9 * right.norm());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(shifted, Eigen::EigenvaluesOnly);
   EXPECT_EQ(factor.negative_count(), (spectrum.eigenvalues().array() < 0.0).count());
 }
