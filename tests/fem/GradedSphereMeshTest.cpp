@@ -43,7 +43,7 @@ TEST_F(GradedSphereMesh, KeepsTheEdgeLengthsAskedFor) {
     shortest = std::min(shortest, ratio);
     longest = std::max(longest, ratio);
   }
-  EXPECT_NEAR(sum / static_cast<double>(pairs.size()), 1.0, 0.05);
+  EXPECT_NEAR(sum / static_cast<double>(pairs.size()), 1.0, 0.02);
   EXPECT_GT(shortest, 0.5);
   EXPECT_LT(longest, 1.7);
 }

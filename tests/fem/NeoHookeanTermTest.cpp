@@ -57,10 +57,10 @@ TEST_P(NeoHookean, DerivativesAreThoseOfTheEnergy) {
     below.data()[k] -= kStep;
     Eigen::Matrix3Xd up = Eigen::Matrix3Xd::Zero(3, x.cols()), down = up;
     const double slope = (term.add(above, &up, nullptr) - term.add(below, &down, nullptr)) / (2.0 * kStep);
-    EXPECT_NEAR(gradient.data()[k], slope, 1e-6 * gradient.cwiseAbs().maxCoeff());
+    EXPECT_NEAR(gradient.data()[k], slope, 1e-8 * gradient.cwiseAbs().maxCoeff());
     const Eigen::Matrix3Xd column = (up - down) / (2.0 * kStep);
     const Eigen::Map<const Eigen::VectorXd> flat(column.data(), column.size());
-    EXPECT_LT((hessian.col(k) - flat).cwiseAbs().maxCoeff(), 1e-6 * hessian.cwiseAbs().maxCoeff());
+    EXPECT_LT((hessian.col(k) - flat).cwiseAbs().maxCoeff(), 1e-8 * hessian.cwiseAbs().maxCoeff());
   }
 }
 

@@ -54,10 +54,10 @@ void expect_derivatives(EnergyTerm& term, const Eigen::Matrix3Xd& x) {
     below.data()[k] -= kStep;
     Eigen::Matrix3Xd up = Eigen::Matrix3Xd::Zero(3, x.cols()), down = up;
     const double slope = (term.add(above, &up, nullptr) - term.add(below, &down, nullptr)) / (2.0 * kStep);
-    EXPECT_NEAR(gradient.data()[k], slope, 1e-6 * gradient.cwiseAbs().maxCoeff());
+    EXPECT_NEAR(gradient.data()[k], slope, 1e-8 * gradient.cwiseAbs().maxCoeff());
     const Eigen::Matrix3Xd column = (up - down) / (2.0 * kStep);
     const Eigen::Map<const Eigen::VectorXd> flat(column.data(), column.size());
-    EXPECT_LT((hessian.col(k) - flat).cwiseAbs().maxCoeff(), 1e-6 * hessian.cwiseAbs().maxCoeff());
+    EXPECT_LT((hessian.col(k) - flat).cwiseAbs().maxCoeff(), 1e-8 * hessian.cwiseAbs().maxCoeff());
   }
 }
 
@@ -73,12 +73,12 @@ TEST(SolidTerms, VolumesAreThoseOfSpheres) {
   const AxisymmetricMesh mesh = make_axisymmetric_mesh(
       50.0, 8.0, [](double) { return 5.0; }, 2);
   const RevolvedLiquidTerm liquid(mesh.points_um, mesh.inner, 2.0);
-  EXPECT_NEAR(liquid.rest_volume_um3(), 4.0 / 3.0 * std::numbers::pi * std::pow(46.0, 3), 10.0);
+  EXPECT_NEAR(liquid.rest_volume_um3(), 4.0 / 3.0 * std::numbers::pi * std::pow(46.0, 3), 0.27);
   // Swollen by a tenth: mu/2 (3 l^2 - 3 - 6 ln l) + lambda/2 (l^3 - 1)^2 in every part of the wall's volume.
   const SolidTerm solid(mesh, 0.006, 0.6);
   const double wall = 4.0 / 3.0 * std::numbers::pi * (std::pow(54.0, 3) - std::pow(46.0, 3));
   const double density = 0.5 * 0.006 * (3.0 * 1.21 - 3.0 - 6.0 * std::log(1.1)) + 0.3 * std::pow(1.331 - 1.0, 2);
-  EXPECT_NEAR(solid.add(1.1 * mesh.points_um, nullptr, nullptr), density * wall, 1e-4 * density * wall);
+  EXPECT_NEAR(solid.add(1.1 * mesh.points_um, nullptr, nullptr), density * wall, 7e-7 * density * wall);
   EXPECT_NEAR(solid.largest_volume_change(1.1 * mesh.points_um), 0.331, 1e-6);
 }
 
@@ -96,9 +96,9 @@ TEST_F(Solid, ConvergesInBalance) {
   ASSERT_EQ(curve().outcome, CurveOutcome::kComplete);
   ASSERT_EQ(curve().steps.size(), 45u);
   for (const SolidStep& step : curve().steps) {
-    EXPECT_NEAR(step.force_uN, step.holder_force_uN, 1e-5);
+    EXPECT_NEAR(step.force_uN, step.holder_force_uN, 1e-9);
     EXPECT_LT(std::abs(step.volume_change_ratio), 2e-4);
-    EXPECT_LT(step.solid_volume_change_ratio, 2e-3);
+    EXPECT_LT(step.solid_volume_change_ratio, 1.2e-3);
   }
   for (std::size_t k = 3; k + 1 < curve().steps.size(); ++k) {
     const double slope = 0.5 * (curve().steps[k + 1].energy_uN_um - curve().steps[k - 1].energy_uN_um);
@@ -107,11 +107,11 @@ TEST_F(Solid, ConvergesInBalance) {
 }
 
 TEST_F(Solid, KeepsItsFigures) {
-  EXPECT_NEAR(force_at(4.0), 0.0679, 0.0007);
-  EXPECT_NEAR(force_at(10.0), 0.1160, 0.0012);
-  EXPECT_NEAR(force_at(20.0), 0.2030, 0.0020);
-  EXPECT_NEAR(force_at(30.0), 0.3795, 0.0038);
-  EXPECT_NEAR(force_at(44.0), 0.7400, 0.0074);
+  EXPECT_NEAR(force_at(4.0), 0.0679, 2e-5);
+  EXPECT_NEAR(force_at(10.0), 0.1160, 3e-5);
+  EXPECT_NEAR(force_at(20.0), 0.2030, 5e-5);
+  EXPECT_NEAR(force_at(30.0), 0.3795, 3e-5);
+  EXPECT_NEAR(force_at(44.0), 0.7400, 8e-5);
 }
 
 // GetFEM's solid of revolution zigzags at the tip's edge between 6 and 20 um (its outer nodes fold back), which takes
@@ -141,8 +141,8 @@ TEST_F(Solid, ThinShellTheoryIsStifferAtATenthOfTheRadius) {
   const double at_10 = shell.steps[5].axial_force_uN / force_at(10.0),
                at_44 = shell.steps[22].axial_force_uN / force_at(44.0);
   std::printf("shell over solid: %.3f at 10 um, %.3f at 44 um\n", at_10, at_44);
-  EXPECT_NEAR(at_10, 1.09, 0.03);
-  EXPECT_NEAR(at_44, 1.24, 0.03);
+  EXPECT_NEAR(at_10, 1.09, 0.0065);
+  EXPECT_NEAR(at_44, 1.24, 0.003);
 }
 
 TEST(SolidReference, ThinShellsAreShells) {
@@ -152,7 +152,7 @@ TEST(SolidReference, ThinShellsAreShells) {
   const double shell = ShellReference(thin, {}).run(1.0, 1.0).steps.back().axial_force_uN;
   const double solid = SolidReference(thin, {}).run(1.0, 1.0).steps.back().force_uN;
   std::printf("thin: shell over solid %.3f\n", shell / solid);
-  EXPECT_NEAR(shell, solid, 0.05 * solid);
+  EXPECT_NEAR(shell, solid, 0.01 * solid);
 }
 
 TEST(SolidReference, OutOfRangeIsRefused) {
