@@ -66,8 +66,8 @@ TEST(ContactCamera, ErrorsAreAsLargeAsAskedAndTheSeedsOwn) {
     sum2 += (frame.depth_um - 25.0) * (frame.depth_um - 25.0);
   }
   const auto count = static_cast<double>(frames.size());
-  EXPECT_NEAR(sum / count, 0.0, 0.02);
-  EXPECT_NEAR(std::sqrt(sum2 / count), 0.1, 0.01);
+  EXPECT_NEAR(sum / count, 0.0, 0.005);
+  EXPECT_NEAR(std::sqrt(sum2 / count), 0.1, 0.0025);
 
   const auto again = frames_of(options, 25.0, 1.0);
   for (std::size_t k = 0; k < again.size(); ++k) EXPECT_EQ(again[k].depth_um, frames[k].depth_um);
