@@ -36,7 +36,7 @@ TEST(DeviceChoice, ManipulatorsAreMadeClosed) {
   const auto simulated = make_manipulator("simulated", options, [&seen](const InjectorPose& pose) { seen = pose; });
   EXPECT_FALSE(simulated->is_open());
   simulated->open();
-  EXPECT_NEAR(simulated->state(0.0).tip_um.y, 2.0, 0.03);
+  EXPECT_NEAR(simulated->state(0.0).tip_um.y, 2.0, 1e-9);
   simulated->state(0.1);
   EXPECT_EQ(seen.tip_um.z, 3.0);
   const auto eppendorf = make_manipulator("eppendorf:/dev/ttyPELLUCIDA");

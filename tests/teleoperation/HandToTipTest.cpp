@@ -69,7 +69,7 @@ class HandToTip : public testing::Test {
 
 TEST_F(HandToTip, NothingMovesUntilTheMouseDoes) {
   run(0.5);
-  EXPECT_NEAR((tip_um() - kStart_um.eigen()).norm(), 0.0, 0.05);
+  EXPECT_NEAR((tip_um() - kStart_um.eigen()).norm(), 0.0, 1e-9);
   EXPECT_GT(stage_.counts().command_count, 0u);
 }
 
@@ -84,7 +84,7 @@ TEST_F(HandToTip, TheTipGoesWhereTheMouseGoes) {
   // Within backlash and step of the simulated injector.
   EXPECT_NEAR(tip_um().x(), kStart_um.x + 20.0, 0.3);
   EXPECT_NEAR(tip_um().y(), kStart_um.y + 10.0, 0.3);
-  EXPECT_NEAR(tip_um().z(), kStart_um.z, 0.3);
+  EXPECT_NEAR(tip_um().z(), kStart_um.z, 1e-9);
 }
 
 TEST_F(HandToTip, AClutchHoldsTheTipAndAStopHaltsIt) {
@@ -96,10 +96,10 @@ TEST_F(HandToTip, AClutchHoldsTheTipAndAStopHaltsIt) {
   run(0.05);
   mouse_.move_px(-300.0, 0.0);
   run(0.5);
-  EXPECT_NEAR((tip_um() - held_um).norm(), 0.0, 0.05);
+  EXPECT_NEAR((tip_um() - held_um).norm(), 0.0, 1e-9);
   mouse_.release(kClutch);
   run(0.3);
-  EXPECT_NEAR((tip_um() - held_um).norm(), 0.0, 0.05);
+  EXPECT_NEAR((tip_um() - held_um).norm(), 0.0, 1e-9);
 
   mouse_.press(kEmergency);
   run(0.05);
@@ -107,7 +107,7 @@ TEST_F(HandToTip, AClutchHoldsTheTipAndAStopHaltsIt) {
   mouse_.release(kEmergency);
   mouse_.move_px(200.0, 0.0);
   run(0.5);
-  EXPECT_NEAR((tip_um() - held_um).norm(), 0.0, 0.05);
+  EXPECT_NEAR((tip_um() - held_um).norm(), 0.0, 1e-9);
 }
 
 TEST_F(HandToTip, ACellMakesTheMouseMoveLess) {
@@ -136,7 +136,7 @@ TEST_F(HandToTip, ALostWindowHoldsThePipette) {
   mouse_.set_connected(false);
   mouse_.move_px(100.0, 0.0);
   run(0.5);
-  EXPECT_NEAR((tip_um() - kStart_um.eigen()).norm(), 0.0, 0.05);
+  EXPECT_NEAR((tip_um() - kStart_um.eigen()).norm(), 0.0, 1e-9);
   mouse_.set_connected(true);
   run(0.2);
   mouse_.move_px(100.0, 0.0);

@@ -56,7 +56,7 @@ TEST(SimulatedInjector, KeepsToSpeedAndAcceleration) {
     last_um = now_um;
     last_velocity = velocity;
   }
-  EXPECT_NEAR(fastest, 1000.0, 1.0);
+  EXPECT_NEAR(fastest, 1000.0, 1e-6);
 }
 
 TEST(SimulatedInjector, StartsOnlyAfterItsLatency) {
@@ -138,11 +138,11 @@ TEST(SimulatedInjector, DepositsWhileAsked) {
   command.inject = true;
   injector.command(command, 0.0);
   injector.advance(0.4);
-  EXPECT_NEAR(injector.pose().deposited_pl, 2.0, 0.01);
+  EXPECT_NEAR(injector.pose().deposited_pl, 2.0, 1e-9);
   command.inject = false;
   injector.command(command, 0.4);
   injector.advance(1.0);
-  EXPECT_NEAR(injector.pose().deposited_pl, 2.0, 0.01);
+  EXPECT_NEAR(injector.pose().deposited_pl, 2.0, 1e-9);
 }
 
 TEST(SimulatedInjector, IsTheSameWhateverTheCrank) {
