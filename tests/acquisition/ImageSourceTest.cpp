@@ -62,7 +62,7 @@ TEST(Still, JpegIsCloseToItsPixels) {
   cv::imwrite(folder / "a.jpg", picture(2));
   const auto frames = all_frames(*open_source(folder / "a.jpg", kScale));
   ASSERT_EQ(frames.size(), 1U);
-  EXPECT_LE(cv::norm(mat_of(frames[0]), picture(2), cv::NORM_INF), 3.0);
+  EXPECT_LE(cv::norm(mat_of(frames[0]), picture(2), cv::NORM_INF), 2.0);
 }
 
 TEST(Still, SixteenBitStaysSixteenBit) {

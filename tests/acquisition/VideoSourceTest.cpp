@@ -24,7 +24,7 @@ TEST(Video, EachContainerGivesAllItsFrames) {
     for (std::size_t i = 0; i < frames.size(); ++i) {
       EXPECT_EQ(frames[i].frame_index, static_cast<long>(i)) << name;
       EXPECT_EQ(frames[i].gap_count, 0) << name;
-      EXPECT_NEAR(frames[i].time_s, static_cast<double>(i) / 25.0, 1e-3) << name;
+      EXPECT_NEAR(frames[i].time_s, static_cast<double>(i) / 25.0, 1e-6) << name;
       EXPECT_LT(cv::norm(mat_of(frames[i]), picture(static_cast<int>(i % 8), 64, 48), cv::NORM_L1) / (64 * 48), 3.0)
           << name;
     }
@@ -75,7 +75,7 @@ TEST(Video, LostFramesAreCountedFromTheStamps) {
   for (std::size_t i = 0; i < 9; ++i) {
     EXPECT_EQ(frames[i].frame_index, indices[i]);
     EXPECT_EQ(frames[i].gap_count, gaps[i]);
-    EXPECT_NEAR(frames[i].time_s, static_cast<double>(indices[i]) / 10.0, 1e-3);
+    EXPECT_NEAR(frames[i].time_s, static_cast<double>(indices[i]) / 10.0, 1e-6);
   }
 }
 
