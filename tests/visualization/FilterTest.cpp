@@ -97,7 +97,7 @@ TEST(RibbonFilter, AStraightLineCoversItsLengthTimesItsWidth) {
   ribbon->SetRimUm(1.0);
   ribbon->Update();
   const auto [solid_um2, all_um2] = ribbon_areas_um2(ribbon->GetOutput());
-  EXPECT_NEAR(solid_um2, 50.0 * 3.0, 1e-3);
+  EXPECT_NEAR(solid_um2, 50.0 * 3.0, 1.6e-4);
   EXPECT_NEAR(all_um2, 50.0 * 5.0, 1e-3);
 }
 
@@ -111,7 +111,7 @@ TEST(RibbonFilter, AClosedContourIsARingWithoutAGap) {
   ribbon->Update();
   // Two rings, of 48 and 40 um.
   const double expected_um2 = 2.0 * EIGEN_PI * (48.0 + 40.0) * 2.5;
-  EXPECT_NEAR(ribbon_areas_um2(ribbon->GetOutput()).second, expected_um2, 1e-3 * expected_um2);
+  EXPECT_NEAR(ribbon_areas_um2(ribbon->GetOutput()).second, expected_um2, 6e-5 * expected_um2);
   // Each in its own colour.
   auto* rgba = ribbon->GetOutput()->GetPointData()->GetArray("color");
   EXPECT_NEAR(rgba->GetComponent(0, 0), 255.0 * palette::kOuter.red, 0.5);

@@ -19,7 +19,7 @@ TEST(ToolShapes, NeedleReadBackFromItsOutlineIsTheOneObserved) {
   const auto read = needle_of(scene);
   ASSERT_TRUE(observed && read);
   EXPECT_NEAR((observed->tip_um - read->tip_um).norm(), 0.0, 1e-4);
-  EXPECT_GT(observed->direction.dot(read->direction), 0.999);
+  EXPECT_GT(observed->direction.dot(read->direction), 0.99999);
 }
 
 TEST(ToolShapes, NoToolsNoNeedle) {
