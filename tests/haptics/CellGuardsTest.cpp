@@ -71,7 +71,7 @@ TEST(CellGuards, TowardsTheLargestForceItSlowsAndHolds) {
   }
   EXPECT_TRUE(slowed);
   EXPECT_LE(0.2 * last_um, 4.0 + 1e-9);
-  EXPECT_GT(0.2 * last_um, 3.99);
+  EXPECT_GT(0.2 * last_um, 3.9999);
   // Drawing back is free at once.
   EXPECT_NEAR(push.tick(Vector(last_um - 1.0, 0.0, 0.0)).tip_um.x(), last_um - 1.0, 1e-9);
 }
@@ -95,7 +95,7 @@ TEST(CellGuards, TheDepthIsLimitedTheSameWay) {
   Push push(limits);
   const GuardOutput held = push.run(Vector(50.0, 0.0, 0.0), 5000);
   EXPECT_LE(held.tip_um.x(), 15.0 + 1e-9);
-  EXPECT_GT(held.tip_um.x(), 14.9);
+  EXPECT_GT(held.tip_um.x(), 14.999);
   EXPECT_TRUE(held.limits & limit_bit(LimitKind::kDepth));
   push.guards().place(Vector(21.0, 0.0, 0.0));
   EXPECT_EQ(push.tick(Vector(50.0, 0.0, 0.0)).mode, GuardMode::kRetract);

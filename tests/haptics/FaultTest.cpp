@@ -75,7 +75,7 @@ TEST_F(Fault, BeforeAnyThePushIsFelt) {
   EXPECT_EQ(before_.contact_state, ContactState::kContact);
   EXPECT_LT(before_.hand_force_N.x, -0.3);
   const double truth_uN = run_.cell.force_at(run_.cell.depth_um(run_.pipette_x_um()));
-  EXPECT_NEAR(before_.contact_force_uN.x, -truth_uN, 0.02 * truth_uN);
+  EXPECT_NEAR(before_.contact_force_uN.x, -truth_uN, 4e-6 * truth_uN);
 }
 
 TEST_F(Fault, TheCameraStalls) {
@@ -147,8 +147,8 @@ TEST_F(Fault, AnotherHandFeelsTheContactFadeIn) {
   run_.change_hand();
   const auto records = run_.run(0.5);
   EXPECT_EQ(records.front().contact_state, ContactState::kContact);
-  EXPECT_LT(records.front().hand_force_N.eigen().norm(), 0.01);
-  for (const HapticRecord& record : records) ASSERT_NEAR(record.pipette_um.x, before_.pipette_um.x, 25.0);
+  EXPECT_LT(records.front().hand_force_N.eigen().norm(), 1e-9);
+  for (const HapticRecord& record : records) ASSERT_NEAR(record.pipette_um.x, before_.pipette_um.x, 13.0);
   before_ = records.front();
   expect_smooth(records);
   EXPECT_LT(records.back().hand_force_N.x, -0.1);
@@ -178,7 +178,7 @@ TEST_F(Fault, TheDeviceIsLost) {
   before_ = records.back();
   const auto after = run_.run(0.3);
   expect_smooth(after);
-  EXPECT_NEAR(after.front().tip_um.x, before_.tip_um.x, 0.1);
+  EXPECT_NEAR(after.front().tip_um.x, before_.tip_um.x, 1e-9);
   EXPECT_EQ(after.back().hand_state, HandState::kWorking);
 }
 
@@ -195,7 +195,7 @@ TEST_F(Fault, TheReadingJumps) {
   const auto records = run_.run(0.2);
   expect_smooth(records);
   EXPECT_TRUE(told(LimitKind::kHandJump));
-  for (const HapticRecord& record : records) ASSERT_NEAR(record.tip_um.x, before_.tip_um.x, 5.0) << "100 um of jump";
+  for (const HapticRecord& record : records) ASSERT_NEAR(record.tip_um.x, before_.tip_um.x, 4e-4) << "100 um of jump";
 }
 
 TEST_F(Fault, TicksComeLate) {
@@ -337,14 +337,14 @@ TEST_F(Fault, TheClutchLeavesThePipetteAndTakesTheForce) {
   run_.run(0.5);
   run_.arm.buttons = 0;
   const HapticRecord back = run_.tick();
-  EXPECT_NEAR(back.tip_um.x, records.front().tip_um.x, 0.1) << "the hand was moved back, the pipette wasn't";
+  EXPECT_NEAR(back.tip_um.x, records.front().tip_um.x, 1e-9) << "the hand was moved back, the pipette wasn't";
 }
 
 TEST_F(Fault, TheRetractButtonTakesThePipetteOut) {
   run_.arm.buttons = kRetract;
   const auto records = run_.run(0.5);
   expect_smooth(records);
-  EXPECT_NEAR(records.back().tip_um.x, before_.tip_um.x - 0.5 * settings_.limits.retract_speed_um_per_s, 0.5);
+  EXPECT_NEAR(records.back().tip_um.x, before_.tip_um.x - 0.5 * settings_.limits.retract_speed_um_per_s, 1e-9);
 }
 
 TEST_F(Fault, ChangedFixturesFadeOver) {
@@ -374,7 +374,7 @@ TEST_F(Fault, AStrikeStaysWithinTheLimitsAndCalmsDown) {
     low = std::min(low, record.hand_m.x);
     high = std::max(high, record.hand_m.x);
   }
-  EXPECT_LT(high - low, 2e-5);
+  EXPECT_LT(high - low, 1e-9);
 }
 
 }  // namespace
