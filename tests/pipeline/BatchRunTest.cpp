@@ -49,7 +49,7 @@ TEST(BatchRun, TheEmbryoHasItsSurfaceToTheEnd) {
     ASSERT_TRUE(scene.surface) << scene.measurement.frame;
     const double volume_um3 = scene.measurement.volume_um3;
     if (rest_um3 == 0.0) rest_um3 = volume_um3;
-    EXPECT_NEAR(volume_um3 / rest_um3, 1.0, 0.08) << scene.measurement.frame;
+    EXPECT_NEAR(volume_um3 / rest_um3, 1.0, 0.01) << scene.measurement.frame;
     deepest_um = std::max(deepest_um, scene.measurement.indentation_um);
   });
   EXPECT_GT(deepest_um, 50.0);
