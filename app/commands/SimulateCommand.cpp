@@ -18,6 +18,7 @@ struct SimulateArguments {
   std::string scenario = "default";
   std::string output;
   std::string truth;
+  std::string look;
   std::optional<double> duration_s;
   std::optional<double> frame_rate_hz;
   std::optional<std::uint64_t> seed;
@@ -32,6 +33,7 @@ void simulate(const SimulateArguments& arguments) {
   }
   if (arguments.frame_rate_hz) scenario.image.frame_rate_hz = *arguments.frame_rate_hz;
   if (arguments.seed) scenario.seed = *arguments.seed;
+  if (!arguments.look.empty()) scenario.look = arguments.look;
 
   VirtualMicroscope microscope(scenario);
   // The small file first: where it can't be written, the video of an earlier run is left alone.
@@ -57,18 +59,27 @@ void simulate(const SimulateArguments& arguments) {
               << '\n';
 }
 
+// A list for the help, which must work without the resources.
+std::string known_names(std::vector<std::string> (*names)()) {
+  std::string known;
+  try {
+    for (const auto& name : names()) known += (known.empty() ? "" : ", ") + name;
+  } catch (const Error&) {
+    known = "none found";
+  }
+  return known;
+}
+
 }  // namespace
 
 void add_simulate_command(CLI::App& app) {
   auto arguments = std::make_shared<SimulateArguments>();
   CLI::App* command = app.add_subcommand("simulate", "render a virtual injection with known truth");
-  std::string known;
-  try {
-    for (const auto& name : scenario_names()) known += (known.empty() ? "" : ", ") + name;
-  } catch (const Error&) {
-    known = "none found";  // help must work without the resources
-  }
-  command->add_option("--scenario", arguments->scenario, "a JSON file or one of: " + known)->capture_default_str();
+  command->add_option("--scenario", arguments->scenario, "a JSON file or one of: " + known_names(scenario_names))
+      ->capture_default_str();
+  command->add_option("--look", arguments->look,
+                      "contrast, tools and camera: " + std::string(kDrawing) +
+                          ", a JSON file or one of: " + known_names(look_names) + " (default: the scenario's)");
   command
       ->add_option("--output", arguments->output,
                    ".avi or .mkv (lossless), .mp4 (lossy), .tif (pages), or no extension: a folder of PNG")

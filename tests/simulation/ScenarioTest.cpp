@@ -57,7 +57,7 @@ TEST(Scenario, SaysWhichKeyIsUnknown) {
             "scenario 'test': lamp.blur is an unknown key; known: step_time_s, step_ratio, flicker_ratio, flicker_hz");
   EXPECT_EQ(
       message_of<UsageError>(R"({"camera": {}})"),
-      "scenario 'test': camera is an unknown key; known: description, seed, image, cell, tools, motion, puncture, "
+      "scenario 'test': camera is an unknown key; known: description, look, seed, image, cell, tools, motion, puncture, "
       "optics, drift, lamp, debris, bystander");
 }
 

@@ -7,6 +7,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/microscopy/MicroscopeScene.h"
 
 namespace pellucida {
 namespace {
@@ -87,18 +88,6 @@ Contour_um smooth_surface(const Eigen::VectorXd& node_angle, const Eigen::Vector
   return surface;
 }
 
-// The surface `offset_um` outwards along the normal.
-Contour_um offset_surface(const Contour_um& middle, double offset_um) {
-  const Eigen::Index n = middle.cols();
-  Contour_um moved(2, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Vector2d tangent = (middle.col((k + 1) % n) - middle.col((k + n - 1) % n)).normalized();
-    // The angle runs clockwise in (x, z): the outward normal is left of the tangent.
-    moved.col(k) = middle.col(k) + offset_um * Eigen::Vector2d(-tangent.y(), tangent.x());
-  }
-  return moved;
-}
-
 // A half-profile (r, z) from pole to pole, mirrored to a whole section with rising angles.
 void mirror_half(const Eigen::VectorXd& angle, const Eigen::VectorXd& r, const Eigen::VectorXd& z,
                  Eigen::VectorXd& whole_angle, Eigen::VectorXd& whole_x, Eigen::VectorXd& whole_z) {
@@ -176,8 +165,8 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
       const Contour_um middle =
           smooth_surface(step_angle, rows("x_mid_um"), rows("z_mid_um"), kMiddleRadius_um,
                          kMiddleRadius_um * std::cos(apex_rad) - step.depth_um, reference.angle_rad_);
-      outer = offset_surface(middle, kHalfThickness_um);
-      inner = offset_surface(middle, -kHalfThickness_um);
+      outer = offset_contour(middle, kHalfThickness_um);
+      inner = offset_contour(middle, -kHalfThickness_um);
     }
     Eigen::VectorXd shape(4 * n);
     shape << outer.row(0).transpose(), outer.row(1).transpose(), inner.row(0).transpose(), inner.row(1).transpose();

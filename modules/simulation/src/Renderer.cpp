@@ -8,39 +8,9 @@
 
 #include "DistanceField.h"
 #include "Optics.h"
+#include "pellucida/microscopy/Strip.h"
 
 namespace pellucida {
-namespace {
-
-// Columns [first, last] of a row whose lateral distance to an axis is at most `reach`, and whose place along it is at
-// least `begin`; all lengths in px. `point` relative to the axis's origin: (x - ox, y - oy).
-struct Strip {
-  Eigen::Vector2d origin, along, across;
-  double reach, begin;
-
-  bool columns(int y, int width, int& first, int& last) const {
-    double low = 0, high = width - 1;
-    // A bound a * x + b in [min, max].
-    auto cut = [&](double a, double b, double min, double max) {
-      if (std::abs(a) < 1e-9) {
-        if (b < min || b > max) high = -1;
-        return;
-      }
-      double x0 = (min - b) / a, x1 = (max - b) / a;
-      if (x0 > x1) std::swap(x0, x1);
-      low = std::max(low, x0);
-      high = std::min(high, x1);
-    };
-    const double dy = y - origin.y();
-    cut(across.x(), dy * across.y() - origin.x() * across.x(), -reach, reach);
-    cut(along.x(), dy * along.y() - origin.x() * along.x(), begin, 1e9);
-    first = static_cast<int>(std::ceil(low));
-    last = static_cast<int>(std::floor(high));
-    return first <= last;
-  }
-};
-
-}  // namespace
 
 Renderer::Renderer(const Scenario& scenario, const VirtualSpecimen& specimen)
     : scenario_(scenario),
@@ -73,7 +43,7 @@ const cv::Mat& Renderer::render(const Truth& truth, const SpecimenState& state, 
   section_angle_rad_ = material_angle_rad_.array() + state.apex_angle_rad;
   background_.copyTo(light_);
   draw_bystanders(stage);
-  draw_cell(truth, state);
+  if (truth.observation.outer) draw_cell(truth, state);
   draw_particles(state, truth.observation.time_s);
   draw_holder(*truth.observation.holder, truth.observation.center_um);
   draw_droplets(truth);
@@ -204,29 +174,18 @@ void Renderer::draw_bystanders(const StagePose& stage) {
 void Renderer::draw_particles(const SpecimenState& state, double time_s) {
   const double pixel_um = scenario_.image.pixel_size_um;
   const auto& debris = scenario_.debris;
-  const Contour_um& outer = state.section.outer_um;
-  const Eigen::Index n = outer.cols();
   for (const double angle : touching_angle_rad_) {
-    const auto* first = section_angle_rad_.data();
-    const Eigen::Index k = std::min<Eigen::Index>(std::lower_bound(first, first + n, angle) - first, n - 1);
-    // Outwards is left of the way round; the particle sinks in by a fifth of its radius.
-    const Eigen::Vector2d tangent = (outer.col((k + 1) % n) - outer.col((k + n - 1) % n)).normalized();
-    const Eigen::Vector2d outwards(-tangent.y(), tangent.x());
-    const Eigen::Vector2d place = pose_.to_image(outer.col(k) + 0.8 * debris.touching_radius_um * outwards) / pixel_um;
+    const Eigen::Vector2d place = pose_.to_image(touching_place_um(state.section.outer_um, section_angle_rad_, angle,
+                                                                   debris.touching_radius_um)) /
+                                  pixel_um;
     draw_particle(light_, place.x(), place.y(),
                   {debris.touching_radius_um, 0.30 * scenario_.optics.contrast,
                    std::max(0.3 * debris.touching_radius_um, 0.5 * pixel_um)},
                   pixel_um);
   }
   for (const PassingParticle& p : passing_) {
-    // The field has a margin, so that particles come in from outside the picture.
-    const double margin_um = 4 * debris.max_radius_um + 10, way_um = debris.passing_speed_um_per_s * time_s;
-    auto along = [&](double ratio, double direction, int size_px) {
-      const double length = size_px * pixel_um + 2 * margin_um, at = ratio * length + way_um * direction;
-      return (at - length * std::floor(at / length) - margin_um) / pixel_um;
-    };
-    draw_particle(light_, along(p.x_ratio, std::cos(p.angle_rad), light_.cols),
-                  along(p.y_ratio, std::sin(p.angle_rad), light_.rows), p.particle, pixel_um);
+    const Eigen::Vector2d place = passing_place_px(p, debris, time_s, light_.size(), pixel_um);
+    draw_particle(light_, place.x(), place.y(), p.particle, pixel_um);
   }
 }
 

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "EdgeProfile.h"
-#include "OoplasmFlow.h"
 #include "Texture.h"
+#include "pellucida/microscopy/OoplasmFlow.h"
+#include "pellucida/microscopy/SeededNumbers.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/Truth.h"
 #include "pellucida/simulation/VirtualSpecimen.h"

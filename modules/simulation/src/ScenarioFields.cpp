@@ -9,6 +9,9 @@ constexpr FieldRange kPlace_um{-1e4, 1e4}, kDegrees{-360, 360};
 
 constexpr Field<Scenario> kTop[] = {
     {"description", "", &Scenario::description, kNone, "one line for lists"},
+    {"look", "", &Scenario::look, kNone,
+     "contrast, tools and camera, a look's name or file ([looks](looks.md)); `drawing`: plain bright field, by "
+     "`optics`"},
     {"seed", "", &Scenario::seed, {0}, "of everything random: the same seed, the same pictures"},
 };
 
@@ -29,6 +32,7 @@ constexpr Field<Cell> kCell[] = {
     {"center_y_um", "um", &Cell::center_y_um, kPlace_um, "rest centre of the cell, down"},
     {"size_scale", "", &Cell::size_scale, {0.3, 3}, "factor on all lengths of the specimen; forces go with its square"},
     {"perivitelline_gap_um", "um", &Cell::perivitelline_gap_um, {0, 8}, "between zona and ooplasm; 0: none is seen"},
+    {"in_view", "", &Cell::in_view, kNone, "false: tools, debris and bystanders alone"},
 };
 
 using Tools = Scenario::Tools;
@@ -42,7 +46,7 @@ constexpr Field<Tools> kTools[] = {
     {"holder_angle_deg", "degrees", &Tools::holder_angle_deg, kDegrees,
      "from the cell's centre to the holder; turns the whole scene"},
     {"mirrored", "", &Tools::mirrored, kNone, "the needle is on the other side of the holder's axis (2 to 4)"},
-    {"needle_tip_radius_um", "um", &Tools::needle_tip_radius_um, {0.5, 3}, "of the needle's round end"},
+    {"needle_tip_radius_um", "um", &Tools::needle_tip_radius_um, {0.5, 5}, "of the needle's end"},
     {"needle_taper_deg", "degrees", &Tools::needle_taper_deg, {0.5, 6}, "half-angle of the needle's cone at the tip"},
     {"needle_shaft_radius_um",
      "um",
@@ -60,6 +64,8 @@ constexpr Field<Motion> kMotion[] = {
     {"hold_s", "s", &Motion::hold_s, {0, 600}, "rest at the deepest point"},
     {"retraction_speed_um_per_s", "um/s", &Motion::retraction_speed_um_per_s, {0, 500}, "back; 0: the needle stays"},
     {"smoothing_s", "s", &Motion::smoothing_s, {0, 5}, "time over which a speed changes"},
+    {"out_of_plane_um", "um", &Motion::out_of_plane_um, {-60, 60}, "the needle also moves so far in depth"},
+    {"out_of_plane_time_s", "s", &Motion::out_of_plane_time_s, {0, 3600}, "when that begins; it takes 0.3 s"},
 };
 
 using Puncture = Scenario::Puncture;

@@ -6,20 +6,10 @@
 #include <random>
 
 #include "EdgeProfile.h"
+#include "pellucida/microscopy/SeededNumbers.h"
 
 namespace pellucida {
 namespace {
-
-// Uniform and normal numbers made by hand: the standard's distributions may differ between libraries, these bytes may
-// not.
-double uniform(std::mt19937_64& engine) {
-  return static_cast<double>(engine() >> 11) * 0x1p-53;
-}
-
-double normal(std::mt19937_64& engine) {
-  const double u = std::max(uniform(engine), 1e-300), v = uniform(engine);
-  return std::sqrt(-2 * std::log(u)) * std::cos(2 * CV_PI * v);
-}
 
 cv::Mat1f white_noise(int side, std::mt19937_64& engine) {
   cv::Mat1f noise(side, side);
@@ -34,13 +24,6 @@ cv::Mat1f grain_of(int side, double sigma_px, std::mt19937_64& engine) {
   cv::Scalar mean, deviation;
   cv::meanStdDev(noise, mean, deviation);
   return (noise - mean[0]) / deviation[0];
-}
-
-std::uint64_t mix(std::uint64_t value) {
-  value += 0x9e3779b97f4a7c15ULL;
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;
-  return value ^ (value >> 31);
 }
 
 }  // namespace
@@ -104,23 +87,6 @@ float Mottling::at(float x_um, float y_um) const noexcept {
   return (1 - v) * (top[0] + u * (top[1] - top[0])) + v * (bottom[0] + u * (bottom[1] - bottom[0]));
 }
 
-NoiseBank::NoiseBank(std::uint64_t seed) : numbers_((1 << 20) + 8192), seed_(mix(seed ^ 0x6e6f697365ULL)) {
-  std::mt19937_64 engine(seed_);
-  for (std::size_t i = 0; i + 1 < numbers_.size(); i += 2) {
-    // Box and Muller's pair.
-    const double radius = std::sqrt(-2 * std::log(std::max(uniform(engine), 1e-300))),
-                 angle = 2 * CV_PI * uniform(engine);
-    numbers_[i] = static_cast<float>(radius * std::cos(angle));
-    numbers_[i + 1] = static_cast<float>(radius * std::sin(angle));
-  }
-}
-
-const float* NoiseBank::row(long frame, int row) const noexcept {
-  const std::uint64_t place =
-      mix(seed_ ^ mix((static_cast<std::uint64_t>(frame) << 20) ^ static_cast<std::uint64_t>(row)));
-  return numbers_.data() + (place & ((1 << 20) - 1));
-}
-
 void draw_particle(cv::Mat1f& transmittance, double x, double y, const Particle& particle, double pixel_size_um) {
   const auto [radius_um, depth, blur_um] = particle;
   const int reach = static_cast<int>(std::ceil((radius_um + 4 * blur_um) / pixel_size_um));
@@ -174,6 +140,28 @@ std::vector<double> make_touching_angles(int count, double holder_angle_rad, std
     if (!at_needle && !at_holder) angles.push_back(angle);
   }
   return angles;
+}
+
+Eigen::Vector2d passing_place_px(const PassingParticle& particle, const Scenario::Debris& debris, double time_s,
+                                 const cv::Size& size, double pixel_size_um) {
+  // The field has a margin, so that particles come in from outside the picture.
+  const double margin_um = 4 * debris.max_radius_um + 10, way_um = debris.passing_speed_um_per_s * time_s;
+  auto along = [&](double ratio, double direction, int size_px) {
+    const double length = size_px * pixel_size_um + 2 * margin_um, at = ratio * length + way_um * direction;
+    return (at - length * std::floor(at / length) - margin_um) / pixel_size_um;
+  };
+  return {along(particle.x_ratio, std::cos(particle.angle_rad), size.width),
+          along(particle.y_ratio, std::sin(particle.angle_rad), size.height)};
+}
+
+Eigen::Vector2d touching_place_um(const Contour_um& outer_um, const Eigen::VectorXd& angle_rad, double at_rad,
+                                  double radius_um) {
+  const Eigen::Index n = outer_um.cols();
+  const auto* first = angle_rad.data();
+  const Eigen::Index k = std::min<Eigen::Index>(std::lower_bound(first, first + n, at_rad) - first, n - 1);
+  // Outwards is left of the way round.
+  const Eigen::Vector2d tangent = (outer_um.col((k + 1) % n) - outer_um.col((k + n - 1) % n)).normalized();
+  return outer_um.col(k) + 0.8 * radius_um * Eigen::Vector2d(-tangent.y(), tangent.x());
 }
 
 }  // namespace pellucida

@@ -3,6 +3,9 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "pellucida/core/Observation.h"
+#include "pellucida/simulation/Scenario.h"
+
 namespace pellucida {
 
 /// One granule of the ooplasm: where it lies at rest (OoplasmFlow's coordinates), its size, and how much lighter (or
@@ -29,18 +32,6 @@ class Mottling {
   float origin_um_ = 0.0f, inverse_step_ = 0.0f;
 };
 
-/// A bank of standard normal numbers, drawn once; each frame reads it from another place.
-class NoiseBank {
- public:
-  explicit NoiseBank(std::uint64_t seed);
-  /// `count` numbers for row `row` of frame `frame`; `count` at most 8192.
-  const float* row(long frame, int row) const noexcept;
-
- private:
-  std::vector<float> numbers_;
-  std::uint64_t seed_;
-};
-
 /// A particle: a small ring, more or less out of focus.
 struct Particle {
   double radius_um, depth, blur_um;
@@ -57,8 +48,15 @@ struct PassingParticle {
   double x_ratio, y_ratio, angle_rad;  ///< place at time 0 as shares of the field, and direction
 };
 std::vector<PassingParticle> make_passing_particles(int count, double max_radius_um, std::uint64_t seed);
+/// Where it is at a time, px.
+Eigen::Vector2d passing_place_px(const PassingParticle& particle, const Scenario::Debris& debris, double time_s,
+                                 const cv::Size& size, double pixel_size_um);
 
 /// Particles that stick to the membrane: rest angles (rad, from the apex), away from needle and holder. Seeded.
 std::vector<double> make_touching_angles(int count, double holder_angle_rad, std::uint64_t seed);
+/// The middle of such a particle, in the frame of the section: it sinks in by a fifth of its radius. `angle_rad` (n)
+/// the angles of the contour's points, rising.
+Eigen::Vector2d touching_place_um(const Contour_um& outer_um, const Eigen::VectorXd& angle_rad, double at_rad,
+                                  double radius_um);
 
 }  // namespace pellucida

@@ -8,6 +8,7 @@
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/microscopy/MicroscopeScene.h"
 
 namespace pellucida {
 namespace {
@@ -23,17 +24,6 @@ MembraneContour place(Membrane membrane, const Contour_um& section, const Specim
   for (Eigen::Index i = 0; i < n; ++i) contour.points_um.col(i) = pose.to_image(section.col(reverse ? (n - i) % n : i));
   contour.confidence = Eigen::VectorXd::Ones(n);
   return contour;
-}
-
-// The section moved `inwards_um` along its normal.
-Contour_um shrink(const Contour_um& section, double inwards_um) {
-  const Eigen::Index n = section.cols();
-  Contour_um moved(2, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Vector2d tangent = (section.col((k + 1) % n) - section.col((k + n - 1) % n)).normalized();
-    moved.col(k) = section.col(k) + inwards_um * Eigen::Vector2d(tangent.y(), -tangent.x());
-  }
-  return moved;
 }
 
 // Direction in degrees; what rounding leaves of a right angle is taken away.
@@ -118,6 +108,22 @@ HolderPose place_holder(const VirtualSpecimen& specimen, const Eigen::Vector2d& 
   return holder;
 }
 
+// Tools alone: nothing to touch.
+Truth without_cell(const Truth& truth) {
+  Truth empty;
+  const Observation& seen = truth.observation;
+  empty.observation.time_s = seen.time_s;
+  empty.observation.frame_index = seen.frame_index;
+  empty.observation.confidence = 1.0;
+  empty.observation.needle = seen.needle;
+  empty.observation.holder = seen.holder;
+  empty.observation.center_um = seen.center_um;
+  empty.observation.rotation_rad = seen.rotation_rad;
+  empty.observation.axis = seen.axis;
+  empty.tip_um = truth.tip_um;
+  return empty;
+}
+
 }  // namespace
 
 double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept {
@@ -155,7 +161,8 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
   seen.outer = place(Membrane::kOuter, state.section.outer_um, pose);
   seen.inner = place(Membrane::kInner, state.section.inner_um, pose);
   if (scenario.cell.perivitelline_gap_um > 0)
-    seen.oolemma = place(Membrane::kOolemma, shrink(state.section.inner_um, scenario.cell.perivitelline_gap_um), pose);
+    seen.oolemma =
+        place(Membrane::kOolemma, offset_contour(state.section.inner_um, -scenario.cell.perivitelline_gap_um), pose);
 
   // The tip sits on the outer apex while the membrane is whole. Tools reach out of any picture.
   const double diagonal_um =
@@ -187,7 +194,7 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
   }
   truth.pressure_Pa = state.pressure_Pa;
   truth.volume_um3 = revolved_volume_um3(state.section.outer_um);
-  return truth;
+  return scenario.cell.in_view ? truth : without_cell(truth);
 }
 
 TruthWriter::TruthWriter(const std::filesystem::path& file) : file_(file), rows_(file), contours_(contour_file(file)) {

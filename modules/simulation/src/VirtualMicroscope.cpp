@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "OpticalScene.h"
 #include "Renderer.h"
 #include "pellucida/core_vtk/SceneData.h"
 
@@ -12,11 +13,17 @@ namespace pellucida {
 
 class VirtualMicroscope::Impl {
  public:
-  Impl(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace)
+  Impl(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace,
+       const std::optional<Look>& look = std::nullopt)
       : scenario_(scenario),
         specimen_(scenario),
-        needle_(needle ? std::move(needle) : std::make_shared<ScriptedNeedle>(scenario, specimen_)),
-        renderer_(scenario, specimen_) {
+        needle_(needle ? std::move(needle) : std::make_shared<ScriptedNeedle>(scenario, specimen_)) {
+    if (look)
+      optical_.emplace(scenario, *look, specimen_);
+    else if (scenario.look != kDrawing)
+      optical_.emplace(scenario, load_look(scenario.look), specimen_);
+    else
+      drawing_.emplace(scenario, specimen_);
     const auto& image = scenario_.image;
     const std::optional<double> duration_s = image.duration_s > 0 ? image.duration_s : needle_->duration_s();
     info_.name = "virtual:" + scenario_.name;
@@ -52,15 +59,7 @@ class VirtualMicroscope::Impl {
     if (ended()) return std::nullopt;
     const long index = next_index_++;
     move_to(index);
-    const cv::Mat& pixels = renderer_.render(truth_, state_, stage_);
-
-    ImageView view;
-    view.data = pixels.data;
-    view.format = info_.bit_depth == 16 ? PixelFormat::kGray16 : PixelFormat::kGray8;
-    view.width_px = pixels.cols;
-    view.height_px = pixels.rows;
-    view.row_bytes = static_cast<std::ptrdiff_t>(pixels.step[0]);
-    view.pixel_size_um = info_.pixel_size_um;
+    const ImageView view = optical_ ? optical_->render(truth_, state_, stage_) : draw();
     Frame frame;
     frame.time_s = truth_.observation.time_s;
     frame.frame_index = index;
@@ -92,6 +91,18 @@ class VirtualMicroscope::Impl {
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(time_s));
   }
 
+  ImageView draw() {
+    const cv::Mat& pixels = drawing_->render(truth_, state_, stage_);
+    ImageView view;
+    view.data = pixels.data;
+    view.format = info_.bit_depth == 16 ? PixelFormat::kGray16 : PixelFormat::kGray8;
+    view.width_px = pixels.cols;
+    view.height_px = pixels.rows;
+    view.row_bytes = static_cast<std::ptrdiff_t>(pixels.step[0]);
+    view.pixel_size_um = info_.pixel_size_um;
+    return view;
+  }
+
   // The drive moves the needle, the specimen answers.
   void move_to(long index) {
     const double time_s = static_cast<double>(index) / scenario_.image.frame_rate_hz;
@@ -104,12 +115,14 @@ class VirtualMicroscope::Impl {
       state_ = specimen_.advance(needle.tip_um, time_s, needle.expelled_pL);
     stage_ = stage_pose(scenario_, time_s);
     truth_ = make_truth(scenario_, specimen_, state_, stage_, time_s, index);
+    if (optical_) optical_->shape_tools(truth_);
   }
 
   VirtualSpecimen specimen_;
   std::shared_ptr<NeedleDrive> needle_;
   std::optional<std::chrono::steady_clock::time_point> first_exposure_;
-  Renderer renderer_;
+  std::optional<Renderer> drawing_;  // one of the two
+  std::optional<OpticalScene> optical_;
   SpecimenState state_;
   StagePose stage_;
   long next_index_ = 0;
@@ -118,6 +131,11 @@ class VirtualMicroscope::Impl {
 VirtualMicroscope::VirtualMicroscope(const Scenario& scenario) {
   validate(scenario);
   impl_ = std::make_unique<Impl>(scenario, nullptr, Pace::kAsFastAsPossible);
+}
+VirtualMicroscope::VirtualMicroscope(const Scenario& scenario, const Look& look) {
+  validate(scenario);
+  validate(look);
+  impl_ = std::make_unique<Impl>(scenario, nullptr, Pace::kAsFastAsPossible, look);
 }
 VirtualMicroscope::VirtualMicroscope(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace) {
   validate(scenario);

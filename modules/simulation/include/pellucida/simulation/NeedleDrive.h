@@ -34,7 +34,7 @@ class NeedleDrive {
   virtual std::optional<double> duration_s() const noexcept = 0;
 };
 
-/// The scenario's own motion: straight in, hold, and out.
+/// The scenario's own motion: straight in, hold, and out; also in depth, if it says so.
 class ScriptedNeedle : public NeedleDrive {
  public:
   ScriptedNeedle(const Scenario& scenario, const VirtualSpecimen& specimen);
@@ -45,7 +45,7 @@ class ScriptedNeedle : public NeedleDrive {
  private:
   NeedleScript script_;
   SpecimenForce force_;
-  double offset_um_;
+  double offset_um_, out_of_plane_um_, out_of_plane_time_s_;
 };
 
 }  // namespace pellucida

@@ -9,12 +9,17 @@ namespace pellucida {
 
 class FieldList;  // core/FieldTable.h
 
+/// The look of a scenario that names none: drawn lines of bright field, by the keys in `optics`. All others are
+/// resources of the module microscopy, by their name or file.
+inline constexpr std::string_view kDrawing = "drawing";
+
 /// All that describes one virtual experiment. The members are the keys of a scenario file, grouped as in the JSON; a
 /// key left out has the default written here, an unknown key is an error. Angles in degrees, 0 = +x, positive towards
 /// +y (down). Meaning, unit and range of each: docs/scenarios.md.
 struct Scenario {
   std::string name;  ///< the shipped name or the file, as the user wrote it; no key
   std::string description;
+  std::string look = std::string(kDrawing);
 
   struct Image {
     int width_px = 728;
@@ -31,6 +36,7 @@ struct Scenario {
     double center_y_um = 200.0;
     double size_scale = 1.0;
     double perivitelline_gap_um = 0.0;
+    bool in_view = true;
   } cell;
 
   struct Tools {
@@ -51,6 +57,8 @@ struct Scenario {
     double hold_s = 0.8;
     double retraction_speed_um_per_s = 0.0;
     double smoothing_s = 0.3;
+    double out_of_plane_um = 0.0;
+    double out_of_plane_time_s = 1.0;
   } motion;
 
   struct Puncture {

@@ -31,7 +31,8 @@ struct Truth {
   double deposited_pL = 0.0;      ///< all of it
 };
 
-/// Transforms a specimen's state and the tools into the image frame. `stage` moves all of it.
+/// Transforms a specimen's state and the tools into the image frame. `stage` moves all of it. Where `cell.in_view` is
+/// false the observation has tools alone, and no force.
 Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
                  const StagePose& stage, double time_s, long frame_index);
 

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "pellucida/core_vtk/FrameSource.h"
+#include "pellucida/microscopy/Look.h"
 #include "pellucida/simulation/NeedleDrive.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/Truth.h"
@@ -21,7 +22,10 @@ class VirtualMicroscope : public FrameSource {
  public:
   /// The scenario's own motion moves the needle, as fast as possible. Throws UsageError (values that don't go together,
   /// a depth beyond the reference), InputError (a damaged resource).
+  /// The look is the one the scenario names.
   explicit VirtualMicroscope(const Scenario& scenario);
+  /// The same under another look than the scenario's.
+  VirtualMicroscope(const Scenario& scenario, const Look& look);
   /// `needle` moves the needle, which another thread may command meanwhile (CommandedNeedle): it is queried at each
   /// frame's exposure. Without an end of its own the source ends after `image.duration_s`, or never if that is 0. At
   /// the wall clock the source is live: the first frame is exposed at the first `next()`, which blocks until the next

@@ -1,4 +1,4 @@
-#include "OoplasmFlow.h"
+#include "pellucida/microscopy/OoplasmFlow.h"
 
 #include <algorithm>
 #include <cmath>
