@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "pellucida/microscopy/Look.h"
+#include "pellucida/simulation/Scenario.h"
+
+namespace pellucida::test {
+
+/// Whether constants may be set on a film.
+enum class Split {
+  kTuning,     ///< yes
+  kValidation  ///< no: it is only ever reported
+};
+/// "tuning" or "validation"; throws UsageError for another word.
+Split split_of(const std::string& word);
+
+/// A film of the virtual microscope drawn from the whole space of looks, cells, tools, motions and cameras.
+struct RandomFilm {
+  std::uint64_t seed = 0;
+  std::string family;    ///< of tests/films/families.json
+  std::string contrast;  ///< "bright field", "relief", "phase", or "none" where no cell is in view
+  Scenario scenario;
+  Look look;
+};
+
+/// The film of a seed: a family of the split, then all that families.json says, then geometry and motion: a cell of 35
+/// to 65 um radius, 60 to 500 px across in a picture of at most `widest_px` columns, 0.2 to 2 um a pixel, needle from
+/// any side; 30 to 60 frames. The same seed is the same film. Throws InputError for a damaged file of families.
+RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px = 2048);
+
+}  // namespace pellucida::test

@@ -1,0 +1,114 @@
+// A developer's tool, not installed and no test: labelled pictures to train a segmenter on, one of each random film of
+// the families of tuning.
+//   film_samples --out FOLDER [--count N] [--first SEED]
+// Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
+// 3 needle, 4 holding pipette, 5 bystander cell or bubble) and samples_SEED.csv; NNNNN is the film's seed. Several of
+// them may run at once with other seeds. Truth may lie outside the picture. Empty where there is no cell.
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "films/RandomFilm.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/simulation/VirtualMicroscope.h"
+
+namespace {
+
+using namespace pellucida;
+
+constexpr int kWidest_px = 1024;
+
+void fill(cv::Mat& label, const Contour_um& points_um, double pixel_um, int value) {
+  constexpr int kShift = 4;
+  std::vector<cv::Point> polygon;
+  for (Eigen::Index i = 0; i < points_um.cols(); ++i)
+    polygon.emplace_back(static_cast<int>(std::lround(points_um(0, i) / pixel_um * (1 << kShift))),
+                         static_cast<int>(std::lround(points_um(1, i) / pixel_um * (1 << kShift))));
+  cv::fillPoly(label, std::vector<std::vector<cv::Point>>{polygon}, cv::Scalar(value), cv::LINE_8, kShift);
+}
+
+void fill_ball(cv::Mat& label, double x_um, double y_um, double radius_um, double pixel_um) {
+  if (radius_um > 0)
+    cv::circle(label, {static_cast<int>(std::lround(x_um / pixel_um)), static_cast<int>(std::lround(y_um / pixel_um))},
+               static_cast<int>(std::lround(radius_um / pixel_um)), cv::Scalar(5), cv::FILLED);
+}
+
+cv::Mat label_of(const Scenario& scenario, const Observation& seen) {
+  const double pixel_um = scenario.image.pixel_size_um;
+  cv::Mat label(scenario.image.height_px, scenario.image.width_px, CV_8U, cv::Scalar(0));
+  // A picture moves with the stage by what the cell's centre has moved.
+  const double dx = seen.center_um.x() - scenario.cell.center_x_um, dy = seen.center_um.y() - scenario.cell.center_y_um;
+  const Scenario::Bystander& other = scenario.bystander;
+  fill_ball(label, other.cell_x_um + dx, other.cell_y_um + dy, other.cell_radius_um, pixel_um);
+  fill_ball(label, other.bubble_x_um + dx, other.bubble_y_um + dy, other.bubble_radius_um, pixel_um);
+  if (seen.outer) fill(label, seen.outer->points_um, pixel_um, 1);
+  if (seen.inner) fill(label, seen.inner->points_um, pixel_um, 2);
+  if (seen.holder) fill(label, seen.holder->outline_um, pixel_um, 4);
+  fill(label, seen.needle->outline_um, pixel_um, 3);
+  return label;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::filesystem::path out;
+  std::uint64_t first = 1, wanted = 100;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string word = arguments[i], value = arguments[i + 1];
+    if (word == "--out")
+      out = value;
+    else if (word == "--count")
+      wanted = std::stoull(value);
+    else if (word == "--first")
+      first = std::stoull(value);
+    else
+      return std::fprintf(stderr, "film_samples: unknown argument %s\n", word.c_str()), 2;
+  }
+  if (out.empty()) return std::fprintf(stderr, "film_samples: --out is missing\n"), 2;
+  std::filesystem::create_directories(out);
+  cv::setNumThreads(1);
+  std::ofstream csv(out / ("samples_" + std::to_string(first) + ".csv"));
+  csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,center_x_px,center_y_px,outer_radius_px,contrast,family,"
+         "frame\n";
+  for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
+    try {
+      const test::RandomFilm film = test::draw_film(test::Split::kTuning, seed, kWidest_px);
+      VirtualMicroscope microscope(film.scenario, film.look);
+      // Any of its frames; of an interlaced camera the one before as well.
+      const long wanted_frame =
+          static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(*microscope.info().frame_count));
+      for (long k = 0; k + 1 < wanted_frame; ++k) microscope.skip();
+      if (wanted_frame > 0) film.look.camera.interlaced ? void(microscope.next()) : void(microscope.skip());
+      const std::optional<Frame> frame = microscope.next();
+      const ImageView view = view_of(frame->image.get());
+      const cv::Mat grey(view.height_px, view.width_px, CV_8U, const_cast<void*>(view.data),
+                         static_cast<std::size_t>(view.row_bytes));
+      const Observation& seen = microscope.truth().observation;
+      char stem[16];
+      std::snprintf(stem, sizeof stem, "%05llu", static_cast<unsigned long long>(seed));
+      const std::vector<int> quick{cv::IMWRITE_PNG_COMPRESSION, 1};
+      cv::imwrite((out / (std::string(stem) + ".png")).string(), grey, quick);
+      cv::imwrite((out / (std::string(stem) + "_label.png")).string(), label_of(film.scenario, seen), quick);
+      const double pixel_um = view.pixel_size_um;
+      csv << stem << ".png," << seen.needle->tip_um.x() / pixel_um << ',' << seen.needle->tip_um.y() / pixel_um << ','
+          << seen.needle->direction.x() << ',' << seen.needle->direction.y() << ',';
+      if (seen.outer)
+        csv << seen.center_um.x() / pixel_um << ',' << seen.center_um.y() / pixel_um << ','
+            << seen.rest_outer_radius_um / pixel_um << ',';
+      else
+        csv << ",,,";
+      csv << film.contrast << ',' << film.family << ',' << seen.frame_index << std::endl;
+    } catch (const Error& error) {
+      return std::fprintf(stderr, "film_samples: film %llu: %s\n", static_cast<unsigned long long>(seed), error.what()),
+             1;
+    }
+  }
+  return csv ? 0 : 1;
+}
