@@ -51,8 +51,8 @@ TEST_P(EveryReference, ForceRisesAllTheWay) {
 TEST_P(EveryReference, RestIsTwoCircles) {
   const auto rest = reference_.section(-3);
   for (Eigen::Index i = 0; i < rest.outer_um.cols(); ++i) {
-    EXPECT_NEAR(rest.outer_um.col(i).norm(), reference_.outer_radius_um(), 0.01);
-    EXPECT_NEAR(rest.inner_um.col(i).norm(), reference_.inner_radius_um(), 0.01);
+    EXPECT_NEAR(rest.outer_um.col(i).norm(), reference_.outer_radius_um(), 0.0013);
+    EXPECT_NEAR(rest.inner_um.col(i).norm(), reference_.inner_radius_um(), 0.0013);
   }
 }
 
@@ -61,9 +61,9 @@ TEST_P(EveryReference, ApexFollowsTheDepth) {
   EXPECT_EQ(reference_.angle_rad()(apex), std::asin(reference_.offset_um() / reference_.outer_radius_um()));
   for (double depth = 0; depth <= reference_.max_indentation_um(); depth += 0.7) {
     const auto section = reference_.section(depth);
-    EXPECT_NEAR(section.outer_um(1, apex), reference_.apex_z_um() - depth, reference_.offset_um() > 0 ? 0.1 : 0.02)
+    EXPECT_NEAR(section.outer_um(1, apex), reference_.apex_z_um() - depth, reference_.offset_um() > 0 ? 4.5e-3 : 9e-4)
         << depth;
-    EXPECT_NEAR(section.outer_um(0, apex), reference_.offset_um(), 0.15) << depth;
+    EXPECT_NEAR(section.outer_um(0, apex), reference_.offset_um(), 0.095) << depth;
   }
 }
 
@@ -140,7 +140,7 @@ TEST(CellReference, VolumeIsKeptWhereTheSectionIsASurfaceOfRevolution) {
     const auto reference = CellReference::load(cell, 1);
     const double rest_outer = revolved_volume_um3(reference.section(0).outer_um);
     const double rest_inner = revolved_volume_um3(reference.section(0).inner_um);
-    EXPECT_NEAR(rest_outer, 4 * std::numbers::pi / 3 * std::pow(reference.outer_radius_um(), 3), 5e-4 * rest_outer);
+    EXPECT_NEAR(rest_outer, 4 * std::numbers::pi / 3 * std::pow(reference.outer_radius_um(), 3), 1.9e-4 * rest_outer);
     for (double depth = 0; depth <= reference.max_indentation_um(); depth += 1) {
       const auto section = reference.section(depth);
       EXPECT_NEAR(revolved_volume_um3(section.outer_um), rest_outer, 0.015 * rest_outer) << cell << depth;

@@ -80,7 +80,7 @@ TEST(CommandedNeedle, FreeHandTouchesTwicePuncturesDepositsAndLeaves) {
     EXPECT_EQ(test::crossing_count(outer), 0) << seen.time_s;
     const bool tip_is_inside = test::inside(outer, seen.needle->tip_um);
     if (seen.state == CellState::kContact) {
-      EXPECT_LE(test::distance_to(outer, seen.needle->tip_um), 0.35) << seen.time_s;
+      EXPECT_LE(test::distance_to(outer, seen.needle->tip_um), 3e-4) << seen.time_s;
     }
     if (seen.state == CellState::kFree) {
       EXPECT_FALSE(tip_is_inside) << seen.time_s;

@@ -50,9 +50,9 @@ TEST(NeedleScript, WithoutSmoothingSpeedsAreConstant) {
   motion.hold_s = 0;
   const NeedleScript script(motion);
   EXPECT_NEAR(script.duration_s(), 2.0, 1e-12);
-  EXPECT_NEAR(script.depth_um(0.5), 5.0, 1e-5);
-  EXPECT_NEAR(script.depth_um(1.5), 15.0, 1e-5);
-  EXPECT_NEAR(script.depth_um(9), 20.0, 1e-5);
+  EXPECT_NEAR(script.depth_um(0.5), 5.0, 2e-8);
+  EXPECT_NEAR(script.depth_um(1.5), 15.0, 2e-8);
+  EXPECT_NEAR(script.depth_um(9), 20.0, 2e-8);
 }
 
 TEST(NeedleScript, NothingToDoStaysPut) {

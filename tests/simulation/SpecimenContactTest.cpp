@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "pellucida/simulation/VirtualSpecimen.h"
@@ -76,11 +77,11 @@ TEST(SpecimenContact, WhatIsPutInByPushingComesBackByRetracting) {
     force_before = force;
   };
   hand.go(4, 30, 1.0, add);
-  EXPECT_NEAR(work, hand.moment().reply.energy_uN_um, 0.01);
+  EXPECT_NEAR(work, hand.moment().reply.energy_uN_um, 1e-4);
   EXPECT_GT(work, 30);
   hand.go(-13, 22, 1.0, add);
   hand.go(-13, -1, 1.0, add);
-  EXPECT_NEAR(work, 0, 0.01);
+  EXPECT_NEAR(work, 0, 8e-5);
 }
 
 TEST(SpecimenContact, PunctureDepositAndRemoval) {
@@ -91,21 +92,21 @@ TEST(SpecimenContact, PunctureDepositAndRemoval) {
   EXPECT_EQ(hand.moment().state, CellState::kContact);
   hand.go(0, 50, 0.3, [&](const SpecimenMoment& now) { peak = std::max(peak, now.reply.axial_force_uN); });
   EXPECT_EQ(hand.moment().state, CellState::kPunctured);
-  EXPECT_NEAR(peak, 7.5, 0.02);
+  EXPECT_NEAR(peak, 7.5, 1e-3);
   EXPECT_NEAR(hand.moment().puncture_force_uN, 7.5, 1e-9);
-  EXPECT_NEAR(hand.moment().puncture_depth_um, 44, 0.01);
+  EXPECT_NEAR(hand.moment().puncture_depth_um, 44, 1e-9);
   EXPECT_EQ(hand.moment().reply.force_uN.eigen().norm(), 0.0);
 
   // The membrane closes round the shaft while the tip goes on.
   hand.go(0, 55, 0.5);
-  EXPECT_NEAR(hand.moment().reply.indentation_um, 2.0, 0.05);
+  EXPECT_NEAR(hand.moment().reply.indentation_um, 2.0, 2e-4);
   EXPECT_NEAR(hand.moment().reply.depth_um, 55, 1e-9);
 
   // Five picolitres where the tip is, then two more elsewhere.
   for (int k = 0; k < 500; ++k) hand.step(0.01);
   EXPECT_EQ(hand.moment().droplet_count, 1);
   EXPECT_NEAR(hand.moment().droplets[0].volume_pL, 5, 1e-9);
-  EXPECT_NEAR(hand.moment().droplets[0].radius_um(), 10.61, 0.01);
+  EXPECT_NEAR(hand.moment().droplets[0].radius_um(), std::cbrt(3 * 5000 / (4 * std::numbers::pi)), 1e-9);
   EXPECT_LE((hand.moment().droplets[0].center_um.eigen() - hand.moment().tip_um.eigen()).norm(), 1e-12);
   hand.go(0, 35, 0.5);
   for (int k = 0; k < 200; ++k) hand.step(0.01);
@@ -162,7 +163,7 @@ TEST(SpecimenContact, CellsBearDifferentForcesWhereAskedAndTheSeedSaysWhich) {
   EXPECT_EQ(hand.moment().state, CellState::kPunctured);
   EXPECT_NEAR(hand.moment().puncture_force_uN, hand.contact_.puncture_force_uN(), 1e-9);
   EXPECT_NEAR(hand.contact_.force().at(hand.contact_.force().tip_at(0, hand.moment().puncture_depth_um)).axial_force_uN,
-              hand.contact_.puncture_force_uN(), 0.01);
+              hand.contact_.puncture_force_uN(), 1.5e-6);
 }
 
 }  // namespace

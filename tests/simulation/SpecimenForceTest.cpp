@@ -34,7 +34,7 @@ TEST_P(ForceField, AlongTheConfigurationsLineItIsTheReferenceCurve) {
     EXPECT_NEAR(reply.depth_um, depth, 1e-9);
     EXPECT_NEAR(reply.offset_um, offset_um_, 1e-9);
     // The tables by offset have six digits.
-    EXPECT_NEAR(reply.axial_force_uN, reference.force_uN(depth), 2e-5) << depth;
+    EXPECT_NEAR(reply.axial_force_uN, reference.force_uN(depth), 1.1e-5) << depth;
     EXPECT_TRUE(reply.in_range) << depth;
   }
 }
@@ -67,7 +67,7 @@ TEST_P(ForceField, ForceIsMinusTheEnergysGradient) {
         }
         // Where a small step leaves the cell the difference is none.
         if (std::abs(reply.depth_um) < 0.01) continue;
-        EXPECT_LE((reply.force_uN.eigen() + gradient).norm(), 1e-5 * (1 + gradient.norm())) << offset << ' ' << depth;
+        EXPECT_LE((reply.force_uN.eigen() + gradient).norm(), 3e-7 * (1 + gradient.norm())) << offset << ' ' << depth;
       }
 }
 

@@ -76,8 +76,8 @@ TEST(VirtualMicroscope, NoiseIsShotAndReadNoise) {
     sum += difference;
     normalised += difference * difference / (electrons + 400);
   }
-  EXPECT_NEAR(sum / static_cast<double>(count), 0.0, 0.5);
-  EXPECT_NEAR(normalised / static_cast<double>(count), 1.0, 0.02);
+  EXPECT_NEAR(sum / static_cast<double>(count), 0.0, 0.25);
+  EXPECT_NEAR(normalised / static_cast<double>(count), 1.0, 0.005);
 }
 
 // Grey value at a place in um, by cubic interpolation (Catmull and Rom's): bilinear values would draw the darkest place

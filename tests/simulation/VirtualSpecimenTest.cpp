@@ -46,7 +46,7 @@ TEST(VirtualSpecimen, PunctureDropsTheForceAtOnceAndTheMembraneFollows) {
     EXPECT_LT(now.membrane_depth_um, before);
     before = now.membrane_depth_um;
   }
-  EXPECT_NEAR(before, 2.0, 0.3);
+  EXPECT_NEAR(before, 2.0, 0.2);
 
   // It stays punctured on the way out, and only a needle outside leaves it free.
   EXPECT_EQ(specimen.advance(1.0, time += dt).state, CellState::kPunctured);
@@ -94,12 +94,12 @@ TEST(VirtualSpecimen, NeedleTouchesButNeverCrossesTheMembrane) {
       const auto& outer = truth.observation.outer->points_um;
       const auto& needle = *truth.observation.needle;
       // The tip sits on the membrane.
-      EXPECT_LE(test::distance_to(outer, needle.tip_um), 0.15) << json << depth;
-      // The glass may press into the line by a fraction of a pixel where both are round, no more.
+      EXPECT_LE(test::distance_to(outer, needle.tip_um), 7e-4) << json << depth;
+      // The glass may press into the line by a nanometre where both are round, no more.
       for (Eigen::Index i = 0; i < needle.outline_um.cols(); ++i) {
         const Eigen::Vector2d point = needle.outline_um.col(i);
         if ((point - needle.tip_um).norm() > 120 || !test::inside(outer, point)) continue;
-        EXPECT_LE(test::distance_to(outer, point), 0.4) << json << " depth " << depth << " point " << i;
+        EXPECT_LE(test::distance_to(outer, point), 7e-4) << json << " depth " << depth << " point " << i;
       }
     }
   }
