@@ -77,7 +77,7 @@ TEST(ContourMath, ResamplingSpacesEvenlyAndKeepsTheShape) {
       EXPECT_LT(contour::distance_to(fine, even.col(i)), 1e-9);
     }
     EXPECT_LT(longest / shortest, 1.02);
-    EXPECT_NEAR(contour::signed_area(even) / contour::signed_area(fine), 1.0, 1e-3);
+    EXPECT_NEAR(contour::signed_area(even) / contour::signed_area(fine), 1.0, 3.5e-4);
   }
 }
 
@@ -142,8 +142,8 @@ TEST(ContourMath, CircleFitIgnoresADimpleAndNoise) {
       points.col(i) -= d.normalized() * (depth + noise(random));
     }
     const contour::Circle circle = contour::fit_circle(points, 3.0);
-    EXPECT_LT((circle.center - Eigen::Vector2d(300.0, 200.0)).norm(), 0.3) << "seed " << seed;
-    EXPECT_NEAR(circle.radius, 60.0, 0.3) << "seed " << seed;
+    EXPECT_LT((circle.center - Eigen::Vector2d(300.0, 200.0)).norm(), 0.23) << "seed " << seed;
+    EXPECT_NEAR(circle.radius, 60.0, 0.13) << "seed " << seed;
     EXPECT_GT(circle.inlier_ratio, 0.75);
   }
 }

@@ -125,7 +125,7 @@ TEST(Detection, AClickChoosesBetweenTwoCells) {
     hint.inside = click;
     const std::optional<DetectedCell> cell = detect_cell(field.image(), {}, &hint);
     ASSERT_TRUE(cell);
-    EXPECT_LT((cell->circle.center - center).norm(), 2.0);
+    EXPECT_LT((cell->circle.center - center).norm(), 1.1);
   }
 }
 

@@ -31,19 +31,19 @@ double locate(const EdgeFilter& filter, const std::vector<float>& values, double
 TEST(EdgeProfile, DarkLineIsLocatedSubPixel) {
   const EdgeFilter filter(1.3, kStep, {1.0, 0.0});
   for (double place = 14.0; place < 16.0; place += 0.037)
-    EXPECT_NEAR(locate(filter, profile(place, 0.2, 1.1, 0.0), 15.0), place, 0.01) << place;
+    EXPECT_NEAR(locate(filter, profile(place, 0.2, 1.1, 0.0), 15.0), place, 0.007) << place;
 }
 
 TEST(EdgeProfile, BrightLineNeedsTheOtherSign) {
   const EdgeFilter filter(1.3, kStep, {-1.0, 0.0});
-  EXPECT_NEAR(locate(filter, profile(15.23, -0.2, 1.1, 0.0), 15.0), 15.23, 0.01);
+  EXPECT_NEAR(locate(filter, profile(15.23, -0.2, 1.1, 0.0), 15.0), 15.23, 0.0026);
 }
 
 TEST(EdgeProfile, StepIsLocatedSubPixel) {
   const EdgeFilter up(1.5, kStep, {0.0, 1.0}), down(1.5, kStep, {0.0, -1.0});
   for (double place = 14.0; place < 16.0; place += 0.083) {
-    EXPECT_NEAR(locate(up, profile(place, 0.0, 1.0, 0.2), 15.0), place, 0.01);
-    EXPECT_NEAR(locate(down, profile(place, 0.0, 1.0, -0.2), 15.0), place, 0.01);
+    EXPECT_NEAR(locate(up, profile(place, 0.0, 1.0, 0.2), 15.0), place, 0.0036);
+    EXPECT_NEAR(locate(down, profile(place, 0.0, 1.0, -0.2), 15.0), place, 0.0036);
   }
 }
 
@@ -74,7 +74,7 @@ TEST(EdgeProfile, NoiseErrorIsAsPredicted) {
   }
   const double measured = std::sqrt(squares / trials);
   EXPECT_LT(measured, 0.1);
-  EXPECT_NEAR(measured / predicted, 1.0, 0.3);
+  EXPECT_NEAR(measured / predicted, 1.0, 0.06);
 }
 
 TEST(EdgeProfile, ClimbStopsAtItsReach) {

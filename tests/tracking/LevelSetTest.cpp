@@ -48,7 +48,7 @@ TEST(LevelSetOutline, SettlesIntoAnEllipseFromACircle) {
   ASSERT_TRUE(outline);
   EXPECT_EQ(outline->cols(), 128);
   EXPECT_GT(contour::signed_area(*outline), 0.0);
-  EXPECT_LT(worst_ratio(*outline, 80.0, 66.0), 0.05);
+  EXPECT_LT(worst_ratio(*outline, 80.0, 66.0), 0.023);
 }
 
 TEST(LevelSetOutline, GrowsFromWithinWhenAsked) {
@@ -60,7 +60,7 @@ TEST(LevelSetOutline, GrowsFromWithinWhenAsked) {
   settings.iterations = 400;
   const auto outline = refine_by_level_set(image, circle(155.0, 132.0, 40.0), settings);
   ASSERT_TRUE(outline);
-  EXPECT_LT(worst_ratio(*outline, 80.0, 66.0), 0.1);
+  EXPECT_LT(worst_ratio(*outline, 80.0, 66.0), 0.04);
 }
 
 TEST(LevelSetOutline, OrientationDoesNotMatter) {

@@ -60,7 +60,7 @@ TEST(TrackingStep, TellsTheStoryOfAPuncture) {
       true_puncture_s = frame->time_s;
   }
   EXPECT_EQ(story, (std::vector<std::string>{"found", "contact", "puncture", "release"}));
-  EXPECT_NEAR(puncture_s, true_puncture_s, 0.15);
+  EXPECT_NEAR(puncture_s, true_puncture_s, 0.07);
 }
 
 TEST(TrackingStep, EventsOfEachChange) {
