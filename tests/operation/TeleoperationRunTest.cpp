@@ -75,8 +75,8 @@ TEST(HapticPathBlock, HoldsBothPathsInTheSessionsTime) {
     return block->GetPointData()->GetArray(name)->GetComponent(point, component);
   };
   EXPECT_NEAR(value("time_s", 5), 2.002, 1e-12);
-  EXPECT_NEAR(value("velocity_um_per_s", 1), 1000.0, 0.1);
-  EXPECT_NEAR(value("velocity_um_per_s", 4), 500.0, 0.1);
+  EXPECT_NEAR(value("velocity_um_per_s", 1), 1000.0, 1e-6);
+  EXPECT_NEAR(value("velocity_um_per_s", 4), 500.0, 1e-6);
   EXPECT_NEAR(value("force_N", 3, 2), 0.25, 1e-6);
   EXPECT_NEAR(value("contact_age_ms", 0), 20.0, 1e-4);
   EXPECT_NEAR(value("energy_margin_uJ", 0), 3.0, 1e-5);
