@@ -26,9 +26,9 @@ TEST(ForceScenarios, ForceIsCloseAndItsIntervalHonestOverAllShippedScenarios) {
                 run.covered_count(), run.contact_count());
   }
   std::sort(rms_percent.begin(), rms_percent.end());
-  EXPECT_LE(rms_percent[rms_percent.size() / 2], 3.0);
+  EXPECT_LE(rms_percent[rms_percent.size() / 2], 1.8);
   const double coverage = static_cast<double>(covered_count) / contact_count;
-  EXPECT_GE(coverage, 0.90);
+  EXPECT_GE(coverage, 0.94);
   EXPECT_LE(coverage, 0.99);
 }
 

@@ -63,7 +63,7 @@ TEST_F(MainJob, ContoursLieWithinAPixelOfTheTruth) {
       const auto found = tracked.find({row.frame, membrane});
       ASSERT_NE(found, tracked.end()) << "frame " << row.frame << " membrane " << membrane;
       rms_px.push_back(test::rms_distance_um(found->second, truth.at({row.frame, membrane})) / kPixel_um);
-      EXPECT_LT(rms_px.back(), 1.0) << "frame " << row.frame << " membrane " << membrane;
+      EXPECT_LT(rms_px.back(), 0.15) << "frame " << row.frame << " membrane " << membrane;
     }
     RecordProperty("contour_rms_px_median_" + std::to_string(membrane), std::to_string([&] {
                      auto sorted = rms_px;
@@ -76,7 +76,7 @@ TEST_F(MainJob, ContoursLieWithinAPixelOfTheTruth) {
   }
 }
 
-TEST_F(MainJob, TheTipLiesWithinTwoPixels) {
+TEST_F(MainJob, TheTipLiesWithinHalfAPixel) {
   const Table t = truth();
   const auto x_um = t.column("tip_x_um");
   const auto y_um = t.column("tip_y_um");
@@ -84,19 +84,19 @@ TEST_F(MainJob, TheTipLiesWithinTwoPixels) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     const double error_px = std::hypot(rows_[i].tip_x_um - x_um[k], rows_[i].tip_y_um - y_um[k]) / kPixel_um;
-    EXPECT_LT(error_px, 2.0) << "frame " << rows_[i].frame;
+    EXPECT_LT(error_px, 0.5) << "frame " << rows_[i].frame;
     largest_px = std::max(largest_px, error_px);
   }
   std::printf("tip: largest error %.3f px\n", largest_px);
 }
 
-TEST_F(MainJob, TheForceFollowsTheTruthWithinFifteenPercentOfThePeak) {
+TEST_F(MainJob, TheForceFollowsTheTruthWithinThreePercentOfThePeak) {
   const Table t = truth();
   const auto force_uN = t.column("contact_force_uN");
   const auto indentation_um = t.column("indentation_um");
   const double peak_uN = force_uN.maxCoeff();
-  EXPECT_NEAR(peak_uN, 7.5, 0.2);
-  EXPECT_NEAR(indentation_um.maxCoeff(), 44.0, 1.0);
+  EXPECT_NEAR(peak_uN, 7.5, 1e-6);
+  EXPECT_NEAR(indentation_um.maxCoeff(), 44.0, 1e-6);
   double largest_uN = 0.0;
   double square_sum_um2 = 0.0;
   int contact_count = 0;
@@ -104,7 +104,7 @@ TEST_F(MainJob, TheForceFollowsTheTruthWithinFifteenPercentOfThePeak) {
     const auto k = static_cast<Eigen::Index>(i);
     ASSERT_FALSE(std::isnan(rows_[i].contact_force_uN)) << "frame " << rows_[i].frame;
     const double error_uN = std::abs(rows_[i].contact_force_uN - force_uN[k]);
-    EXPECT_LT(error_uN, 0.15 * peak_uN) << "frame " << rows_[i].frame;
+    EXPECT_LT(error_uN, 0.03 * peak_uN) << "frame " << rows_[i].frame;
     largest_uN = std::max(largest_uN, error_uN);
     if (indentation_um[k] > 0.0) {
       ++contact_count;
@@ -124,10 +124,10 @@ TEST_F(MainJob, TheForceRisesSmoothly) {
     if (i == 0) continue;
     const auto k = static_cast<Eigen::Index>(i);
     const double step_uN = rows_[i].contact_force_uN - rows_[i - 1].contact_force_uN;
-    EXPECT_LT(std::abs(step_uN - (force_uN[k] - force_uN[k - 1])), 0.35) << "frame " << rows_[i].frame;
+    EXPECT_LT(std::abs(step_uN - (force_uN[k] - force_uN[k - 1])), 0.19) << "frame " << rows_[i].frame;
   }
   EXPECT_DOUBLE_EQ(rows_.front().contact_force_uN, 0.0);
-  EXPECT_NEAR(peak_uN, 7.5, 0.15 * 7.5);
+  EXPECT_NEAR(peak_uN, 7.5, 0.02 * 7.5);
 }
 
 TEST_F(MainJob, StatesAreTheTruthsOnes) {
