@@ -76,7 +76,7 @@ TEST(ContourMath, ResamplingSpacesEvenlyAndKeepsTheShape) {
       longest = std::max(longest, edge);
       EXPECT_LT(contour::distance_to(fine, even.col(i)), 1e-9);
     }
-    EXPECT_LT(longest / shortest, 1.02);
+    EXPECT_LT(longest / shortest, 1.0008);
     EXPECT_NEAR(contour::signed_area(even) / contour::signed_area(fine), 1.0, 3.5e-4);
   }
 }

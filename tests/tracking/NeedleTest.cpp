@@ -291,7 +291,7 @@ TEST(HolderFinder, AxisWidthAndMouthAreThoseDrawn) {
   const contour::Circle cell{center, radius, 1.0, 0.0};
   const std::optional<HolderFit> holder = find_holder(image, find_tools(gray, cell), cell, noise_level(image));
   ASSERT_TRUE(holder.has_value());
-  EXPECT_LT(holder->direction.x(), -0.999);
+  EXPECT_LT(holder->direction.x(), -0.99999);
   EXPECT_NEAR(holder->offset, 0.0, 0.54);
   EXPECT_NEAR(holder->half_width, middle_of_wall + wall, 0.09);
   EXPECT_TRUE(holder->mouth_seen);
