@@ -61,7 +61,9 @@ std::vector<std::vector<std::string>> table_of(const std::string& text) {
       continue;
     }
     ++row;
-    if (row == 2) EXPECT_TRUE(line.starts_with("|---")) << "a broken table: " << line;
+    if (row == 2) {
+      EXPECT_TRUE(line.starts_with("|---")) << "a broken table: " << line;
+    }
     if (row <= 2) continue;
     std::vector<std::string> cells;
     std::istringstream parts(line.substr(1));

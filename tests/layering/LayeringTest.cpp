@@ -149,7 +149,9 @@ TEST(Size, NoFileIsTooLongAndNoPartTooLarge) {
       EXPECT_LE(count, kMostLinesOfAFile) << entry.path();
     }
     EXPECT_GT(part_count, 0) << part;
-    if (!kLargeParts.contains(part)) EXPECT_LE(part_count, kMostLinesOfAPart) << part;
+    if (!kLargeParts.contains(part)) {
+      EXPECT_LE(part_count, kMostLinesOfAPart) << part;
+    }
   }
 }
 
