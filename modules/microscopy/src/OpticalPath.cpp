@@ -83,7 +83,7 @@ void add_needle(OpticalPath& path, const MicroscopeScene& scene, double pixel_si
                     -4 * blur / pixel_size_um};
 
   // The tube's radii by the place along it.
-  constexpr double kStep_um = 0.1;
+  const double step_um = std::max(0.1, 0.2 * pixel_size_um);
   const double from = -4 * blur, length = pixel_size_um * std::hypot(path.phase_rad.cols, path.phase_rad.rows) * 2;
   struct Slice {
     float outer2, lumen2, deviation, spike;
@@ -91,7 +91,7 @@ void add_needle(OpticalPath& path, const MicroscopeScene& scene, double pixel_si
   std::vector<Slice> slices;
   const bool closed = shape.look.end == "closed";
   const double r = shape.tip_radius_um;
-  for (double back = from; back < length && (back < 400 || slices.empty()); back += kStep_um) {
+  for (double back = from; back < length; back += step_um) {
     // Before its end the tube goes on, so that the cut alone ends it; a round tip's square goes below 0.
     const double outer = shape.outer_radius_um(closed ? back : std::max(back, shape.look.spike_um)),
                  lumen = shape.lumen_radius_um(closed ? back : std::max(back, 0.0));
@@ -109,7 +109,7 @@ void add_needle(OpticalPath& path, const MicroscopeScene& scene, double pixel_si
     for (int x = first; x <= last; ++x) {
       const Eigen::Vector2d place = pixel_size_um * (Eigen::Vector2d(x, y) - strip.origin);
       const double back = place.dot(along), lateral = place.dot(across);
-      const auto i = std::min(slices.size() - 1, static_cast<std::size_t>(std::max(0.0, (back - from) / kStep_um)));
+      const auto i = std::min(slices.size() - 1, static_cast<std::size_t>(std::max(0.0, (back - from) / step_um)));
       const Slice& slice = slices[i];
       const auto side = static_cast<float>(lateral - middle);
       const float outer = root(slice.outer2 - side * side, slice.deviation);

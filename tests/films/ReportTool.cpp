@@ -1,0 +1,229 @@
+// A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
+// came of it, by contrast and together.
+//   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
+//               [--csv FILE] [--worst FOLDER] [--frames]
+// --film: that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of the ten worst
+// films, truth green, found red. --frames: also a line a frame.
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <opencv2/core/utility.hpp>
+#include <string>
+#include <thread>
+
+#include "films/FilmRun.h"
+#include "pellucida/core/Error.h"
+
+namespace {
+
+using namespace pellucida;
+using test::FilmRun;
+using test::FrameError;
+
+struct Choice {
+  test::Split split = test::Split::kTuning;
+  std::uint64_t first = 1, count = 60;
+  int jobs = 1, widest_px = 2048;
+  std::string csv, worst;
+  bool frames = false;
+};
+
+Choice read_arguments(int count, char** arguments) {
+  Choice choice;
+  bool has_split = false;
+  for (int i = 1; i < count; ++i) {
+    const std::string word = arguments[i];
+    const auto value = [&]() -> std::string {
+      if (i + 1 < count) return arguments[++i];
+      throw UsageError(word + " needs a value");
+    };
+    if (word == "--split") {
+      choice.split = test::split_of(value());
+      has_split = true;
+    } else if (word == "--count") {
+      choice.count = std::stoull(value());
+    } else if (word == "--first") {
+      choice.first = std::stoull(value());
+    } else if (word == "--film") {
+      choice.first = std::stoull(value());
+      choice.count = 1;
+    } else if (word == "--jobs") {
+      choice.jobs = std::max(1, std::stoi(value()));
+    } else if (word == "--widest") {
+      choice.widest_px = std::stoi(value());
+    } else if (word == "--csv") {
+      choice.csv = value();
+    } else if (word == "--worst") {
+      choice.worst = value();
+    } else if (word == "--frames") {
+      choice.frames = true;
+    } else {
+      throw UsageError("unknown argument " + word);
+    }
+  }
+  if (!has_split) throw UsageError("--split is missing: tuning or validation");
+  return choice;
+}
+
+// The values of one error that were measured.
+void collect(const std::vector<FrameError>& errors, double FrameError::*member, std::vector<double>& values) {
+  for (const FrameError& error : errors)
+    if (error.*member >= 0) values.push_back(error.*member);
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return -1.0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+std::string percent(double part, double whole) {
+  char text[16];
+  std::snprintf(text, sizeof text, whole > 0 ? "%.1f" : "-", 100.0 * part / std::max(whole, 1.0));
+  return text;
+}
+
+void print_head() {
+  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n", "", "",
+              "", "found", "found", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
+              "force", "% RMS", "in", "ms");
+  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n",
+              "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%",
+              "median", "95 %", "wrong/1e3", "/1e4", "told", "median", "95 %", "95%", "frame");
+}
+
+void print_row(const std::string& name, const std::vector<const FilmRun*>& runs) {
+  std::vector<double> outer, inner, tip, force, frame_ms;
+  double frames = 0, cell_frames = 0, found = 0, none_frames = 0, none_found = 0, bold = 0, contact = 0,
+         false_count = 0, covered = 0;
+  int punctures = 0, told = 0;
+  for (const FilmRun* run : runs) {
+    const auto count = static_cast<double>(run->errors.size());
+    frames += count;
+    (run->has_cell ? cell_frames : none_frames) += count;
+    (run->has_cell ? found : none_found) += run->found_count;
+    bold += run->confident_and_wrong_count;
+    contact += run->contact_count;
+    false_count += run->false_puncture_count;
+    covered += run->covered_count;
+    punctures += run->punctures ? 1 : 0;
+    told += run->puncture_delay && *run->puncture_delay <= 2 ? 1 : 0;
+    frame_ms.push_back(run->median_frame_ms);
+    if (!run->has_cell) continue;
+    collect(run->errors, &FrameError::outer_px, outer);
+    collect(run->errors, &FrameError::inner_px, inner);
+    collect(run->errors, &FrameError::tip_px, tip);
+    if (run->force_rms_percent >= 0) force.push_back(run->force_rms_percent);
+  }
+  std::printf(
+      "%-13s %5zu %6.0f %6s %6s | %6.2f %6.2f %6.2f | %6.2f %6.2f | %6s %7.2f %7.2f | %8.1f %8.0f %4d/%-3d | %6.1f "
+      "%6.1f "
+      "%5s | %5.1f\n",
+      name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(), percent(none_found, none_frames).c_str(),
+      quantile(outer, 0.5), quantile(outer, 0.95), quantile(outer, 0.99), quantile(inner, 0.5), quantile(inner, 0.95),
+      percent(static_cast<double>(tip.size()), cell_frames).c_str(), quantile(tip, 0.5), quantile(tip, 0.95),
+      1e3 * bold / std::max(frames, 1.0), 1e4 * false_count / std::max(contact, 1.0), told, punctures,
+      quantile(force, 0.5), quantile(force, 0.95), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));
+}
+
+void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
+  std::ofstream out(file);
+  out << "seed,family,contrast,width_px,height_px,pixel_size_um,cell_diameter_px,frames,found,contact,false_punctures,"
+         "punctures,puncture_delay,outer_median_px,outer_p95_px,inner_median_px,tip_found,tip_median_px,tip_p95_px,"
+         "confident_and_wrong,force_rms_percent,covered,median_frame_ms,worst_frame,badness\n";
+  for (const FilmRun& run : runs) {
+    std::vector<double> outer, inner, tip;
+    collect(run.errors, &FrameError::outer_px, outer);
+    collect(run.errors, &FrameError::inner_px, inner);
+    collect(run.errors, &FrameError::tip_px, tip);
+    const auto& image = run.film.scenario.image;
+    out << run.film.seed << ',' << run.film.family << ',' << run.film.contrast << ',' << image.width_px << ','
+        << image.height_px << ',' << image.pixel_size_um << ','
+        << 105.0 * run.film.scenario.cell.size_scale / image.pixel_size_um << ',' << run.errors.size() << ','
+        << run.found_count << ',' << run.contact_count << ',' << run.false_puncture_count << ',' << run.punctures << ','
+        << (run.puncture_delay ? std::to_string(*run.puncture_delay) : "") << ',' << quantile(outer, 0.5) << ','
+        << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size() << ',' << quantile(tip, 0.5) << ','
+        << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ',' << run.force_rms_percent << ','
+        << run.covered_count << ',' << run.median_frame_ms << ',' << run.worst.frame_index << ',' << run.badness
+        << '\n';
+  }
+  if (!out.flush()) throw OutputError(file + " can't be written");
+}
+
+void print_frames(const FilmRun& run) {
+  for (std::size_t k = 0; k < run.errors.size(); ++k) {
+    const FrameError& e = run.errors[k];
+    std::printf("%4llu %3zu %-9s true %-9s conf %.2f outer %6.2f inner %6.2f tip %7.2f px depth %+6.2f of %5.2f um%s\n",
+                static_cast<unsigned long long>(run.film.seed), k, std::string(to_string(e.state)).c_str(),
+                std::string(to_string(e.true_state)).c_str(), e.confidence, e.outer_px, e.inner_px, e.tip_px,
+                e.indentation_um, e.true_indentation_um, run.is_confident_and_wrong(e) ? "  SURE AND WRONG" : "");
+  }
+}
+
+void draw_worst_ten(const std::string& folder, const std::vector<FilmRun>& runs) {
+  std::filesystem::create_directories(folder);
+  std::vector<const FilmRun*> ranked;
+  for (const FilmRun& run : runs) ranked.push_back(&run);
+  std::sort(ranked.begin(), ranked.end(), [](const auto* a, const auto* b) { return a->badness > b->badness; });
+  ranked.resize(std::min<std::size_t>(10, ranked.size()));
+  for (std::size_t k = 0; k < ranked.size(); ++k) {
+    char name[64];
+    std::snprintf(name, sizeof name, "%02zu_film_%llu_frame_%ld.png", k + 1,
+                  static_cast<unsigned long long>(ranked[k]->film.seed), ranked[k]->worst.frame_index);
+    draw_worst(*ranked[k], folder + '/' + name);
+    std::printf("worst %2zu: film %llu, %s, badness %.0f\n", k + 1,
+                static_cast<unsigned long long>(ranked[k]->film.seed), ranked[k]->film.family.c_str(),
+                ranked[k]->badness);
+  }
+}
+
+void report(const Choice& choice) {
+  std::vector<FilmRun> runs(choice.count);
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::atomic<bool> failed{false};
+  const auto work = [&] {
+    for (std::size_t k; !failed && (k = next++) < runs.size();) {
+      try {
+        runs[k] = test::run_film(test::draw_film(choice.split, choice.first + k, choice.widest_px));
+      } catch (...) {
+        if (!failed.exchange(true)) failure = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < choice.jobs; ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+
+  if (choice.frames)
+    for (const FilmRun& run : runs) print_frames(run);
+  std::map<std::string, std::vector<const FilmRun*>> by_contrast;
+  std::vector<const FilmRun*> all;
+  for (const FilmRun& run : runs) {
+    by_contrast[run.film.contrast].push_back(&run);
+    all.push_back(&run);
+  }
+  print_head();
+  for (const auto& [contrast, some] : by_contrast) print_row(contrast, some);
+  print_row("ALL", all);
+  if (!choice.csv.empty()) write_csv(choice.csv, runs);
+  if (!choice.worst.empty()) draw_worst_ten(choice.worst, runs);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    cv::setNumThreads(1);
+    report(read_arguments(count, arguments));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "film_report: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
