@@ -9,7 +9,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 // The objective's depth of field spreads what lies above or below, um for a um.
 constexpr double kSpread_ratio = 0.06;
 constexpr double kLipid_index = 0.08, kLipid_absorption_per_um = 0.035;  // droplets of pig and cow
@@ -19,7 +19,7 @@ struct Place {
   double ratio, angle, depth;
 };
 Place in_ball(std::mt19937_64& engine) {
-  const double radius = std::cbrt(uniform(engine)), up = 2 * uniform(engine) - 1, angle = kTurn * uniform(engine);
+  const double radius = std::cbrt(uniform(engine)), up = 2 * uniform(engine) - 1, angle = kFullTurn * uniform(engine);
   return {radius * std::sqrt(1 - up * up), angle, radius * up};
 }
 
@@ -53,20 +53,20 @@ CellContents::CellContents(const Look::Cell& look, double cell_radius_um, double
                          static_cast<float>(kSpread_ratio * cell_radius_um * std::abs(place.depth))});
   }
   for (int k = 0; k < look.cumulus_count; ++k) {
-    const double up = 2 * uniform(engine) - 1, angle = kTurn * uniform(engine);
+    const double up = 2 * uniform(engine) - 1, angle = kFullTurn * uniform(engine);
     const double radius = look.cumulus_radius_um * (0.7 + 0.6 * uniform(engine));
     // Most lie beside the cell: the washed ones that are left hold on at the rim.
     const double ratio = std::sqrt(1 - 0.5 * up * up);
     cumulus_.push_back({angle, ratio * (1 + 0.7 * radius / cell_radius_um), radius, 0.02 + 0.015 * uniform(engine),
                         0.05 * cell_radius_um * std::abs(up)});
   }
-  nucleus_ = {static_cast<float>(0.5 * uniform(engine)), static_cast<float>(kTurn * uniform(engine))};
+  nucleus_ = {static_cast<float>(0.5 * uniform(engine)), static_cast<float>(kFullTurn * uniform(engine))};
 }
 
 Eigen::Vector2d CellContents::contour_place(const MicroscopeScene::Cell& cell, const Contour_um& contour,
                                             double angle_rad) const {
   const auto& angles = cell.angle_rad;
-  const double wanted = angles(0) + std::fmod(std::fmod(angle_rad - angles(0), kTurn) + kTurn, kTurn);
+  const double wanted = angles(0) + std::fmod(std::fmod(angle_rad - angles(0), kFullTurn) + kFullTurn, kFullTurn);
   const auto* first = angles.data();
   const Eigen::Index k =
       std::min<Eigen::Index>(std::lower_bound(first, first + angles.size(), wanted) - first, angles.size() - 1);
