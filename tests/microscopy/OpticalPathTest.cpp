@@ -10,7 +10,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kPixel_um = 0.5;
+constexpr double kGrid_um = 0.5;
 
 OpticalPath empty_path(int width, int height) {
   OpticalPath path;
@@ -50,10 +50,10 @@ TEST(SoftRoot, IsTheRootFarFromZeroAndFadesBelow) {
 
 TEST(OpticalPath, BallIsItsChord) {
   OpticalPath path = empty_path(200, 200);
-  add_ball(path, {{50, 50}, 20, 0.02, 0.01}, kPixel_um);
+  add_ball(path, {{50, 50}, 20, 0.02, 0.01}, kGrid_um);
   for (const double r : {0.0, 6.0, 12.0, 18.0}) {
     const double chord_um = 2 * std::sqrt(400 - r * r);
-    const int x = static_cast<int>(std::lround((50 + r) / kPixel_um));
+    const int x = static_cast<int>(std::lround((50 + r) / kGrid_um));
     EXPECT_NEAR(path.phase_rad(100, x), 0.02 * kPhase_rad_per_um * chord_um, 0.02) << r;
     EXPECT_NEAR(path.absorbance(100, x), 0.01 * chord_um, 2e-3) << r;
   }
@@ -68,15 +68,15 @@ TEST(OpticalPath, NeedleIsGlassLessLumen) {
   scene.needle_shape.look.liquid_index = 0.05;
   scene.needle = {{20, 50}, {1, 0}};
   OpticalPath path = empty_path(300, 200);
-  add_needle(path, scene, kPixel_um);
+  add_needle(path, scene, kGrid_um);
   for (const double back : {20.0, 60.0, 100.0}) {
     const double outer = scene.needle_shape.outer_radius_um(back), lumen = scene.needle_shape.lumen_radius_um(back);
-    const int x = static_cast<int>(std::lround((20 + back) / kPixel_um));
+    const int x = static_cast<int>(std::lround((20 + back) / kGrid_um));
     const double middle = kPhase_rad_per_um * 2 * (0.14 * (outer - lumen) + 0.05 * lumen);
     EXPECT_NEAR(path.needle_phase_rad(100, x), middle, 0.03 * middle) << back;
     const double side = 0.5 * (outer + lumen),
                  wall = kPhase_rad_per_um * 2 * 0.14 * std::sqrt(outer * outer - side * side);
-    EXPECT_NEAR(path.needle_phase_rad(static_cast<int>(std::lround((50 + side) / kPixel_um)), x), wall, 0.25 * wall);
+    EXPECT_NEAR(path.needle_phase_rad(static_cast<int>(std::lround((50 + side) / kGrid_um)), x), wall, 0.25 * wall);
   }
   EXPECT_EQ(path.needle_phase_rad(100, 30), 0);
 }
@@ -99,7 +99,7 @@ TEST(CellPath, RoundCellIsItsChords) {
   Look::Cell look;
   look.zona_index = 0.01;
   look.ooplasm_index = 0.03;
-  CellPath cells(look, kPixel_um);
+  CellPath cells(look, kGrid_um);
   OpticalPath path = empty_path(300, 300);
   const MicroscopeScene::Cell cell = round_cell(50, 40, 75);
   cells.add(path, cell);
@@ -107,7 +107,7 @@ TEST(CellPath, RoundCellIsItsChords) {
     for (const double r : {0.0, 20.0, 38.0, 42.0, 48.0}) {
       const double outer = std::sqrt(2500 - r * r), inner = r < 40 ? std::sqrt(1600 - r * r) : 0;
       const double expected = kPhase_rad_per_um * 2 * (0.01 * (outer - inner) + 0.03 * inner);
-      const double x = (75 + r * std::cos(angle)) / kPixel_um, y = (75 + r * std::sin(angle)) / kPixel_um;
+      const double x = (75 + r * std::cos(angle)) / kGrid_um, y = (75 + r * std::sin(angle)) / kGrid_um;
       EXPECT_NEAR(path.phase_rad(static_cast<int>(std::lround(y)), static_cast<int>(std::lround(x))), expected,
                   0.06 * expected + 0.05)
           << angle << ' ' << r;
@@ -134,10 +134,10 @@ TEST(CellPath, KeepsTheVolumeOfADimple) {
   for (const double turn : {0.0, 0.4, 2.2}) {
     cell.axis = {std::cos(turn), std::sin(turn)};
     cell.across = {-cell.axis.y(), cell.axis.x()};
-    CellPath cells(look, kPixel_um);
+    CellPath cells(look, kGrid_um);
     OpticalPath path = empty_path(300, 300);
     cells.add(path, cell);
-    const double sum_um3 = cv::sum(path.absorbance)[0] / 1e-3 * kPixel_um * kPixel_um;
+    const double sum_um3 = cv::sum(path.absorbance)[0] / 1e-3 * kGrid_um * kGrid_um;
     EXPECT_NEAR(sum_um3 / volume, 1, 0.02) << turn;
   }
 }
