@@ -19,9 +19,9 @@ OpticalPath empty_path(int width, int height) {
 }
 
 // A cell whose zona lies between two circles, needle along +x of the picture.
-MicroscopeScene::Cell round_cell(double outer_um, double inner_um, double center_um) {
+MicroscopeCell round_cell(double outer_um, double inner_um, double center_um) {
   constexpr int kPoints = 400;
-  MicroscopeScene::Cell cell;
+  MicroscopeCell cell;
   cell.outer_um.resize(2, kPoints);
   cell.angle_rad.resize(kPoints);
   for (int k = 0; k < kPoints; ++k) {
@@ -101,7 +101,7 @@ TEST(CellPath, RoundCellIsItsChords) {
   look.ooplasm_index = 0.03;
   CellPath cells(look, kGrid_um);
   OpticalPath path = empty_path(300, 300);
-  const MicroscopeScene::Cell cell = round_cell(50, 40, 75);
+  const MicroscopeCell cell = round_cell(50, 40, 75);
   cells.add(path, cell);
   for (const double angle : {0.0, 0.7, 2.0, 4.0})
     for (const double r : {0.0, 20.0, 38.0, 42.0, 48.0}) {
@@ -120,7 +120,7 @@ TEST(CellPath, KeepsTheVolumeOfADimple) {
   Look::Cell look;
   look.zona_index = look.ooplasm_index = 0.02;
   look.zona_absorption_per_mm = look.ooplasm_absorption_per_mm = 1.0;
-  MicroscopeScene::Cell cell = round_cell(50, 45, 75);
+  MicroscopeCell cell = round_cell(50, 45, 75);
   for (Contour_um* contour : {&cell.outer_um, &cell.inner_um, &cell.ooplasm_um})
     for (Eigen::Index k = 0; k < contour->cols(); ++k)
       if ((*contour)(1, k) > 0) (*contour)(1, k) -= 40 * std::exp(-std::pow((*contour)(0, k) / 12, 2));

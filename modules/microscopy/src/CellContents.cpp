@@ -63,7 +63,7 @@ CellContents::CellContents(const Look::Cell& look, double cell_radius_um, double
   nucleus_ = {static_cast<float>(0.5 * uniform(engine)), static_cast<float>(kFullTurn * uniform(engine))};
 }
 
-Eigen::Vector2d CellContents::contour_place(const MicroscopeScene::Cell& cell, const Contour_um& contour,
+Eigen::Vector2d CellContents::contour_place(const MicroscopeCell& cell, const Contour_um& contour,
                                             double angle_rad) const {
   const auto& angles = cell.angle_rad;
   const double wanted = angles(0) + std::fmod(std::fmod(angle_rad - angles(0), kFullTurn) + kFullTurn, kFullTurn);
@@ -93,7 +93,7 @@ void CellContents::add_grain(cv::Mat1f& phase_rad, const Eigen::Vector2d& place_
   }
 }
 
-void CellContents::add(OpticalPath& path, const MicroscopeScene::Cell& cell) {
+void CellContents::add(OpticalPath& path, const MicroscopeCell& cell) {
   flow_.update(cell.ooplasm_um, cell.angle_rad);
   auto place_um = [&](float ratio, float angle) {
     const Eigen::Vector2d from = flow_.place_of(ratio, angle).cast<double>();

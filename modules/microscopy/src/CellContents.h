@@ -14,7 +14,7 @@ class CellContents {
   CellContents(const Look::Cell& look, double cell_radius_um, double pixel_size_um, std::uint64_t seed);
 
   /// Adds them to the path.
-  void add(OpticalPath& path, const MicroscopeScene::Cell& cell);
+  void add(OpticalPath& path, const MicroscopeCell& cell);
 
  private:
   // In the ooplasm: rest coordinates of OoplasmFlow, depth from the focal plane.
@@ -28,7 +28,7 @@ class CellContents {
   struct Cumulus {
     double angle_rad, ratio, radius_um, index, blur_um;
   };
-  Eigen::Vector2d contour_place(const MicroscopeScene::Cell& cell, const Contour_um& contour, double angle_rad) const;
+  Eigen::Vector2d contour_place(const MicroscopeCell& cell, const Contour_um& contour, double angle_rad) const;
   void add_grain(cv::Mat1f& phase_rad, const Eigen::Vector2d& place_px, float sigma_px, float phase) const;
 
   Look::Cell look_;

@@ -97,7 +97,7 @@ void CellPath::add_thickness(const Contour_um& contour, float weight, cv::Mat1f&
   }
 }
 
-void CellPath::add(OpticalPath& path, const MicroscopeScene::Cell& cell) {
+void CellPath::add(OpticalPath& path, const MicroscopeCell& cell) {
   // The section's box with a margin.
   const double margin_um = look_.zona_softness_um + 4 * step_um_ + 2 * pixel_size_um_;
   const Eigen::Vector2d low = cell.outer_um.rowwise().minCoeff().array() - margin_um,

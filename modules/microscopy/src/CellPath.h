@@ -15,7 +15,7 @@ class CellPath {
   CellPath(const Look::Cell& look, double pixel_size_um);
 
   /// Adds the cell to the path.
-  void add(OpticalPath& path, const MicroscopeScene::Cell& cell);
+  void add(OpticalPath& path, const MicroscopeCell& cell);
 
  private:
   // A contour's crossing of a place along the axis: distance from it, and whether material begins inwards (+1) there.

@@ -93,7 +93,7 @@ ImageView OpticalScene::render(const Truth& truth, const SpecimenState& state, c
 
 void OpticalScene::place_cell(const Truth& truth, const SpecimenState& state, const StagePose& stage) {
   const SpecimenPose pose = stage.place(rest_pose_);
-  MicroscopeScene::Cell& cell = scene_.cell.emplace();
+  MicroscopeCell& cell = scene_.cell.emplace();
   cell.outer_um = state.section.outer_um;
   cell.inner_um = state.section.inner_um;
   cell.ooplasm_um = offset_contour(cell.inner_um, -scenario_.cell.perivitelline_gap_um);
