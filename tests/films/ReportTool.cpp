@@ -2,6 +2,7 @@
 // came of it, by contrast and together.
 //   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
 //               [--csv FILE] [--worst FOLDER] [--frames]
+// "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // --film: that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of the ten worst
 // films, truth green, found red. --frames: also a line a frame.
 #include <algorithm>
@@ -88,7 +89,7 @@ std::string percent(double part, double whole) {
 
 void print_head() {
   std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n", "", "",
-              "", "found", "found", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
+              "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
               "force", "% RMS", "in", "ms");
   std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n",
               "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%",
@@ -122,8 +123,9 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
       "%-13s %5zu %6.0f %6s %6s | %6.2f %6.2f %6.2f | %6.2f %6.2f | %6s %7.2f %7.2f | %8.1f %8.0f %4d/%-3d | %6.1f "
       "%6.1f "
       "%5s | %5.1f\n",
-      name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(), percent(none_found, none_frames).c_str(),
-      quantile(outer, 0.5), quantile(outer, 0.95), quantile(outer, 0.99), quantile(inner, 0.5), quantile(inner, 0.95),
+      name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(),
+      percent(none_frames - none_found, none_frames).c_str(), quantile(outer, 0.5), quantile(outer, 0.95),
+      quantile(outer, 0.99), quantile(inner, 0.5), quantile(inner, 0.95),
       percent(static_cast<double>(tip.size()), cell_frames).c_str(), quantile(tip, 0.5), quantile(tip, 0.95),
       1e3 * bold / std::max(frames, 1.0), 1e4 * false_count / std::max(contact, 1.0), told, punctures,
       quantile(force, 0.5), quantile(force, 0.95), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));

@@ -58,6 +58,23 @@ TEST(Looks, HolderOutOfViewAndCellOutOfView) {
   EXPECT_TRUE(VirtualMicroscope(scenario).next());  // drawn, too
 }
 
+TEST(Looks, NeedleMovesInDepth) {
+  Scenario scenario = scenario_of(
+      R"({"look": "hoffman", "image": {"frame_rate_hz": 10, "duration_s": 1.5},
+          "motion": {"gap_um": 20, "indentation_um": 0, "approach_speed_um_per_s": 500, "hold_s": 2,
+                     "out_of_plane_um": 25, "out_of_plane_time_s": 0.8}})");
+  VirtualMicroscope microscope(scenario);
+  while (microscope.next()) {
+    const Truth& truth = microscope.truth();
+    if (truth.observation.time_s <= 0.8) {
+      EXPECT_EQ(truth.tip_um.z, 0);
+    }
+    if (truth.observation.time_s >= 1.15) {
+      EXPECT_NEAR(truth.tip_um.z, 25, 1e-9);
+    }
+  }
+}
+
 // The picture with the cell and that without differ inside the true contour alone.
 TEST(Looks, CellIsDrawnInsideItsTrueContour) {
   Look look;

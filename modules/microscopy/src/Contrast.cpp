@@ -18,6 +18,9 @@ constexpr float kDarkest_ratio = 0.85f, kBrightest_ratio = 0.7f;
 constexpr float kReliefSlope_rad_per_um = 1.3f;  // where Hoffman's relief has two thirds of its range
 constexpr double kShear_um = 0.55;               // of the DIC prism
 constexpr float kCompression = 0.35f;            // of phase contrast: light for a factor e of path
+constexpr double kDetail_um = 1.5;               // what is finer is detail in phase contrast,
+constexpr float kDetail = 0.7f;                  // this is the most it adds,
+constexpr float kDetailRange_rad = 0.8f;         // and the path that gives most of that
 constexpr double kCondenser_ratio = 0.10;        // the cone of light blurs what is out of focus, um for a um
 constexpr double kNeedleBlur_ratio = 0.25;       // the same of the needle, which is thin and bright
 
@@ -113,13 +116,16 @@ void Contrast::develop(OpticalPath& path, double needle_out_of_plane_um, cv::Mat
     cv::resize(total_, small_, {}, 1.0 / shrink, 1.0 / shrink, cv::INTER_AREA);
     cv::GaussianBlur(small_, small_, {}, sigma_px / shrink, sigma_px / shrink, cv::BORDER_REPLICATE);
     cv::resize(small_, wide_, total_.size(), 0, 0, cv::INTER_LINEAR);
+    // Detail finer than the ring's image keeps its contrast on any halo.
+    cv::GaussianBlur(total_, near_, {}, kDetail_um / pixel_size_um_, kDetail_um / pixel_size_um_, cv::BORDER_REPLICATE);
     const float turn = look_.inverted ? strength : -strength;
     apply(
         total_, path.absorbance,
         [&, turn](float, float, float, int y, int x) {
           const float d = 2 * (total_(y, x) - wide_(y, x)), size = std::abs(d);
           const float compressed = kCompression * std::log(size + std::sqrt(size * size + 1));
-          return 1 + kDarkest_ratio * limited(turn * (d < 0 ? -compressed : compressed));
+          const float detail = kDetail * limited((total_(y, x) - near_(y, x)) / kDetailRange_rad);
+          return 1 + kDarkest_ratio * limited(turn * ((d < 0 ? -compressed : compressed) + detail));
         },
         light);
   } else {

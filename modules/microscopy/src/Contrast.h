@@ -26,7 +26,7 @@ class Contrast {
 
   Look::Contrast look_;
   double pixel_size_um_;
-  cv::Mat1f total_, wide_, small_, bent_;
+  cv::Mat1f total_, wide_, small_, near_;
 };
 
 }  // namespace pellucida
