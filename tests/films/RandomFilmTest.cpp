@@ -10,7 +10,7 @@
 namespace pellucida::test {
 namespace {
 
-constexpr std::uint64_t kFilms = 25;
+constexpr std::uint64_t kFilms = 12;
 
 TEST(RandomFilm, IsWholeAndInItsRanges) {
   for (const Split split : {Split::kTuning, Split::kValidation})
@@ -47,8 +47,8 @@ TEST(RandomFilm, SameSeedSameFilmAndFamiliesKeptApart) {
       EXPECT_EQ(one.look.contrast.defocus_um, two.look.contrast.defocus_um);
       families[split == Split::kTuning ? 0 : 1].insert(one.family);
     }
-  EXPECT_GE(families[0].size(), 6u);
-  EXPECT_GE(families[1].size(), 6u);
+  EXPECT_GE(families[0].size(), 4u);
+  EXPECT_GE(families[1].size(), 4u);
   for (const std::string& family : families[0]) EXPECT_FALSE(families[1].contains(family)) << family;
   EXPECT_NE(draw_film(Split::kTuning, 1).scenario.tools.holder_angle_deg,
             draw_film(Split::kTuning, 2).scenario.tools.holder_angle_deg);
