@@ -131,7 +131,8 @@ TEST(InjectionPlan, ABadFileSaysWhere) {
     }
     return std::string();
   };
-  EXPECT_NE(text_of_error("[").find("plan.json: no JSON"), std::string::npos);
+  EXPECT_NE(text_of_error("[").find("plan.json is no JSON"), std::string::npos);
+  EXPECT_NE(text_of_error("{\"depth_um\": 1e999}").find("too large"), std::string::npos);
   EXPECT_NE(text_of_error("{}").find("\"schema\" is missing"), std::string::npos);
   std::string good = to_json(*plan_injection(oocyte()));
   EXPECT_EQ(text_of_error(good), "");

@@ -55,10 +55,10 @@ TEST(Scenario, ReadsEveryGroup) {
 TEST(Scenario, SaysWhichKeyIsUnknown) {
   EXPECT_EQ(message_of<UsageError>(R"({"lamp": {"blur": 1}})"),
             "scenario 'test': lamp.blur is an unknown key; known: step_time_s, step_ratio, flicker_ratio, flicker_hz");
-  EXPECT_EQ(
-      message_of<UsageError>(R"({"camera": {}})"),
-      "scenario 'test': camera is an unknown key; known: description, look, seed, image, cell, tools, motion, puncture, "
-      "optics, drift, lamp, debris, bystander");
+  EXPECT_EQ(message_of<UsageError>(R"({"camera": {}})"),
+            "scenario 'test': camera is an unknown key; known: description, look, seed, image, cell, tools, motion, "
+            "puncture, "
+            "optics, drift, lamp, debris, bystander");
 }
 
 TEST(Scenario, DefaultsAreInTheirRangesAndOnThePage) {
@@ -87,6 +87,7 @@ TEST(Scenario, SaysWhichTypeIsWrong) {
 
 TEST(Scenario, TextThatIsNoJsonIsAnInputError) {
   EXPECT_NE(message_of<InputError>("{").find("is no JSON"), std::string::npos);
+  EXPECT_NE(message_of<InputError>("{\"seed\": 1e999}").find("too large"), std::string::npos);
   EXPECT_NE(message_of<InputError>("[]").find("no JSON object"), std::string::npos);
   EXPECT_THROW(load_scenario("no-such-scenario"), InputError);
 }

@@ -100,6 +100,8 @@ Json parse_json_object(std::string_view text, const std::string& what) {
     json = Json::parse(text, nullptr, true, true);
   } catch (const Json::parse_error& error) {
     throw InputError(what + " is no JSON: byte " + std::to_string(error.byte) + "; correct it or use a shipped one");
+  } catch (const Json::out_of_range&) {
+    throw InputError(what + " has a number too large to be one; correct it or use a shipped one");
   }
   if (!json.is_object()) throw InputError(what + " is no JSON object; write {...}");
   return json;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldJson.h"
 #include "pellucida/planning/InjectionPlan.h"
 
 namespace pellucida {
@@ -86,12 +87,7 @@ std::string to_json(const InjectionPlan& plan) {
 }
 
 InjectionPlan plan_from_json(std::string_view json, const std::string& what) {
-  Json root;
-  try {
-    root = Json::parse(json);
-  } catch (const Json::parse_error& error) {
-    throw InputError(what + ": no JSON at byte " + std::to_string(error.byte) + "; correct it or make a new plan");
-  }
+  const Json root = parse_json_object(json, what);
   const Reader in(root, what);
   if (in.at("schema") != "pellucida-injection-plan") in.fail("schema", "must be \"pellucida-injection-plan\"");
   if (in.at("schema_version") != 1) in.fail("schema_version", "is newer than this program; update it");
