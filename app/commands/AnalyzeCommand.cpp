@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "DetectionOption.h"
 #include "commands/CommandLine.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
@@ -66,6 +67,7 @@ void add_analyze_command(CLI::App& app) {
                    "time does not matter")
       ->check(CLI::IsMember({"live", "high"}))
       ->capture_default_str();
+  add_detection_option(*command, arguments->pipeline.tracker.detection);
   command->add_option("--known-force-uN", arguments->palpation.known_force_uN,
                       "force measured independently in a small push beforehand, uN: scales all forces to this cell");
   command->add_option("--known-stiffness-uN-per-um", arguments->palpation.known_stiffness_uN_per_um,

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 
+#include "DetectionOption.h"
 #include "commands/CommandLine.h"
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
@@ -129,6 +130,7 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, or a camera v4l2:N")
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
+  add_detection_option(*command, arguments->pipeline.tracker.detection);
   command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um,
                       "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");

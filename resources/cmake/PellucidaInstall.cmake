@@ -24,7 +24,7 @@ string(TIMESTAMP PELLUCIDA_RELEASE_DATE "%Y-%m-%d" UTC)
 configure_file(${desktop}/pellucida.metainfo.xml.in ${PROJECT_BINARY_DIR}/pellucida.metainfo.xml @ONLY)
 
 install(TARGETS pellucida RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(folder devices looks profiles reference scenarios)
+foreach(folder devices looks networks profiles reference scenarios)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/pellucida)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md

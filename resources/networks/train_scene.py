@@ -2,15 +2,16 @@
 """Trains the scene network, which labels each pixel of a micrograph: zona, inside of the cell, needle, holding pipette,
 another body, background; and where the needle's tip is.
 
-    film_samples --count 6000 --family tuning --output samples        (a test program of this project draws them)
+    build/release/bin/film_samples --count 4400 --out samples         (a test program of this project draws them)
     python3 train_scene.py samples scene.onnx --minutes 60
 
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only;
-the validation families stay unseen. The picture is scaled so that the cell covers 14 to 150 network pixels, turned,
+the validation families stay unseen. The picture is scaled so that the cell covers 14 to 190 network pixels, turned,
 mirrored, its grey values stretched, bent and inverted: nothing of polarity or brightness is left to learn.
 """
 import argparse
 import csv
+import glob
 import os
 import time
 
@@ -64,31 +65,38 @@ def normalised(picture):
 
 
 class Samples:
-    def __init__(self, folder):
-        self.items = []
-        with open(os.path.join(folder, "samples.csv")) as file:
-            for row in csv.DictReader(file):
-                path = os.path.join(folder, row["file"])
-                image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
-                label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
-                ratio = min(1.0, CACHE_SIDE / max(image.shape))
-                size = (round(image.shape[1] * ratio), round(image.shape[0] * ratio))
-                image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
-                label = cv2.resize(label, size, interpolation=cv2.INTER_NEAREST)
+    """Pictures and labels of a folder; `load` takes in what has been added since."""
 
-                def number(key, scale=ratio):
-                    return float(row[key]) * scale if row.get(key) else None
-                tip = (number("tip_x_px"), number("tip_y_px"))
-                cell = (number("center_x_px"), number("center_y_px"), number("outer_radius_px"))
-                self.items.append((image, label, tip if tip[0] is not None else None,
-                                   cell if cell[2] is not None else None))
+    def __init__(self, folder):
+        self.folder, self.items, self.known = folder, [], set()
+        self.load()
+
+    def load(self):
+        for path in sorted(glob.glob(os.path.join(self.folder, "samples*.csv"))):
+            with open(path) as file:
+                for row in csv.DictReader(file):
+                    if row["frame"] is not None and row["file"] not in self.known:
+                        self.known.add(row["file"])
+                        self.items.append(self.read(row))
+
+    def read(self, row):
+        path = os.path.join(self.folder, row["file"])
+        image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
+        label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+        ratio = min(1.0, CACHE_SIDE / max(image.shape))
+        size = (round(image.shape[1] * ratio), round(image.shape[0] * ratio))
+        image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+        label = cv2.resize(label, size, interpolation=cv2.INTER_NEAREST)
+        number = lambda key: float(row[key]) * ratio if row[key] else None
+        return (image, label, (number("tip_x_px"), number("tip_y_px")),
+                (number("center_x_px"), number("center_y_px"), number("outer_radius_px")))
 
     def draw(self, random):
         image, label, tip, cell = self.items[random.integers(len(self.items))]
         h, w = image.shape
         whole = SIDE / max(h, w)
-        if cell is not None and random.random() < 0.6:
-            scale = np.exp(random.uniform(np.log(14), np.log(150))) / (2 * cell[2])
+        if cell[2] is not None and random.random() < 0.6:
+            scale = np.exp(random.uniform(np.log(14), np.log(190))) / (2 * cell[2])
             middle = np.array(cell[:2]) + random.normal(0, 0.4, 2) * cell[2]
             if random.random() < 0.5:
                 middle = random.uniform(0, 1, 2) * (w, h)
@@ -117,8 +125,8 @@ class Samples:
             x = cv2.GaussianBlur(x, (0, 0), random.uniform(0.3, 1.2))
         x += random.normal(0, random.uniform(0, 6), x.shape)
         heat = np.zeros((SIDE // 2, SIDE // 2), np.float32)
-        if tip is not None:
-            at = (m @ np.array([*tip, 1.0])) / 2 - 0.25
+        if tip[0] is not None and 0 <= tip[0] < w and 0 <= tip[1] < h:
+            at = (m @ np.array([*tip, 1.0])) / 2
             u, v = np.meshgrid(np.arange(SIDE // 2), np.arange(SIDE // 2))
             heat = np.exp(-((u - at[0]) ** 2 + (v - at[1]) ** 2) / (2 * TIP_SIGMA ** 2)).astype(np.float32)
         return normalised(x), y[::2, ::2].astype(np.int64), heat
@@ -174,12 +182,21 @@ def main():
         optimiser.step()
         mean = loss.item() if mean is None else 0.98 * mean + 0.02 * loss.item()
         step += 1
+        if step % 200 == 0:
+            samples.load()
         if step % 50 == 0:
-            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}", flush=True)
+            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}  {len(samples.items)} samples", flush=True)
             torch.save(network.state_dict(), options.output[:-5] + ".pt")
+    export(network, options.output)
+
+
+def export(network, path):
+    """Weighted classes are more probable than they are: the weights' logarithms come off the last layer."""
     network.eval()
-    torch.save(network.state_dict(), options.output[:-5] + ".pt")
-    torch.onnx.export(network, torch.zeros(1, 1, SIDE, 256), options.output, opset_version=11, input_names=["picture"],
+    torch.save(network.state_dict(), path[:-5] + ".pt")
+    with torch.no_grad():
+        network.out.bias[:CLASSES] -= torch.log(torch.tensor(CLASS_WEIGHTS))
+    torch.onnx.export(network, torch.zeros(1, 1, SIDE, 256), path, opset_version=11, input_names=["picture"],
                       output_names=["scene"])
 
 

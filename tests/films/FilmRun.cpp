@@ -41,13 +41,13 @@ bool FilmRun::is_confident_and_wrong(const FrameError& error) const {
   return has_cell ? error.outer_px > 2.0 || error.tip_px > 3.0 : sees_cell;
 }
 
-FilmRun run_film(const RandomFilm& film) {
+FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   using Clock = std::chrono::steady_clock;
   FilmRun run;
   run.film = film;
   run.has_cell = film.scenario.cell.in_view;
   VirtualMicroscope microscope(film.scenario, film.look);
-  MembraneTracker tracker;
+  MembraneTracker tracker(options);
   ForceObserver observer(load_profile(film.scenario.cell.reference), {});
   std::vector<double> frame_ms;
   double force_squares = 0.0, peak_uN = 0.0, worst_badness = -1.0;

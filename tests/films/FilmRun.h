@@ -6,6 +6,8 @@
 #include "pellucida/core/Observation.h"
 #include "tracking/ScenarioRun.h"
 
+#include "pellucida/tracking/TrackerOptions.h"
+
 namespace pellucida::test {
 
 /// The worst frame of a film, to be shown.
@@ -34,7 +36,7 @@ struct FilmRun {
   bool is_confident_and_wrong(const FrameError& error) const;
 };
 
-FilmRun run_film(const RandomFilm& film);
+FilmRun run_film(const RandomFilm& film, const TrackerOptions& options = {});
 
 /// The worst frame with the true contours and tip (green) and those found (red), as PNG.
 void draw_worst(const FilmRun& run, const std::string& file);

@@ -30,6 +30,7 @@ struct Choice {
   int jobs = 1, widest_px = 2048;
   std::string csv, worst;
   bool frames = false;
+  TrackerOptions tracker;
 };
 
 Choice read_arguments(int count, char** arguments) {
@@ -59,6 +60,10 @@ Choice read_arguments(int count, char** arguments) {
       choice.csv = value();
     } else if (word == "--worst") {
       choice.worst = value();
+    } else if (word == "--detection") {
+      const std::string detection = value();
+      if (detection != "lines" && detection != "scene") throw UsageError("--detection is lines or scene");
+      if (detection == "scene") choice.tracker.detection = TrackerOptions::Detection::kScene;
     } else if (word == "--frames") {
       choice.frames = true;
     } else {
@@ -190,7 +195,7 @@ void report(const Choice& choice) {
   const auto work = [&] {
     for (std::size_t k; !failed && (k = next++) < runs.size();) {
       try {
-        runs[k] = test::run_film(test::draw_film(choice.split, choice.first + k, choice.widest_px));
+        runs[k] = test::run_film(test::draw_film(choice.split, choice.first + k, choice.widest_px), choice.tracker);
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
       }

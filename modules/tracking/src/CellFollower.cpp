@@ -73,15 +73,27 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   find_needle(frame, circle, tools);
 }
 
+// By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
 void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
                                const std::vector<FoundTool>& tools) {
-  for (const FoundTool& tool : tools) {
-    if (tool.half_width() >= kBroadTool_ratio * circle.radius) continue;
-    if (holder_ && tool.direction.dot(holder_direction()) > 0.8) continue;
-    if (!needle_.start(frame.image, tool, frame.noise)) continue;
+  const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected) {
+    if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
+    if (holder_ && tool.direction.dot(holder_direction()) > 0.8) return false;
+    if (!needle_.start(frame.image, tool, frame.noise, expected)) return false;
     const NeedleEstimate& n = needle_.estimate();
     const double beyond = (n.tip - circle.center).dot(n.direction);
-    if (n.tip_half_width < kBroadTip_ratio * circle.radius && beyond < kThrough_ratio * circle.radius) return;
+    return n.tip_half_width < kBroadTip_ratio * circle.radius && beyond < kThrough_ratio * circle.radius;
+  };
+  if (frame.scene == nullptr) {
+    for (const FoundTool& tool : tools)
+      if (is_needle(tool, nullptr)) return;
+  } else {
+    for (const SceneTool& seen : frame.scene->needles) {
+      const ExpectedTip expected = expected_tip(seen);
+      for (const FoundTool& tool : tools)
+        if (is_same(tool, seen) && is_needle(tool, &expected)) return;
+      if (is_needle(found_tool(seen), &expected)) return;
+    }
   }
   needle_.reset();
 }
@@ -145,7 +157,14 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   needle_.reset();
   find_tools_of(frame, cell.circle);
   const NeedleZone needle_zone = zone();
-  if (!snakes_.start(frame.image, cell.lines(), frame.noise, needle_.valid() ? &needle_zone : nullptr)) return false;
+  const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
+  if (cell.outer.kind.is_learnt()) {
+    OutlineStart outlines{cell.outer.points, {}, SceneReader::outline_error_px(cell.circle.radius), cell.score};
+    if (cell.inner) outlines.inner = cell.inner->points;
+    if (!snakes_.start(frame.image, outlines, frame.noise, known)) return false;
+  } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {
+    return false;
+  }
   zona_.start(frame.image, frame.noise, cell, snakes_.outer());
   detection_score_ = std::min(1.0, snakes_.sureness() / 0.6);
   bad_frames_ = poor_frames_ = frames_followed_ = 0;
@@ -193,7 +212,9 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     if (zone().is_shade) cue.body = reach_of_cell();
     const bool seen = needle_.track(frame.image, frame.noise, cue);
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
-  } else if (frames_followed_ % 3 == 0 || frames_followed_ < 10) {
+  } else if (options_.detection == TrackerOptions::Detection::kScene
+                 ? frame.scene != nullptr
+                 : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
   }

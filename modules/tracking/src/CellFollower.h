@@ -12,6 +12,7 @@
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
 #include "RigidMotion.h"
+#include "SceneReader.h"
 #include "SoftZona.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -27,6 +28,7 @@ struct FrameInput {
   double noise = 0.0;                               ///< standard deviation of a pixel, 0..1 of the range
   std::optional<Eigen::Vector2d> needle_motion_px;  ///< commanded since the frame before
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
+  const SceneReading* scene = nullptr;              ///< what the network shows of it; null: it wasn't asked
 };
 
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together

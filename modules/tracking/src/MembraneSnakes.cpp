@@ -77,12 +77,16 @@ void MembraneSnakes::search(const FrameSampler& image, const NeedleZone* needle,
   contour::outward_normals(outer_.points, normals_);
   const double reach_in = search_px + (has_inner() ? 1.6 * thickness_ : 0.0);
   strip_.sample(image, outer_.points, normals_, reach_in + 3.0, search_px + 3.0, kSearchStep);
-  strip_.features(EdgeFilter(outer_.scale_px, kSearchStep, outer_.kind), 1, feature_);
-  to_reward(feature_, outer_.strength, reward_outer_);
-  if (has_inner()) {
-    strip_.features(EdgeFilter(inner_.scale_px, kSearchStep, inner_.kind), 1, feature_);
-    to_reward(feature_, inner_.strength, reward_inner_);
-  }
+  const auto reward = [&](const SnakeContour& snake, const Look& look, Eigen::MatrixXf& out) {
+    if (snake.kind.is_learnt()) {
+      reward_by_look(image, look, out);
+      return;
+    }
+    strip_.features(EdgeFilter(snake.scale_px, kSearchStep, snake.kind), 1, feature_);
+    to_reward(feature_, snake.strength, out);
+  };
+  reward(outer_, outer_look_, reward_outer_);
+  if (has_inner()) reward(inner_, inner_look_, reward_inner_);
   // The needle's own edges say nothing about a membrane; the tip itself does, once it touches.
   if (needle) {
     for (int i = 0; i < strip_.rows(); ++i) {

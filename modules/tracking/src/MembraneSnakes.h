@@ -53,6 +53,14 @@ struct SnakeContour {
   bool is_soft() const noexcept { return kind.step != 0.0; }
 };
 
+/// Rough outlines to start from, px: good to about `error_px`.
+struct OutlineStart {
+  Eigen::Matrix2Xd outer;  ///< (2 x n), n >= 3, closed
+  Eigen::Matrix2Xd inner;  ///< the same; empty where none is known
+  double error_px = 2.0;
+  double share = 1.0;  ///< 0..1: how sure it is that this is a cell
+};
+
 /// The pair of coupled snakes.
 class MembraneSnakes {
  public:
@@ -61,6 +69,10 @@ class MembraneSnakes {
   /// Starts from a detection, and learns the edges' look on `image`. False when the edges found do not look like a
   /// membrane's.
   bool start(const FrameSampler& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
+
+  /// Starts from outlines of edges of any look, polarity and shading, which is learnt from `image` along them. False
+  /// when no look holds all round.
+  bool start(const FrameSampler& image, const OutlineStart& outlines, double noise, const NeedleZone* needle);
 
   /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's
   /// own motion, near its tip). Returns the outer contour's score.
@@ -101,12 +113,16 @@ class MembraneSnakes {
                    double reach_px);
   void learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle);
   void learn_looks(const FrameSampler& image, double noise, const NeedleZone* needle);
+  void anchor(const FrameSampler& image, double noise, bool is_outer, const Eigen::Matrix2Xd& outline,
+              const NeedleZone* needle);
+  bool learn_along(const FrameSampler& image, double noise, bool is_outer, double error_px, const NeedleZone* needle);
   void measure_gaps();
   void learn_thickness(const NeedleZone* needle, double share);
 
   // Each frame.
   void predict(const Eigen::Vector2d& shift, const Eigen::Vector2d& push, const NeedleZone* needle);
   void search(const FrameSampler& image, const NeedleZone* needle, double search_px);
+  void reward_by_look(const FrameSampler& image, const Look& look, Eigen::MatrixXf& reward);
   bool follow(const FrameSampler& image, double noise, const NeedleZone* needle, bool give_up_early);
   double fine_round(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);
   void localise(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);

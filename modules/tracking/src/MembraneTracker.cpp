@@ -1,10 +1,12 @@
 #include "pellucida/tracking/MembraneTracker.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "CellDetector.h"
 #include "CellFollower.h"
 #include "ObservationReport.h"
+#include "SceneReader.h"
 #include "TrackerChecks.h"
 
 namespace pellucida {
@@ -12,6 +14,11 @@ namespace {
 
 // A needle with no cell: how far it may go between two frames, and when it counts as gone.
 constexpr double kNeedleReach_px = 34.0, kLeastNeedleConfidence = 0.1;
+// While a cell has no needle: frames between two looks at the whole image; frames in which a cell is new, and a third
+// as many lie between them.
+constexpr int kNeedleSearch_frames = 10, kNewCell_frames = 10;
+// Least probability of a cell of the scene.
+constexpr double kLeastShare = 0.6;
 
 }  // namespace
 
@@ -39,6 +46,7 @@ class MembraneTracker::Impl {
       has_cell_ = false;
       detect(frame);
     } else if (has_cell_) {
+      if (!cell_.needle().valid() && is_needle_search_due()) look(frame);
       has_cell_ = cell_.follow(frame);
       if (!has_cell_) detect(frame);
     } else if (frames_since_detection_ >= options_.redetect_interval_frames) {
@@ -73,23 +81,55 @@ class MembraneTracker::Impl {
   const TrackerTimings& timings() const noexcept { return timings_; }
 
  private:
+  bool by_scene() const noexcept { return options_.detection == TrackerOptions::Detection::kScene; }
+
+  // The whole image, and what the network shows of it.
+  void look(FrameInput& frame) {
+    const PartTimer timer(timings_.detection_us);
+    load(frame.view, whole_);
+    if (!by_scene()) return;
+    scene_ = reader_.read(whole_);
+    frame.scene = &scene_;
+  }
+
   // Looks for a cell with no memory of an earlier one; a person's hint serves once.
-  void detect(const FrameInput& frame) {
+  void detect(FrameInput& frame) {
+    look(frame);
     const PartTimer timer(timings_.detection_us);
     frames_since_detection_ = 0;
     const std::optional<DetectionHint> hint = hint_px(frame.view.pixel_size_um);
     hint_.reset();
-    load(frame.view, whole_);
-    const std::optional<DetectedCell> found = detect_cell(whole_, options_, hint ? &*hint : nullptr);
-    has_cell_ = found && cell_.start(frame, *found);
-    // The cell on the holding pipette is the one that is worked on, not a bystander or a bubble that looks as round.
-    if (found && !hint && !(has_cell_ && has_tools())) {
-      const std::optional<DetectedCell> other = detect_cell(whole_, options_, nullptr, &found->circle);
-      const bool better = other && cell_.start(frame, *other) && has_tools();
-      if (better) has_cell_ = true;
-      if (!better && has_cell_) has_cell_ = cell_.start(frame, *found);
-    }
+    has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
     ever_ = ever_ || has_cell_;
+  }
+
+  bool start_at(const FrameInput& frame, const DetectionHint& hint) {
+    const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
+    return found && cell_.start(frame, *found);
+  }
+
+  bool start_best(const FrameInput& frame) {
+    if (!by_scene()) {
+      const std::optional<DetectedCell> found = detect_cell(whole_, options_);
+      return found && start_at_tools(frame, *found);
+    }
+    for (const SceneCell& seen : scene_.cells)
+      if (seen.share > kLeastShare && cell_.start(frame, detected(seen))) return true;
+    return false;
+  }
+
+  // The cell on the holding pipette is the one that is worked on, not a bystander or a bubble that looks as round.
+  bool start_at_tools(const FrameInput& frame, const DetectedCell& found) {
+    const bool started = cell_.start(frame, found);
+    if (started && has_tools()) return true;
+    const std::optional<DetectedCell> other = detect_cell(whole_, options_, nullptr, &found.circle);
+    if (other && cell_.start(frame, *other) && has_tools()) return true;
+    return started && cell_.start(frame, found);
+  }
+
+  bool is_needle_search_due() const {
+    return by_scene() &&
+           frames_since_detection_ % (frames_since_detection_ < kNewCell_frames ? 3 : kNeedleSearch_frames) == 0;
   }
 
   bool has_tools() const { return cell_.holder() || cell_.needle().valid(); }
@@ -101,9 +141,18 @@ class MembraneTracker::Impl {
       const bool seen =
           lone_needle_.track(frame.image, frame.noise, {kNeedleReach_px, true, frame.needle_motion_px, {0.0, 0.0}});
       if (!seen && lone_needle_.estimate().confidence < kLeastNeedleConfidence) lone_needle_.reset();
-    } else if (frames_since_detection_ == 0 && !lone_needle_.start_anywhere(frame.image, whole_, frame.noise)) {
+    } else if (by_scene()
+                   ? frame.scene == nullptr || !start_lone_needle(frame)
+                   : frames_since_detection_ == 0 && !lone_needle_.start_anywhere(frame.image, whole_, frame.noise)) {
       lone_needle_.reset();
     }
+  }
+
+  bool start_lone_needle(const FrameInput& frame) {
+    return std::any_of(scene_.needles.begin(), scene_.needles.end(), [&](const SceneTool& seen) {
+      const ExpectedTip expected = expected_tip(seen);
+      return lone_needle_.start(frame.image, found_tool(seen), frame.noise, &expected);
+    });
   }
 
   std::optional<DetectionHint> hint_px(double pixel_size_um) const {
@@ -122,6 +171,8 @@ class MembraneTracker::Impl {
   CellFollower cell_;
   NeedleTracker lone_needle_;
   GrayImage whole_;
+  SceneReader reader_;
+  SceneReading scene_;
   std::optional<CellHint> hint_;
   bool has_cell_ = false, ever_ = false;
   int frames_since_detection_ = 0, width_px_ = 0, height_px_ = 0;

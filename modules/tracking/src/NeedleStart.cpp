@@ -212,8 +212,8 @@ void fit_line(const std::vector<double>& x, const std::vector<double>& y, double
 
 }  // namespace
 
-std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTool& tool, double noise,
-                                        double skip_px) {
+std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTool& tool, double noise, double skip_px,
+                                        const ExpectedTip* expected) {
   const Eigen::Vector2d inwards = -tool.direction, across(-inwards.y(), inwards.x());
   const Eigen::Vector2d on_line =
       tool.origin + tool.offset() * Eigen::Vector2d(-tool.direction.y(), tool.direction.x());
@@ -229,6 +229,7 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
   double begin = skip_px;
   while (begin < skip_px + 0.5 * out && !whole(begin, 0.0, broad + 2.0)) begin += 1.0;
   const Eigen::Vector2d entry = on_line + out * tool.direction;
+  const double expected_end = expected ? (expected->place - entry).dot(inwards) : 0.0;
 
   // What it looks like where it comes in.
   CrossSection section;
@@ -265,16 +266,17 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
   std::size_t count_at_end = 0;
   Outline last = outline;
   for (double t = begin; image.inside(entry + (t + block) * inwards + last.middle * across, 1.0); t += 0.5 * block) {
+    if (expected && t + 0.5 * block > expected_end + expected->reach_px) break;
     const double since = t - last_good;
     Outline here{last.middle + middle_slope * since, std::max(0.6, last.half_width + width_slope * since)};
     section.half_across = std::max(here.half_width + look.outside() + 2.0, 6.0);
-    const double centre = here.middle, expected = here.half_width;
+    const double centre = here.middle, likely = here.half_width;
     sample(image, entry, inwards, t, block, centre, noise, section);
     here.middle = 0.0;
     const Likeness like = fit(section, look, here);
     here.middle += centre;
     const bool near = std::abs(here.middle - centre) < 1.5 * blur + 0.05 * since + 0.5 &&
-                      std::abs(here.half_width - expected) < 1.5 * blur + 0.5 + 0.1 * expected;
+                      std::abs(here.half_width - likely) < 1.5 * blur + 0.5 + 0.1 * likely;
     const double alike = near ? like.correlation * std::min(like.gain, 1.5 / std::max(like.gain, 0.5)) : 0.0;
     sum += std::clamp(alike, 0.0, 1.0) - kChance;
     if (sum > best_sum) {
@@ -282,7 +284,7 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
       end = t + 0.5 * block;
       count_at_end = way.size() + 1;
     }
-    if (sum < best_sum - 4.0) break;
+    if (!expected && sum < best_sum - 4.0) break;
     if (alike < kChance) continue;
     way.push_back(t + 0.5 * block);
     middle.push_back(here.middle);
@@ -315,6 +317,10 @@ std::optional<NeedleGuess> guess_needle(const FrameSampler& image, const FoundTo
     }
     last = here;
     last_good = t;
+  }
+  if (expected && end < expected_end - expected->reach_px) {
+    end = expected_end;
+    count_at_end = way.size();
   }
   count_at_end = std::min(count_at_end, way.size());
   way.resize(count_at_end);

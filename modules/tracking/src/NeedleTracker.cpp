@@ -27,7 +27,7 @@ double way_to(const contour::Circle& body, const NeedleAxis& axis) {
 }
 
 // A shaft that is far out of focus where it comes in may be in focus near its tip: looks at it anew from further in.
-NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise) {
+NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise, const ExpectedTip* expected) {
   for (const double part : {0.6, 0.85}) {
     const double blur = guess.model.look.blur(), left = (1.0 - part) * guess.length_px;
     if (blur < 3.0 || left < 12.0) break;
@@ -36,7 +36,7 @@ NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise
     tool.direction = -guess.axis.direction;
     tool.offset_to = guess.model.cone.half_width(left) + 0.7 * blur;
     tool.offset_from = -tool.offset_to;
-    std::optional<NeedleGuess> nearer = guess_needle(image, tool, noise, part * guess.length_px);
+    std::optional<NeedleGuess> nearer = guess_needle(image, tool, noise, part * guess.length_px, expected);
     if (!nearer || nearer->model.look.blur() > 0.85 * blur) continue;
     // Two lines that merge towards the tip are no sharper needle.
     if (guess.model.look.is_line() && !nearer->model.look.is_line()) continue;
@@ -51,10 +51,12 @@ NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise
 
 }  // namespace
 
-bool NeedleTracker::start(const FrameSampler& image, const FoundTool& tool, double noise) {
+bool NeedleTracker::start(const FrameSampler& image, const FoundTool& tool, double noise, const ExpectedTip* expected) {
   reset();
-  std::optional<NeedleGuess> guess = guess_needle(image, tool, noise);
-  return guess && start(image, sharpened(image, std::move(*guess), noise), noise);
+  std::optional<NeedleGuess> guess = guess_needle(image, tool, noise, 0.0, expected);
+  if (!guess || !start(image, sharpened(image, std::move(*guess), noise, expected), noise)) return false;
+  valid_ = !expected || (now_.tip - expected->place).norm() < 2.0 * expected->reach_px;
+  return valid_;
 }
 
 bool NeedleTracker::start_anywhere(const FrameSampler& image, const GrayImage& gray, double noise) {
@@ -65,7 +67,7 @@ bool NeedleTracker::start_anywhere(const FrameSampler& image, const GrayImage& g
   std::stable_sort(guesses.begin(), guesses.end(),
                    [](const NeedleGuess& a, const NeedleGuess& b) { return a.strength > b.strength; });
   for (NeedleGuess& guess : guesses)
-    if (start(image, sharpened(image, std::move(guess), noise), noise)) return true;
+    if (start(image, sharpened(image, std::move(guess), noise, nullptr), noise)) return true;
   reset();
   return false;
 }

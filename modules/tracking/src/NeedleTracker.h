@@ -43,8 +43,9 @@ struct NeedleCue {
 /// `track` allocates only while the needle is learnt.
 class NeedleTracker {
  public:
-  /// Looks for the tip along a tool found by voting. False when the tool's edges can't be followed.
-  bool start(const FrameSampler& image, const FoundTool& tool, double noise);
+  /// Looks for the tip along a tool found by voting, near `expected` where other evidence says where it is. False when
+  /// the tool's edges can't be followed, or end elsewhere.
+  bool start(const FrameSampler& image, const FoundTool& tool, double noise, const ExpectedTip* expected = nullptr);
 
   /// Looks for a needle anywhere in an image, with no cell to go by: of the tools that lines alone suggest, the longest
   /// and darkest. `gray` is the same image. For now and then, not for every frame: about 20 ms.

@@ -10,6 +10,12 @@ struct TrackerOptions {
   enum class Quality { kLive, kHigh };
   Quality quality = Quality::kLive;
 
+  /// How cell and tools are found. kLines: by their dark lines, as bright field shows them; the most precise where it
+  /// does. kScene: by a learnt network that knows any contrast; what the membranes look like is then learnt from the
+  /// image along the outlines found.
+  enum class Detection { kLines, kScene };
+  Detection detection = Detection::kLines;
+
   // Detection.
   double min_cell_diameter_px = 36.0;  ///< of the outer membrane
   double max_cell_diameter_px = 560.0;

@@ -1,0 +1,175 @@
+#include "SceneReading.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "ContourMath.h"
+
+namespace pellucida {
+namespace {
+
+constexpr float kCertain = 0.5F;       // probability from which a map pixel belongs to a class
+constexpr int kFiner = 4;              // outlines are drawn on a grid that many times as fine as the map
+constexpr double kLeastCell = 14.0;    // map pixels: area of a cell
+constexpr double kLeastTool = 6.0;     // map pixels: area of a tool
+constexpr double kLeastLength = 4.0;   // map pixels: length of a tool
+constexpr double kLeastCircle = 0.45;  // 4 pi area / perimeter^2 of a cell's outline
+constexpr double kSlender = 1.5;       // length over width of a tool
+constexpr int kTipReach = 3;           // map pixels round a tool's end in which the tip's mark counts
+
+cv::Mat1f view(const SceneMap::Plane& plane) {
+  return {static_cast<int>(plane.rows()), static_cast<int>(plane.cols()), const_cast<float*>(plane.data())};
+}
+
+// Areas of a mask, as lists of pixels.
+std::vector<std::vector<cv::Point>> areas(const cv::Mat1b& mask) {
+  cv::Mat1i labels;
+  const int count = cv::connectedComponents(mask, labels, 8, CV_32S);
+  std::vector<std::vector<cv::Point>> result(static_cast<std::size_t>(count - 1));
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (labels(y, x) > 0) result[static_cast<std::size_t>(labels(y, x) - 1)].push_back({x, y});
+  return result;
+}
+
+double mean_share(const cv::Mat1f& share, const std::vector<cv::Point>& area) {
+  double sum = 0.0;
+  for (const cv::Point& p : area) sum += share(p);
+  return area.empty() ? 0.0 : sum / static_cast<double>(area.size());
+}
+
+// The longest outline of probability 1/2 about the area whose pixels `area` marks, px of the image.
+Eigen::Matrix2Xd outline(const SceneMap& map, const cv::Mat1f& share, const std::vector<cv::Point>& area) {
+  cv::Mat1f own(share.size(), 0.0F);
+  cv::Mat1b near(share.size(), uchar{0});
+  for (const cv::Point& p : area) near(p) = 255;
+  cv::dilate(near, near, {});
+  share.copyTo(own, near);
+  cv::Mat1f fine;
+  cv::resize(own, fine, {}, kFiner, kFiner, cv::INTER_LINEAR);
+  std::vector<std::vector<cv::Point>> found;
+  cv::findContours(fine > kCertain, found, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  if (found.empty()) return {};
+  const auto longest = std::max_element(
+      found.begin(), found.end(), [](const auto& a, const auto& b) { return cv::contourArea(a) < cv::contourArea(b); });
+  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(longest->size()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const cv::Point& p = (*longest)[static_cast<std::size_t>(i)];
+    // Pixel centres of the fine grid lie (k + 1/2) / kFiner - 1/2 on the map.
+    points.col(i) =
+        map.to_image((Eigen::Vector2d(p.x, p.y).array() + 0.5).matrix() / kFiner - Eigen::Vector2d::Constant(0.5));
+  }
+  return contour::positively_oriented(points);
+}
+
+void read_cells(const SceneMap& map, std::vector<SceneCell>& cells) {
+  const cv::Mat1f zona = view(map.share(SceneClass::kZona)), inside = view(map.share(SceneClass::kInside));
+  const cv::Mat1f cell = zona + inside;
+  for (const std::vector<cv::Point>& area : areas(cell > kCertain)) {
+    if (static_cast<double>(area.size()) < kLeastCell) continue;
+    SceneCell found;
+    found.outer = outline(map, cell, area);
+    const double perimeter = contour::arc_length(found.outer), size = contour::signed_area(found.outer);
+    if (found.outer.cols() < 8 || 4.0 * std::numbers::pi * size < kLeastCircle * perimeter * perimeter) continue;
+    found.center = contour::centroid(found.outer);
+    found.radius_px = std::sqrt(size / std::numbers::pi);
+    found.share = mean_share(cell, area);
+    std::vector<cv::Point> core;
+    for (const cv::Point& p : area)
+      if (inside(p) > kCertain) core.push_back(p);
+    if (static_cast<double>(core.size()) > 0.2 * static_cast<double>(area.size()))
+      found.inner = outline(map, inside, core);
+    cells.push_back(std::move(found));
+  }
+  std::stable_sort(cells.begin(), cells.end(), [](const SceneCell& a, const SceneCell& b) {
+    return a.share * a.radius_px > b.share * b.radius_px;
+  });
+}
+
+void read_tools(const SceneMap& map, SceneClass which, int image_width, int image_height,
+                std::vector<SceneTool>& tools) {
+  const cv::Mat1f share = view(map.share(which)), tips = view(map.tip);
+  const Eigen::Vector2d middle(0.5 * (image_width - 1), 0.5 * (image_height - 1));
+  for (const std::vector<cv::Point>& area : areas(share > kCertain)) {
+    if (static_cast<double>(area.size()) < kLeastTool) continue;
+    // Its axis: the longest axis of the area, each pixel by its probability.
+    double total = 0.0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const cv::Point& p : area) {
+      mean += share(p) * Eigen::Vector2d(p.x, p.y);
+      total += share(p);
+    }
+    mean /= total;
+    for (const cv::Point& p : area) {
+      const Eigen::Vector2d d = Eigen::Vector2d(p.x, p.y) - mean;
+      spread += share(p) / total * d * d.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    Eigen::Vector2d direction = axes.eigenvectors().col(1);
+    const double length = std::sqrt(12.0 * axes.eigenvalues()[1]), width = std::sqrt(12.0 * axes.eigenvalues()[0]);
+    if (length < kLeastLength || length < kSlender * width) continue;
+    double from = 0.0, to = 0.0;
+    for (const cv::Point& p : area) {
+      const double along = (Eigen::Vector2d(p.x, p.y) - mean).dot(direction);
+      from = std::min(from, along);
+      to = std::max(to, along);
+    }
+    // The end that is nearer to the image's border is where it comes in.
+    const auto to_border = [&](double along) {
+      const Eigen::Vector2d p = map.to_image(mean + along * direction);
+      return std::min({p.x(), p.y(), image_width - 1 - p.x(), image_height - 1 - p.y()});
+    };
+    const double a = to_border(from), b = to_border(to);
+    const bool turned = std::abs(a - b) > 2.0 * map.pitch_px
+                            ? b < a
+                            : (map.to_image(mean + to * direction) - middle).norm() >
+                                  (map.to_image(mean + from * direction) - middle).norm();
+    if (turned) {
+      direction = -direction;
+      std::swap(from, to);
+      to = -to;
+      from = -from;
+    }
+    SceneTool tool;
+    tool.direction = direction;
+    tool.length_px = map.pitch_px * (to - from);
+    tool.half_width_px = 0.5 * map.pitch_px * static_cast<double>(area.size()) / std::max(to - from, 1.0);
+    tool.share = mean_share(share, area);
+    tool.pitch_px = map.pitch_px;
+    Eigen::Vector2d tip = mean + to * direction;
+    // The tip's own mark near that end is more precise.
+    double weight = 0.0;
+    Eigen::Vector2d marked = Eigen::Vector2d::Zero();
+    for (int dy = -kTipReach; dy <= kTipReach; ++dy)
+      for (int dx = -kTipReach; dx <= kTipReach; ++dx) {
+        const int x = static_cast<int>(std::lround(tip.x())) + dx, y = static_cast<int>(std::lround(tip.y())) + dy;
+        if (x < 0 || y < 0 || x >= tips.cols || y >= tips.rows) continue;
+        const float mark = tips(y, x);
+        tool.tip_share = std::max(tool.tip_share, double{mark});
+        marked += mark * mark * Eigen::Vector2d(x, y);
+        weight += mark * mark;
+      }
+    if (tool.tip_share > kCertain) tip = marked / weight;
+    tool.tip = map.to_image(tip);
+    tools.push_back(tool);
+  }
+  std::stable_sort(tools.begin(), tools.end(), [](const SceneTool& a, const SceneTool& b) {
+    return a.share * a.length_px * (0.5 + a.tip_share) > b.share * b.length_px * (0.5 + b.tip_share);
+  });
+}
+
+}  // namespace
+
+SceneReading read_scene(const SceneMap& map, int image_width, int image_height) {
+  SceneReading reading;
+  read_cells(map, reading.cells);
+  read_tools(map, SceneClass::kNeedle, image_width, image_height, reading.needles);
+  read_tools(map, SceneClass::kHolder, image_width, image_height, reading.holders);
+  return reading;
+}
+
+}  // namespace pellucida

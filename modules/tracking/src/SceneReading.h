@@ -1,0 +1,41 @@
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "SceneNetwork.h"
+
+namespace pellucida {
+
+/// A cell as the network's map shows it: good to about half a map pixel.
+struct SceneCell {
+  Eigen::Matrix2Xd outer;  ///< (2 x n) px, closed, positive area: the zona's outer boundary
+  Eigen::Matrix2Xd inner;  ///< (2 x n) px, the zona's inner boundary; empty where none is seen
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius_px = 0.0;  ///< of a circle of the same area
+  double share = 0.0;      ///< 0..1: mean probability of being cell, over its area
+};
+
+/// A straight tool as the network's map shows it.
+struct SceneTool {
+  Eigen::Vector2d tip = Eigen::Vector2d::Zero();         ///< px: where it ends inside the image
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit, from the image's border to the tip
+  double half_width_px = 0.0;                            ///< median over its length
+  double length_px = 0.0;
+  double share = 0.0;      ///< 0..1: mean probability over its area
+  double tip_share = 0.0;  ///< 0..1: largest probability of a tip near `tip`
+  double pitch_px = 1.0;   ///< of the map it was read from
+};
+
+/// What the map shows, each list with the most convincing one first.
+struct SceneReading {
+  std::vector<SceneCell> cells;
+  std::vector<SceneTool> needles;
+  std::vector<SceneTool> holders;
+};
+
+/// Cells, needles and holding pipettes of a map: connected areas of their classes, large enough to be one.
+/// `image_width`, `image_height` in px tell which end of a tool lies at the border.
+SceneReading read_scene(const SceneMap& map, int image_width, int image_height);
+
+}  // namespace pellucida
