@@ -1,5 +1,6 @@
-// ITK as Debian packages it was configured with GCC and refuses every other compiler by name; clang compiles its headers
-// as well. Included by force before the files that use ITK when clang compiles them (fuzzers, thread sanitizer).
+// ITK as Debian packages it was configured with GCC and refuses every other compiler by name; clang compiles its
+// headers as well. Included by force before the files that use ITK when clang compiles them (fuzzers, thread
+// sanitizer).
 #pragma once
 #pragma push_macro("__clang__")
 #pragma push_macro("__GNUC__")

@@ -28,8 +28,6 @@ constexpr double kApexSigma_px = 0.15;
 constexpr double kHaloLines = 4.0;
 // The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
 constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
-// The most confidence in what the scene alone has shown: nothing independent confirms where its boundaries lie.
-constexpr double kMostOfScene = 0.75;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
@@ -353,15 +351,6 @@ Eigen::Vector2d CellFollower::apex() const {
 
 double CellFollower::apex_sigma() const {
   return std::hypot(membrane_sigma(), kApexSigma_px);
-}
-
-double CellFollower::confidence() const {
-  const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
-  const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
-  const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const double most = snakes_.outer().kind.is_learnt() ? kMostOfScene : 1.0;
-  const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
-  return bad_frames_ > 0 ? 0.3 * all : all;
 }
 
 SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) const {

@@ -7,6 +7,9 @@
 namespace pellucida {
 namespace {
 
+// The most confidence in what the scene alone has shown: nothing independent confirms where its boundaries lie.
+constexpr double kMostOfScene = 0.75;
+
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift known from the far side of the cell alone.
 constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
@@ -54,6 +57,15 @@ double CellFollower::depth_sigma() const {
   const double tip =
       needle_.valid() && needle_.estimate().tip_sigma > 0.0 ? needle_.estimate().tip_sigma : kUnknownSigma_px;
   return std::hypot(std::min(membrane_sigma(), tip), rest_sigma());
+}
+
+double CellFollower::confidence() const {
+  const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
+  const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
+  const double first_sight = rest_.seen_free ? 1.0 : 0.7;
+  const double most = snakes_.outer().kind.is_learnt() ? kMostOfScene : 1.0;
+  const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
+  return bad_frames_ > 0 ? 0.3 * all : all;
 }
 
 }  // namespace pellucida
