@@ -1,6 +1,5 @@
 #pragma once
 #include <CLI/CLI.hpp>
-#include <map>
 #include <string>
 
 #include "pellucida/tracking/TrackerOptions.h"
@@ -9,14 +8,15 @@ namespace pellucida {
 
 /// Adds `--detection lines|scene` to a command.
 inline void add_detection_option(CLI::App& command, TrackerOptions::Detection& detection) {
-  static const std::map<std::string, TrackerOptions::Detection> names{{"lines", TrackerOptions::Detection::kLines},
-                                                                      {"scene", TrackerOptions::Detection::kScene}};
   command
-      .add_option("--detection", detection,
-                  "how cell and needle are found. lines: by dark lines, the most precise in bright field; scene: by a "
-                  "network that knows relief and phase contrast as well")
-      ->transform(CLI::CheckedTransformer(names))
-      ->type_name("{lines,scene}")
+      .add_option_function<std::string>(
+          "--detection",
+          [&detection](const std::string& name) {
+            detection = name == "scene" ? TrackerOptions::Detection::kScene : TrackerOptions::Detection::kLines;
+          },
+          "how cell and needle are found. lines: by dark lines, the most precise in bright field; scene: by a network "
+          "that knows relief and phase contrast as well")
+      ->check(CLI::IsMember({"lines", "scene"}))
       ->default_str("lines");
 }
 
