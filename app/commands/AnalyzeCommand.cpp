@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "DetectionOption.h"
 #include "commands/CommandLine.h"
+#include "commands/DetectionOption.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/pipeline/AnySource.h"

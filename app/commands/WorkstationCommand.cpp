@@ -5,8 +5,8 @@
 #include <iostream>
 #include <optional>
 
-#include "DetectionOption.h"
 #include "commands/CommandLine.h"
+#include "commands/DetectionOption.h"
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"

@@ -25,7 +25,8 @@ configure_file(${desktop}/pellucida.metainfo.xml.in ${PROJECT_BINARY_DIR}/pelluc
 
 install(TARGETS pellucida RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(folder devices looks networks profiles reference scenarios)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/pellucida)
+  # The scripts that made a resource are for the developer.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/pellucida PATTERN "*.py" EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   ${PROJECT_SOURCE_DIR}/LICENSE

@@ -24,7 +24,7 @@ struct FilmRun {
   int found_count = 0;                 ///< frames with a contour reported
   int contact_count = 0;               ///< frames truly in contact
   int false_puncture_count = 0;        ///< of these, those reported as punctured
-  std::optional<long> puncture_delay;  ///< frames from the puncture to its report; nothing: not told, or none was
+  std::optional<long> puncture_delay;  ///< frames from the puncture to its report; empty: no puncture, or none reported
   bool punctures = false;
   int confident_and_wrong_count = 0;  ///< confidence above 0.8, and: outer > 2 px, tip > 3 px, or no cell there
   double force_rms_percent = -1.0;    ///< of the largest true force; -1: never in contact

@@ -92,20 +92,27 @@ std::string percent(double part, double whole) {
   return text;
 }
 
+// The same as text; nothing measured is no number.
+std::string quantile_text(const std::vector<double>& values, double share, int decimals) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.*f", decimals, quantile(values, share));
+  return values.empty() ? "-" : text;
+}
+
 void print_head() {
   std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n", "", "",
               "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
               "force", "% RMS", "in", "ms");
   std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n",
               "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%",
-              "median", "95 %", "wrong/1e3", "/1e4", "told", "median", "95 %", "95%", "frame");
+              "median", "95 %", "wrong/1e3", "/1e4", "seen", "median", "95 %", "95%", "frame");
 }
 
 void print_row(const std::string& name, const std::vector<const FilmRun*>& runs) {
   std::vector<double> outer, inner, tip, force, frame_ms;
   double frames = 0, cell_frames = 0, found = 0, none_frames = 0, none_found = 0, bold = 0, contact = 0,
          false_count = 0, covered = 0;
-  int punctures = 0, told = 0;
+  int punctures = 0, seen = 0;
   for (const FilmRun* run : runs) {
     const auto count = static_cast<double>(run->errors.size());
     frames += count;
@@ -116,7 +123,7 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
     false_count += run->false_puncture_count;
     covered += run->covered_count;
     punctures += run->punctures ? 1 : 0;
-    told += run->puncture_delay && *run->puncture_delay <= 2 ? 1 : 0;
+    seen += run->puncture_delay && *run->puncture_delay <= 2 ? 1 : 0;
     frame_ms.push_back(run->median_frame_ms);
     if (!run->has_cell) continue;
     collect(run->errors, &FrameError::outer_px, outer);
@@ -125,15 +132,17 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
     if (run->force_rms_percent >= 0) force.push_back(run->force_rms_percent);
   }
   std::printf(
-      "%-13s %5zu %6.0f %6s %6s | %6.2f %6.2f %6.2f | %6.2f %6.2f | %6s %7.2f %7.2f | %8.1f %8.0f %4d/%-3d | %6.1f "
-      "%6.1f "
+      "%-13s %5zu %6.0f %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8.1f %8.0f %4d/%-3d | %6s "
+      "%6s "
       "%5s | %5.1f\n",
       name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(),
-      percent(none_frames - none_found, none_frames).c_str(), quantile(outer, 0.5), quantile(outer, 0.95),
-      quantile(outer, 0.99), quantile(inner, 0.5), quantile(inner, 0.95),
-      percent(static_cast<double>(tip.size()), cell_frames).c_str(), quantile(tip, 0.5), quantile(tip, 0.95),
-      1e3 * bold / std::max(frames, 1.0), 1e4 * false_count / std::max(contact, 1.0), told, punctures,
-      quantile(force, 0.5), quantile(force, 0.95), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));
+      percent(none_frames - none_found, none_frames).c_str(), quantile_text(outer, 0.5, 2).c_str(),
+      quantile_text(outer, 0.95, 2).c_str(), quantile_text(outer, 0.99, 2).c_str(),
+      quantile_text(inner, 0.5, 2).c_str(), quantile_text(inner, 0.95, 2).c_str(),
+      percent(static_cast<double>(tip.size()), cell_frames).c_str(), quantile_text(tip, 0.5, 2).c_str(),
+      quantile_text(tip, 0.95, 2).c_str(), 1e3 * bold / std::max(frames, 1.0),
+      1e4 * false_count / std::max(contact, 1.0), seen, punctures, quantile_text(force, 0.5, 1).c_str(),
+      quantile_text(force, 0.95, 1).c_str(), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));
 }
 
 void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {

@@ -1,6 +1,10 @@
 // Cells and needles found by the scene network in films of families it wasn't trained on.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
 #include "SceneReader.h"
 #include "films/RandomFilm.h"
 #include "pellucida/core_vtk/SceneData.h"

@@ -276,8 +276,9 @@ class Film:
             image, outer, inner, tip_s = self.frame(tip, membrane)
             cv2.imwrite(os.path.join(folder, f"frame_{k:05d}.png"), image)
             at = self.place(np.array([[0.0, tip_s]]))[0]
-            force = self.scale * self.shapes.force_at(membrane / self.scale)   # the same strain, areas times scale^2
-            rows.writerow([k, k / 30, state, at[0], at[1], membrane, force * self.scale])
+            # At the same strain forces grow with area.
+            force = self.scale ** 2 * self.shapes.force_at(membrane / self.scale)
+            rows.writerow([k, k / 30, state, at[0], at[1], membrane, force])
             for name, section in (("outer", outer), ("inner", inner)):
                 for i, p in enumerate(self.place(section)):
                     contours.writerow([k, name, i, round(p[0], 4), round(p[1], 4)])

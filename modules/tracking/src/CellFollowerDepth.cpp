@@ -1,4 +1,4 @@
-// How far tip and membrane are past the resting membrane, and how surely.
+// How far tip and membrane are past the resting membrane, and how surely; how sure the whole frame is.
 #include <algorithm>
 #include <cmath>
 

@@ -13,8 +13,8 @@
 namespace pellucida {
 namespace {
 
-// The network halves its input five times; its map is half as fine as its input.
-constexpr int kMultiple = 32, kMapStep = 2;
+// The network halves its input five times.
+constexpr int kMultiple = 32;
 // As in training: the furthest from the median that a pixel may be, in mean absolute deviations; the least deviation.
 constexpr float kFurthest = 6.0F, kLeastDeviation = 1e-3F / 255.0F;
 // Blur before the picture is reduced, network pixels: as in training.
@@ -51,10 +51,10 @@ class SceneNetwork::Impl {
   }
 
   SceneMap read(const GrayImage& image, const SceneWindow& window, double pixel_per_px) {
-    const int width = rounded_up(window.width * pixel_per_px), height = rounded_up(window.height * pixel_per_px);
+    const int width = rounded_up(window.width_px * pixel_per_px), height = rounded_up(window.height_px * pixel_per_px);
     cv::Mat1f whole(image.height, image.width, const_cast<float*>(image.pixels.data())), smooth = whole;
     if (pixel_per_px < kReduces) cv::GaussianBlur(whole, smooth, {}, kReducingBlur / pixel_per_px);
-    const Eigen::Vector2d first = window.center - 0.5 * Eigen::Vector2d(width - 1, height - 1) / pixel_per_px;
+    const Eigen::Vector2d first = window.center_px - 0.5 * Eigen::Vector2d(width - 1, height - 1) / pixel_per_px;
     const cv::Matx23d place(1.0 / pixel_per_px, 0.0, first.x(), 0.0, 1.0 / pixel_per_px, first.y());
     cv::Mat1f picture;
     cv::warpAffine(smooth, picture, place, {width, height}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
@@ -65,7 +65,7 @@ class SceneNetwork::Impl {
     network_.setInput(cv::Mat(4, sizes, CV_32F, picture.data));
     const cv::Mat out = network_.forward();
     SceneMap map;
-    map.pitch_px = kMapStep / pixel_per_px;
+    map.pitch_px = kSceneMapStep / pixel_per_px;
     // In training every second label was kept, from the first one on.
     map.origin_px = first;
     const int map_height = out.size[2], map_width = out.size[3];

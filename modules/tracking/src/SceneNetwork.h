@@ -10,6 +10,8 @@ namespace pellucida {
 /// What a pixel shows, in the order of the network's outputs.
 enum class SceneClass { kBackground, kZona, kInside, kNeedle, kHolder, kOtherBody };
 inline constexpr int kSceneClassCount = 6;
+/// Network pixels between two pixels of its map.
+inline constexpr int kSceneMapStep = 2;
 
 /// The network's map of an image or a part of it. A map pixel (column x, row y) lies at origin_px + pitch_px (x, y).
 struct SceneMap {
@@ -21,14 +23,12 @@ struct SceneMap {
 
   const Plane& share(SceneClass which) const { return shares[static_cast<std::size_t>(which)]; }
   Eigen::Vector2d to_image(const Eigen::Vector2d& place) const { return origin_px + pitch_px * place; }
-  Eigen::Index width() const noexcept { return tip.cols(); }
-  Eigen::Index height() const noexcept { return tip.rows(); }
 };
 
-/// A part of an image, px: centre and full width and height.
+/// A part of an image.
 struct SceneWindow {
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  double width = 0.0, height = 0.0;
+  Eigen::Vector2d center_px = Eigen::Vector2d::Zero();
+  double width_px = 0.0, height_px = 0.0;
 };
 
 /// A small convolutional network that labels each pixel of a micrograph in any contrast: zona, inside of the cell,
@@ -43,8 +43,8 @@ class SceneNetwork {
   SceneNetwork(SceneNetwork&&) noexcept;
   SceneNetwork& operator=(SceneNetwork&&) noexcept;
 
-  /// The map of `window`, seen with `pixel_per_px` network pixels an image px. The map's pixels are two network pixels
-  /// apart. What of the window lies outside the image shows the image mirrored at its border.
+  /// The map of `window`, seen with `pixel_per_px` network pixels an image px. What of the window lies outside the
+  /// image shows the image mirrored at its border.
   SceneMap read(const GrayImage& image, const SceneWindow& window, double pixel_per_px);
 
  private:

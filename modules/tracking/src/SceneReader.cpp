@@ -13,10 +13,12 @@ constexpr double kCloseRadius = 75.0, kSurroundings = 3.0, kMostMagnified = 2.0;
 // The same of a needle's tip: how finely it is looked at, network pixels a px at most, and over how many network
 // pixels.
 constexpr double kTipScale = 1.0, kTipSide = 128.0, kTipMagnified = 3.0;
+// Not worth another look unless magnified by so much; the same needle from nearer by (cosine, probability of its tip).
+constexpr double kWorthwhile = 1.2, kSameFromNearer = 0.935, kLeastTipShare = 0.5;
 // A closer look that finds the cell elsewhere has found another, radii.
 constexpr double kElsewhere = 0.3;
 // Error of an outline, map pixels.
-constexpr double kOutlineError = 0.5, kMapStep = 2.0, kLeastError_px = 0.7;
+constexpr double kOutlineError = 0.5, kLeastError_px = 0.7;
 constexpr std::size_t kMostCells = 3;
 // A tool found by lines is a needle of the scene when their directions (cosine) and axes (map pixels) are as near.
 constexpr double kSameDirection = 0.985, kSameAxis = 2.5;
@@ -32,7 +34,7 @@ double close_scale(double radius_px) {
 }  // namespace
 
 double SceneReader::outline_error_px(double radius_px) noexcept {
-  return std::max(kLeastError_px, kOutlineError * kMapStep / close_scale(radius_px));
+  return std::max(kLeastError_px, kOutlineError * kSceneMapStep / close_scale(radius_px));
 }
 
 SceneNetwork& SceneReader::network() {
@@ -48,11 +50,11 @@ SceneReading SceneReader::look_at(const GrayImage& image, const Eigen::Vector2d&
 // The tip's place from nearer by; the axis stays that of the whole shaft.
 void SceneReader::look_at_tip(const GrayImage& image, SceneTool& needle, double scale) {
   const double nearer = std::min(kTipScale, kTipMagnified * scale), side = kTipSide / nearer;
-  if (nearer < 1.2 * scale) return;
+  if (nearer < kWorthwhile * scale) return;
   const SceneReading close =
       read_scene(network().read(image, {needle.tip, side, side}, nearer), image.width, image.height);
   for (const SceneTool& other : close.needles) {
-    const bool same = other.direction.dot(needle.direction) > kSameDirection - 0.05 && other.tip_share > 0.5;
+    const bool same = other.direction.dot(needle.direction) > kSameFromNearer && other.tip_share > kLeastTipShare;
     if (!same || (other.tip - needle.tip).norm() > kTipError * needle.pitch_px) continue;
     needle.tip = other.tip;
     needle.tip_share = other.tip_share;

@@ -11,17 +11,16 @@ namespace pellucida {
 /// Reads whole images and, closer, the cells found in them. Loads the network on first use.
 class SceneReader {
  public:
-  /// Everything in the image; each cell's outlines from a closer look at it. About 25 ms at 728 x 486; allocates.
+  /// Everything in the image; each cell's outlines from a closer look at it. Allocates; for detection, not for
+  /// every frame.
   SceneReading read(const GrayImage& image);
-
-  /// The surroundings of a cell alone, px: about 10 ms.
-  SceneReading look_at(const GrayImage& image, const Eigen::Vector2d& center, double radius_px);
 
   /// How good an outline of a closer look at such a cell is, px.
   static double outline_error_px(double radius_px) noexcept;
 
  private:
   SceneNetwork& network();
+  SceneReading look_at(const GrayImage& image, const Eigen::Vector2d& center, double radius_px);
   void look_at_tip(const GrayImage& image, SceneTool& needle, double scale);
   std::unique_ptr<SceneNetwork> network_;
 };
