@@ -48,9 +48,11 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   run.has_cell = film.scenario.cell.in_view;
   VirtualMicroscope microscope(film.scenario, film.look);
   MembraneTracker tracker(options);
-  ForceObserver observer(load_profile(film.scenario.cell.reference), {});
+  const CellProfile profile = load_profile(film.scenario.cell.reference);
+  ForceObserver observer(profile, {}), of_truth(profile, {});
   std::vector<double> frame_ms;
   double force_squares = 0.0, peak_uN = 0.0, worst_badness = -1.0;
+  double tracking_squares = 0.0, peak_of_truth_uN = 0.0;
   std::optional<long> punctured_at;
   while (const std::optional<Frame> frame = microscope.next()) {
     const auto start = Clock::now();
@@ -76,7 +78,13 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
 
     const ForceEstimate estimate = observer.process(seen);
     const bool measured = std::isfinite(estimate.contact_force_uN);
-    force_squares += std::pow((measured ? estimate.contact_force_uN : 0.0) - truth.contact_force_uN, 2);
+    const double force_uN = measured ? estimate.contact_force_uN : 0.0;
+    force_squares += std::pow(force_uN - truth.contact_force_uN, 2);
+    const double expected_uN = of_truth.process(truth.observation).contact_force_uN;
+    if (std::isfinite(expected_uN)) {
+      tracking_squares += std::pow(force_uN - expected_uN, 2);
+      peak_of_truth_uN = std::max(peak_of_truth_uN, expected_uN);
+    }
     peak_uN = std::max(peak_uN, truth.contact_force_uN);
     if (contact && measured && estimate.contact_force_lower_uN <= truth.contact_force_uN &&
         truth.contact_force_uN <= estimate.contact_force_upper_uN)
@@ -94,6 +102,9 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   run.badness /= static_cast<double>(std::max<std::size_t>(1, run.errors.size()));
   if (peak_uN > 0)
     run.force_rms_percent = 100.0 * std::sqrt(force_squares / static_cast<double>(run.errors.size())) / peak_uN;
+  if (peak_of_truth_uN > 0)
+    run.tracking_force_rms_percent =
+        100.0 * std::sqrt(tracking_squares / static_cast<double>(run.errors.size())) / peak_of_truth_uN;
   run.median_frame_ms = median_of(frame_ms);
   return run;
 }

@@ -28,7 +28,10 @@ struct FilmRun {
   bool punctures = false;
   int confident_and_wrong_count = 0;  ///< confidence above 0.8, and: outer > 2 px, tip > 3 px, or no cell there
   double force_rms_percent = -1.0;    ///< of the largest true force; -1: never in contact
-  int covered_count = 0;              ///< frames in contact with the true force in the 95 % interval
+  /// Of the largest force that the true observations give: RMS difference of what was seen from that, so the tracker's
+  /// share of the error alone; -1: never in contact.
+  double tracking_force_rms_percent = -1.0;
+  int covered_count = 0;  ///< frames in contact with the true force in the 95 % interval
   double median_frame_ms = 0.0;
   FilmPicture worst;
   double badness = 0.0;  ///< ranks films: frames confident and wrong first, then false punctures, then errors

@@ -1,10 +1,11 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--csv FILE] [--worst FOLDER] [--frames]
+//               [--detection lines|scene] [--quality live|high] [--csv FILE] [--worst FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
-// --film: that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of the ten worst
-// films, truth green, found red. --frames: also a line a frame.
+// Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
+// the true force. --film: that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of
+// the ten worst films, truth green, found red. --frames: also a line a frame.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -64,6 +65,10 @@ Choice read_arguments(int count, char** arguments) {
       const std::string detection = value();
       if (detection != "lines" && detection != "scene") throw UsageError("--detection is lines or scene");
       if (detection == "scene") choice.tracker.detection = TrackerOptions::Detection::kScene;
+    } else if (word == "--quality") {
+      const std::string quality = value();
+      if (quality != "live" && quality != "high") throw UsageError("--quality is live or high");
+      if (quality == "high") choice.tracker.quality = TrackerOptions::Quality::kHigh;
     } else if (word == "--frames") {
       choice.frames = true;
     } else {
@@ -100,16 +105,16 @@ std::string quantile_text(const std::vector<double>& values, double share, int d
 }
 
 void print_head() {
-  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n", "", "",
-              "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
-              "force", "% RMS", "in", "ms");
-  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %6s %6s %5s | %5s\n",
+  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %5s | %5s\n",
+              "", "", "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.",
+              "punct.", "force: %", "RMS,", "whole", "", "in", "ms");
+  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %5s | %5s\n",
               "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%",
-              "median", "95 %", "wrong/1e3", "/1e4", "seen", "median", "95 %", "95%", "frame");
+              "median", "95 %", "wrong/1e3", "/1e4", "seen", "tracking", "95 %", "median", "95 %", "95%", "frame");
 }
 
 void print_row(const std::string& name, const std::vector<const FilmRun*>& runs) {
-  std::vector<double> outer, inner, tip, force, frame_ms;
+  std::vector<double> outer, inner, tip, tracking, force, frame_ms;
   double frames = 0, cell_frames = 0, found = 0, none_frames = 0, none_found = 0, bold = 0, contact = 0,
          false_count = 0, covered = 0;
   int punctures = 0, seen = 0;
@@ -130,18 +135,19 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
     collect(run->errors, &FrameError::inner_px, inner);
     collect(run->errors, &FrameError::tip_px, tip);
     if (run->force_rms_percent >= 0) force.push_back(run->force_rms_percent);
+    if (run->tracking_force_rms_percent >= 0) tracking.push_back(run->tracking_force_rms_percent);
   }
   std::printf(
-      "%-13s %5zu %6.0f %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8.1f %8.0f %4d/%-3d | %6s "
-      "%6s "
-      "%5s | %5.1f\n",
+      "%-13s %5zu %6.0f %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8.1f %8.0f %4d/%-3d | %8s %6s "
+      "%6s %6s %5s | %5.1f\n",
       name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(),
       percent(none_frames - none_found, none_frames).c_str(), quantile_text(outer, 0.5, 2).c_str(),
       quantile_text(outer, 0.95, 2).c_str(), quantile_text(outer, 0.99, 2).c_str(),
       quantile_text(inner, 0.5, 2).c_str(), quantile_text(inner, 0.95, 2).c_str(),
       percent(static_cast<double>(tip.size()), cell_frames).c_str(), quantile_text(tip, 0.5, 2).c_str(),
       quantile_text(tip, 0.95, 2).c_str(), 1e3 * bold / std::max(frames, 1.0),
-      1e4 * false_count / std::max(contact, 1.0), seen, punctures, quantile_text(force, 0.5, 1).c_str(),
+      1e4 * false_count / std::max(contact, 1.0), seen, punctures, quantile_text(tracking, 0.5, 1).c_str(),
+      quantile_text(tracking, 0.95, 1).c_str(), quantile_text(force, 0.5, 1).c_str(),
       quantile_text(force, 0.95, 1).c_str(), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));
 }
 
@@ -149,7 +155,8 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,family,contrast,width_px,height_px,pixel_size_um,cell_diameter_px,frames,found,contact,false_punctures,"
          "punctures,puncture_delay,outer_median_px,outer_p95_px,inner_median_px,tip_found,tip_median_px,tip_p95_px,"
-         "confident_and_wrong,force_rms_percent,covered,median_frame_ms,worst_frame,badness\n";
+         "confident_and_wrong,tracking_force_rms_percent,force_rms_percent,covered,median_frame_ms,worst_frame,"
+         "badness\n";
   for (const FilmRun& run : runs) {
     std::vector<double> outer, inner, tip;
     collect(run.errors, &FrameError::outer_px, outer);
@@ -162,9 +169,9 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
         << run.found_count << ',' << run.contact_count << ',' << run.false_puncture_count << ',' << run.punctures << ','
         << (run.puncture_delay ? std::to_string(*run.puncture_delay) : "") << ',' << quantile(outer, 0.5) << ','
         << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size() << ',' << quantile(tip, 0.5) << ','
-        << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ',' << run.force_rms_percent << ','
-        << run.covered_count << ',' << run.median_frame_ms << ',' << run.worst.frame_index << ',' << run.badness
-        << '\n';
+        << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ',' << run.tracking_force_rms_percent << ','
+        << run.force_rms_percent << ',' << run.covered_count << ',' << run.median_frame_ms << ','
+        << run.worst.frame_index << ',' << run.badness << '\n';
   }
   if (!out.flush()) throw OutputError(file + " can't be written");
 }

@@ -2,12 +2,14 @@
 // the families of tuning.
 //   film_samples --out FOLDER [--count N] [--first SEED]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
-// 3 needle, 4 holding pipette, 5 bystander cell or bubble) and samples_SEED.csv; NNNNN is the film's seed. Several of
-// them may run at once with other seeds. Truth may lie outside the picture. Empty where there is no cell.
+// 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file, outer or
+// inner, then x and y of the boundary's points, px); NNNNN is the film's seed. Several of them may run at once with
+// other seeds. Truth may lie outside the picture. Empty where there is no cell.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -55,6 +57,13 @@ cv::Mat label_of(const Scenario& scenario, const Observation& seen) {
   return label;
 }
 
+void write(std::ofstream& csv, const char* stem, const char* which, const Contour_um& points_um, double pixel_um) {
+  csv << stem << ".png," << which;
+  for (Eigen::Index i = 0; i < points_um.cols(); ++i)
+    csv << ',' << points_um(0, i) / pixel_um << ',' << points_um(1, i) / pixel_um;
+  csv << std::endl;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -77,6 +86,8 @@ int main(int count, char** arguments) {
   std::ofstream csv(out / ("samples_" + std::to_string(first) + ".csv"));
   csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,center_x_px,center_y_px,outer_radius_px,contrast,family,"
          "frame\n";
+  std::ofstream contours(out / ("contours_" + std::to_string(first) + ".csv"));
+  contours << std::fixed << std::setprecision(3);
   for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
     try {
       const test::RandomFilm film = test::draw_film(test::Split::kTuning, seed, kWidest_px);
@@ -104,11 +115,13 @@ int main(int count, char** arguments) {
             << seen.rest_outer_radius_um / pixel_um << ',';
       else
         csv << ",,,";
+      if (seen.outer) write(contours, stem, "outer", seen.outer->points_um, pixel_um);
+      if (seen.inner) write(contours, stem, "inner", seen.inner->points_um, pixel_um);
       csv << film.contrast << ',' << film.family << ',' << seen.frame_index << std::endl;
     } catch (const Error& error) {
       return std::fprintf(stderr, "film_samples: film %llu: %s\n", static_cast<unsigned long long>(seed), error.what()),
              1;
     }
   }
-  return csv ? 0 : 1;
+  return csv && contours ? 0 : 1;
 }

@@ -1,6 +1,8 @@
 #include "CellFollower.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ContourMath.h"
 
@@ -8,10 +10,6 @@ namespace pellucida {
 namespace {
 
 constexpr double kCircleTolerance_px = 3.0;
-// Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
-constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15;
-// Of the radius, beyond the centre: a needle is not taken up with its tip further through the cell.
-constexpr double kThrough_ratio = 0.9;
 // A tip that far outside the resting outline touches nothing.
 constexpr double kAway_px = 2.0;
 // How far the holder may move between two frames, the search for it included.
@@ -20,17 +18,13 @@ constexpr double kRigidReach_px = 38.0;
 // trusted.
 constexpr double kAstray_ratio = 0.08;
 constexpr int kAstrayFrames = 3;
-// An edge that many times as blurred as the membrane's line is wide can't be taken for one.
-constexpr double kShade_ratio = 2.0;
-// Standard deviation of the way from the membrane's apex, seen through a blurred needle, to the tip, px.
-constexpr double kApexSigma_px = 0.15;
-// How far a membrane's halo reaches, in widths of its line.
-constexpr double kHaloLines = 4.0;
-// The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
-constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
+// Rounds of reading a frame, live and where time does not count; quality of a reading that may have begun in the wrong
+// place.
+constexpr int kRoundsLive = 1, kRoundsHigh = 2;
+constexpr double kPoorReading = 0.6;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
@@ -47,56 +41,7 @@ double roundness(const Eigen::Matrix2Xd& points, const contour::Circle& circle) 
   return std::clamp(1.8 - 20.0 * *middle / circle.radius, 0.3, 1.0);
 }
 
-// The whole image in floating point: for searches, not for following.
-GrayImage gray(const ImageView& view) {
-  GrayImage whole;
-  load(view, whole);
-  return whole;
-}
-
 }  // namespace
-
-NeedleZone CellFollower::zone() const {
-  const NeedleEstimate& n = needle_.estimate();
-  // The front of a blurred tip is less sharp.
-  const double tip_sigma = std::hypot(0.4, 0.5 * n.edge_blur);
-  NeedleZone zone{n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_, tip_sigma};
-  const double line = snakes_.line_width_px();
-  zone.is_shade = line > 0.0 && n.edge_blur > kShade_ratio * line;
-  return zone;
-}
-
-void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
-  const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
-  motion_ = {};
-  holder_ = find_holder(frame.image, tools, circle, frame.noise);
-  find_needle(frame, circle, tools);
-}
-
-// By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
-void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
-                               const std::vector<FoundTool>& tools) {
-  const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected) {
-    if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
-    if (holder_ && tool.direction.dot(holder_direction()) > 0.8) return false;
-    if (!needle_.start(frame.image, tool, frame.noise, expected)) return false;
-    const NeedleEstimate& n = needle_.estimate();
-    const double beyond = (n.tip - circle.center).dot(n.direction);
-    return n.tip_half_width < kBroadTip_ratio * circle.radius && beyond < kThrough_ratio * circle.radius;
-  };
-  if (frame.scene == nullptr) {
-    for (const FoundTool& tool : tools)
-      if (is_needle(tool, nullptr)) return;
-  } else {
-    for (const SceneTool& seen : frame.scene->needles) {
-      const ExpectedTip expected = expected_tip(seen);
-      for (const FoundTool& tool : tools)
-        if (is_same(tool, seen) && is_needle(tool, &expected)) return;
-      if (is_needle(found_tool(seen), &expected)) return;
-    }
-  }
-  needle_.reset();
-}
 
 // The pixels of the holder, outside the cell: they show the cell's rigid motion. Its rim is what shows a motion along
 // the pipette, so the pixels go close to the membrane and not far up the shaft.
@@ -158,10 +103,9 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   find_tools_of(frame, cell.circle);
   const NeedleZone needle_zone = zone();
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
-  if (cell.outer.kind.is_learnt()) {
-    OutlineStart outlines{cell.outer.points, {}, SceneReader::outline_error_px(cell.circle.radius), cell.score};
-    if (cell.inner) outlines.inner = cell.inner->points;
-    if (!snakes_.start(frame.image, outlines, frame.noise, known)) return false;
+  is_read_ = frame.reader != nullptr;
+  if (is_read_) {
+    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known)) return false;
   } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {
     return false;
   }
@@ -197,29 +141,6 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   return true;
 }
 
-// What of the picture the cell's membrane and its halo take.
-contour::Circle CellFollower::reach_of_cell() const {
-  const double radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
-  return {center_now(), radius + kHaloLines * snakes_.line_width_px(), 1.0, 0.0};
-}
-
-void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
-  const PartTimer timer(frame.timings->needle_us);
-  if (needle_.valid()) {
-    const double clear_px = kClear_px + kClearBlurs * std::max(0.0, needle_.estimate().edge_blur - kSharp_px);
-    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
-    NeedleCue cue{34.0, clear, frame.needle_motion_px, jump, std::nullopt};
-    if (zone().is_shade) cue.body = reach_of_cell();
-    const bool seen = needle_.track(frame.image, frame.noise, cue);
-    if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
-  } else if (options_.detection == TrackerOptions::Detection::kScene
-                 ? frame.scene != nullptr
-                 : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
-    const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
-    find_needle(frame, circle, find_tools(gray(frame.view), circle));
-  }
-}
-
 // The narrow band first; where that fails, wider, and with the membrane sprung back.
 void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift) {
   const PartTimer timer(frame.timings->contours_us);
@@ -227,6 +148,10 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
   outer_before_ = snakes_.outer();
   inner_before_ = snakes_.inner();
+  if (is_read_) {
+    read_boundaries(frame, known, shift);
+    return;
+  }
   snakes_.track(frame.image, frame.noise, shift, needle_.motion(), known, options_.search_px);
   quality_ = quality_now();
   if (quality_ >= std::max(0.6, 0.88 * usual_quality_)) return;
@@ -255,6 +180,25 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     attempt(known, true, options_.wide_search_px);
   }
   snakes_.restore(best_outer, best_inner);
+}
+
+// Both boundaries as the network sees them, from where they are expected; or, should the cell not have moved as was
+// thought, from where they were.
+void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift) {
+  BoundaryNetwork& network = frame.reader->boundaries();
+  const int rounds = options_.quality == TrackerOptions::Quality::kHigh ? kRoundsHigh : kRoundsLive;
+  snakes_.predict(shift, needle_.motion(), needle);
+  snakes_.read(frame.image, network, needle, rounds);
+  quality_ = quality_now();
+  if (quality_ >= kPoorReading) return;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  const double quality = quality_;
+  snakes_.restore(outer_before_, inner_before_);
+  snakes_.read(frame.image, network, needle, kRoundsHigh);
+  quality_ = quality_now();
+  if (quality_ > quality) return;
+  snakes_.restore(outer, inner);
+  quality_ = quality;
 }
 
 std::optional<Eigen::Vector2d> CellFollower::notice_jump(const FrameInput& frame) {
@@ -336,21 +280,6 @@ bool CellFollower::follow(const FrameInput& frame) {
   const bool away = !needle_.valid() || tip_depth() < -kAway_px;
   if (contact_.state() == CellState::kFree && away) learn_rest();
   return true;
-}
-
-// Through a needle that is a mere shade the membrane is seen, and its apex rests on the tip.
-void CellFollower::take_dimple() {
-  if (contact_.state() != CellState::kContact || !needle_.valid() || !zone().is_shade) return;
-  needle_.take_dimple(apex(), apex_sigma());
-}
-
-Eigen::Vector2d CellFollower::apex() const {
-  const NeedleEstimate& n = needle_.estimate();
-  return rest_.entry_point(center_now(), n.tip, n.direction) + membrane_depth_ * n.direction;
-}
-
-double CellFollower::apex_sigma() const {
-  return std::hypot(membrane_sigma(), kApexSigma_px);
 }
 
 SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) const {

@@ -29,6 +29,7 @@ struct FrameInput {
   std::optional<Eigen::Vector2d> needle_motion_px;  ///< commanded since the frame before
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
   const SceneReading* scene = nullptr;              ///< what the network shows of it; null: it wasn't asked
+  SceneReader* reader = nullptr;                    ///< to read membranes and tip by; null: their lines are known
 };
 
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together
@@ -77,6 +78,7 @@ class CellFollower {
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void take_dimple();
   Eigen::Vector2d apex() const;
@@ -106,6 +108,7 @@ class CellFollower {
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   bool touching_ = false;
+  bool is_read_ = false;  // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
 };
 

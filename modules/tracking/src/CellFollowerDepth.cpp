@@ -63,7 +63,7 @@ double CellFollower::confidence() const {
   const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
   const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
   const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const double most = snakes_.outer().kind.is_learnt() ? kMostOfScene : 1.0;
+  const double most = is_read_ ? kMostOfScene : 1.0;
   const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
   return bad_frames_ > 0 ? 0.3 * all : all;
 }

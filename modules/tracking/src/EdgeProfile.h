@@ -7,14 +7,11 @@ namespace pellucida {
 
 /// What an edge looks like along the outward normal: a mixture of a dark line and of a step.
 /// feature(u) = line * sigma^2 (G''_sigma * I)(u) + step * sigma (G'_sigma * I)(u), with line^2 + step^2 = 1:
-/// line > 0 a dark line, line < 0 a bright one, step > 0 brighter outside. Both 0: no filter is assumed, only what the
-/// image itself has shown along the contour (EdgeTemplate).
+/// line > 0 a dark line, line < 0 a bright one, step > 0 brighter outside.
 struct EdgeKind {
   double line = 1.0;
   double step = 0.0;
-  bool is_learnt() const noexcept { return line == 0.0 && step == 0.0; }
 };
-inline constexpr EdgeKind kLearntEdge{0.0, 0.0};
 
 /// The edge filter sampled at `step_px`: derivative-of-Gaussian kernels of standard deviation `sigma_px`.
 class EdgeFilter {

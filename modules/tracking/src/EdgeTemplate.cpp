@@ -114,33 +114,6 @@ bool EdgeTemplate::learn(const float* profiles, const Eigen::Matrix2Xd& normals,
   return true;
 }
 
-// A Gaussian line of standard deviation s has the energy 2 s^2 times that of its slope; the taper keeps the window's
-// ends out. Over all directions: the mean of the harmonics' energies.
-double EdgeTemplate::slope_width() const {
-  double energy = 0.0, slope = 0.0;
-  for (int h = 0; h < 3; ++h) {
-    const double share = h == 0 ? 1.0 : 0.5;
-    for (int k = 1; k + 1 < kTaps; ++k) {
-      const double w = share * taper(k - kHalf), s = 0.5 * (harmonics_(k + 1, h) - harmonics_(k - 1, h));
-      energy += w * harmonics_(k, h) * harmonics_(k, h);
-      slope += w * s * s;
-    }
-  }
-  return std::clamp(std::sqrt(0.5 * energy / std::max(slope, 1e-12)), 0.5, 0.5 * kHalf);
-}
-
-void EdgeTemplate::gains(const float* profile, int places, int direction, float* gain) const noexcept {
-  const Look& look = looks_[static_cast<std::size_t>(direction)];
-  for (int j = 0; j < places; ++j) {
-    float sum = 0.0F, mean = 0.0F;
-    for (int k = 0; k < kTaps; ++k) {
-      sum += look.gain[static_cast<std::size_t>(k)] * profile[j + k];
-      mean += profile[j + k];
-    }
-    gain[j] = sum / std::max(mean / kTaps, 1e-3F);
-  }
-}
-
 void EdgeTemplate::build(EdgeKind kind) {
   valid_ = true;
   // The edge's width: half the way between the steepest places to both sides of a line, the first ones met from its
@@ -149,7 +122,7 @@ void EdgeTemplate::build(EdgeKind kind) {
   int left = kHalf - 1, right = kHalf + 1;
   while (left > 1 && mean_slope(left - 1) < mean_slope(left)) --left;
   while (right + 2 < kTaps && mean_slope(right + 1) > mean_slope(right)) ++right;
-  width_ = kind.line != 0.0 ? std::max(0.5, 0.5 * (right - left)) : kind.is_learnt() ? slope_width() : 2.0;
+  width_ = kind.line != 0.0 ? std::max(0.5, 0.5 * (right - left)) : 2.0;
   const bool is_line = kind.line != 0.0;
   for (int b = 0; b < kDirections; ++b) {
     Look& look = looks_[static_cast<std::size_t>(b)];
@@ -199,9 +172,6 @@ void EdgeTemplate::build(EdgeKind kind) {
     look.gain_deviation = filters.row(1).norm();
     look.energy = (window.array() * columns.col(1).array().square()).sum() / sum;
   }
-  double best = 0.0;
-  for (const Look& look : looks_) best = std::max(best, look.energy);
-  for (Look& look : looks_) look.worth = best > 0.0 ? std::sqrt(look.energy / best) : 1.0;
 }
 
 EdgeTemplate::Match EdgeTemplate::match(const float* profile, int reach, int direction) const noexcept {

@@ -35,8 +35,7 @@ class EdgeTemplate {
 
   void reset() noexcept { valid_ = false; }
   bool valid() const noexcept { return valid_; }
-  /// Standard deviation (line) or half rise (step) of the learnt edge, samples; of a look that is neither, that of the
-  /// line whose mean slope is as large.
+  /// Standard deviation (line) or half rise (step) of the learnt edge, samples.
   double width() const noexcept { return width_; }
 
   /// Learns from profiles centred on the contour: row i of `profiles` (kTaps samples each) belongs to column i of
@@ -48,9 +47,6 @@ class EdgeTemplate {
   /// Finds the look in a profile of kTaps + 2 reach samples, climbing from its middle; reach <= kMaxReach.
   Match match(const float* profile, int reach, int direction) const noexcept;
 
-  /// Contrast at each of `places` places a sample apart, 1 as learnt; `profile`: kTaps + places - 1 samples.
-  void gains(const float* profile, int places, int direction, float* gain) const noexcept;
-
   /// The direction a unit normal belongs to.
   static int direction_of(double nx, double ny) noexcept;
 
@@ -60,8 +56,6 @@ class EdgeTemplate {
   double gain_deviation(int direction) const noexcept {
     return looks_[static_cast<std::size_t>(direction)].gain_deviation;
   }
-  /// 0..1: contrast of the look in this direction over that in its best one.
-  double worth(int direction) const noexcept { return looks_[static_cast<std::size_t>(direction)].worth; }
   /// How far the edge's true centre may lie from the one taken for it, samples: common to all profiles.
   double center_deviation(int direction) const noexcept {
     return looks_[static_cast<std::size_t>(direction)].center_deviation;
@@ -76,11 +70,10 @@ class EdgeTemplate {
     Taps slope{};  // dT/dk
     Taps gain{}, shift{};
     float center = 0.0F, center_deviation = 0.0F;
-    double variance = 1.0, gain_deviation = 1.0, energy = 0.0, worth = 1.0;
+    double variance = 1.0, gain_deviation = 1.0, energy = 0.0;
   };
 
   void build(EdgeKind kind);
-  double slope_width() const;
 
   bool valid_ = false;
   double width_ = 2.0;

@@ -13,6 +13,21 @@ constexpr double kSuspicious = 1.2;      // times the usual change
 constexpr double kLeastResponse = 0.04;  // of the phase correlation's peak
 constexpr double kLeastJump_px = 3.0;
 constexpr double kNothingYet = 1e9;
+constexpr double kExplained = 0.9;  // of the change may be left once the jump is undone
+
+// Mean change from `before`, moved by whole thumbnail pixels, to `now`, where both are in view.
+double change_after(const cv::Mat1f& before, const cv::Mat1f& now, cv::Point move, float brighter) {
+  const cv::Rect whole({0, 0}, now.size()), common = whole & (whole + move);
+  if (common.area() == 0) return kNothingYet;
+  double sum = 0.0;
+  for (int y = common.y; y < common.y + common.height; ++y) {
+    const float *a = now.ptr<float>(y), *b = before.ptr<float>(y - move.y) - move.x;
+    float row = 0.0F;
+    for (int x = common.x; x < common.x + common.width; ++x) row += std::abs(a[x] - brighter * b[x]);
+    sum += row;
+  }
+  return sum / common.area();
+}
 
 }  // namespace
 
@@ -37,14 +52,7 @@ std::optional<Eigen::Vector2d> GlobalShiftEstimator::update(const FrameSampler& 
   const bool first = usual_change_ < 0.0;
   // A change of brightness alone is no change.
   const double brighter = cv::sum(now_)[0] / std::max(cv::sum(before_)[0], 1e-6);
-  double change = 0.0;
-  for (int y = 0; y < now_.rows; ++y) {
-    const float *a = now_.ptr<float>(y), *b = before_.ptr<float>(y);
-    float sum = 0.0F;
-    for (int x = 0; x < now_.cols; ++x) sum += std::abs(a[x] - static_cast<float>(brighter) * b[x]);
-    change += sum;
-  }
-  change /= static_cast<double>(now_.total());
+  const double change = change_after(before_, now_, {0, 0}, static_cast<float>(brighter));
   if (first) {
     usual_change_ = kNothingYet;  // the first frame has nothing to be compared with
     return std::nullopt;
@@ -52,9 +60,13 @@ std::optional<Eigen::Vector2d> GlobalShiftEstimator::update(const FrameSampler& 
   const bool suspicious = usual_change_ < kNothingYet && change > kSuspicious * usual_change_;
   if (suspicious) {
     double response = 0.0;
-    const cv::Point2d shift = cv::phaseCorrelate(before_, now_, window_, &response);
+    // Copies: where no padding is needed, OpenCV multiplies its inputs by the window.
+    const cv::Point2d shift = cv::phaseCorrelate(before_.clone(), now_.clone(), window_, &response);
     const Eigen::Vector2d jump = kThinning * Eigen::Vector2d(shift.x, shift.y);
-    if (response > kLeastResponse && jump.norm() > kLeastJump_px && jump.norm() < 0.25 * image.width) return jump;
+    const bool possible = response > kLeastResponse && jump.norm() > kLeastJump_px && jump.norm() < 0.25 * image.width;
+    // A step of the camera's exposure or a flicker changes as much, and no jump explains it.
+    const cv::Point whole(cvRound(shift.x), cvRound(shift.y));
+    if (possible && change_after(before_, now_, whole, static_cast<float>(brighter)) < kExplained * change) return jump;
   }
   usual_change_ = usual_change_ < kNothingYet ? usual_change_ + 0.1 * (change - usual_change_) : change;
   return std::nullopt;

@@ -12,7 +12,6 @@ constexpr double kSearchStep = 1.0;        // px between samples of the search f
 constexpr int kSoftSmoothing = 8;          // times neighbouring profiles of a faint step are averaged
 constexpr double kReferenceSpacing = 2.0;  // px between points at which an edge known to kReferenceSigma weighs 1
 constexpr double kReferenceSigma = 0.4;
-constexpr double kShapeShare = 0.1;     // of the predicted shape's own bending that the snake resists
 constexpr double kUnseenSigma = 40.0;   // px: of an edge not seen
 constexpr double kLeastSigma = 0.02;    // px: no single edge is known better
 constexpr double kMisfitShare = 2.0;    // of what noise does not explain of a profile's misfit, in the place's variance
@@ -77,16 +76,12 @@ void MembraneSnakes::search(const FrameSampler& image, const NeedleZone* needle,
   contour::outward_normals(outer_.points, normals_);
   const double reach_in = search_px + (has_inner() ? 1.6 * thickness_ : 0.0);
   strip_.sample(image, outer_.points, normals_, reach_in + 3.0, search_px + 3.0, kSearchStep);
-  const auto reward = [&](const SnakeContour& snake, const Look& look, Eigen::MatrixXf& out) {
-    if (snake.kind.is_learnt()) {
-      reward_by_look(image, look, out);
-      return;
-    }
+  const auto reward = [&](const SnakeContour& snake, Eigen::MatrixXf& out) {
     strip_.features(EdgeFilter(snake.scale_px, kSearchStep, snake.kind), 1, feature_);
     to_reward(feature_, snake.strength, out);
   };
-  reward(outer_, outer_look_, reward_outer_);
-  if (has_inner()) reward(inner_, inner_look_, reward_inner_);
+  reward(outer_, reward_outer_);
+  if (has_inner()) reward(inner_, reward_inner_);
   // The needle's own edges say nothing about a membrane; the tip itself does, once it touches.
   if (needle) {
     for (int i = 0; i < strip_.rows(); ++i) {
@@ -217,8 +212,8 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   const Eigen::Index n = snake.points.cols();
   localise(image, noise, is_outer, needle);
   if (needle) use_needle(snake, is_outer, *needle);
-  if (is_outer && has_inner() && inner_.sigma_px.size() == inner_.points.cols() && inner_look_.edge.valid())
-    use_thickness(needle);
+  const bool inner_known = has_inner() && inner_.sigma_px.size() == inner_.points.cols() && inner_look_.edge.valid();
+  if (is_outer && thickness_ > 0.0 && inner_known) use_thickness(needle);
   const double spacing = contour::arc_length(snake.points) / static_cast<double>(n);
   const double reference = kReferenceSigma * spacing / kReferenceSpacing;
   const Eigen::VectorXd& u =

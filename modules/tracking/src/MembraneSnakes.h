@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "BoundaryNetwork.h"
 #include "CellDetector.h"
 #include "EdgeTemplate.h"
 #include "FrameSampler.h"
@@ -14,6 +15,8 @@ namespace pellucida {
 
 /// Times the rigidity, for a faint step that single normals see badly.
 inline constexpr double kSoftRigidity = 20.0;
+/// Of the predicted shape's own bending that the snake resists.
+inline constexpr double kShapeShare = 0.1;
 /// px: half width of the needle's own dark edge, with its halo.
 inline constexpr double kNeedleMargin = 2.5;
 
@@ -53,14 +56,6 @@ struct SnakeContour {
   bool is_soft() const noexcept { return kind.step != 0.0; }
 };
 
-/// Rough outlines to start from, px: good to about `error_px`.
-struct OutlineStart {
-  Eigen::Matrix2Xd outer;  ///< (2 x n), n >= 3, closed
-  Eigen::Matrix2Xd inner;  ///< the same; empty where none is known
-  double error_px = 2.0;
-  double share = 1.0;  ///< 0..1: how sure it is that this is a cell
-};
-
 /// The pair of coupled snakes.
 class MembraneSnakes {
  public:
@@ -70,14 +65,22 @@ class MembraneSnakes {
   /// membrane's.
   bool start(const FrameSampler& image, const DetectedCell& cell, double noise, const NeedleZone* needle);
 
-  /// Starts from outlines of edges of any look, polarity and shading, which is learnt from `image` along them. False
-  /// when no look holds all round.
-  bool start(const FrameSampler& image, const OutlineStart& outlines, double noise, const NeedleZone* needle);
+  /// Starts from a rough outline (2 x n, px, closed), whatever the edges look like, and is read from then on (`read`)
+  /// instead of followed. `share` 0..1: how sure it is that this is a cell. False when the network sees no boundary.
+  bool start(const FrameSampler& image, BoundaryNetwork& network, const Eigen::Matrix2Xd& outline, double share,
+             const NeedleZone* needle);
+
+  /// Moves the contours with the cell by `shift`, and near the needle's tip by `push`, the needle's own motion.
+  void predict(const Eigen::Vector2d& shift, const Eigen::Vector2d& push, const NeedleZone* needle);
 
   /// Finds both contours in a band of `search_px` round the last ones, moved by `shift` (and with `push`, the needle's
   /// own motion, near its tip). Returns the outer contour's score.
   double track(const FrameSampler& image, double noise, const Eigen::Vector2d& shift, const Eigen::Vector2d& push,
                const NeedleZone* needle, double search_px);
+
+  /// Moves both contours onto the boundaries that a network reads along their normals, in so many `rounds`, whatever
+  /// they look like; near the needle the membrane's rules hold. Returns the outer contour's score. Allocates.
+  double read(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone* needle, int rounds);
 
   const SnakeContour& outer() const noexcept { return outer_; }
   const SnakeContour& inner() const noexcept { return inner_; }
@@ -113,21 +116,18 @@ class MembraneSnakes {
                    double reach_px);
   void learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle);
   void learn_looks(const FrameSampler& image, double noise, const NeedleZone* needle);
-  void anchor(const FrameSampler& image, double noise, bool is_outer, const Eigen::Matrix2Xd& outline,
-              const NeedleZone* needle);
-  bool learn_along(const FrameSampler& image, double noise, bool is_outer, double error_px, const NeedleZone* needle);
   void measure_gaps();
   void learn_thickness(const NeedleZone* needle, double share);
 
   // Each frame.
-  void predict(const Eigen::Vector2d& shift, const Eigen::Vector2d& push, const NeedleZone* needle);
   void search(const FrameSampler& image, const NeedleZone* needle, double search_px);
-  void reward_by_look(const FrameSampler& image, const Look& look, Eigen::MatrixXf& reward);
   bool follow(const FrameSampler& image, double noise, const NeedleZone* needle, bool give_up_early);
   double fine_round(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);
   void localise(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);
   void use_thickness(const NeedleZone* needle);
   void use_needle(SnakeContour& snake, bool is_outer, const NeedleZone& needle);
+  void relax_on(const BoundaryPlaces& places, bool is_outer, double radius_px, const NeedleZone* needle,
+                SnakeContour& snake);
   bool trustworthy(const SnakeContour& snake, const Look& look) const;
   bool learn_look(const FrameSampler& image, const SnakeContour& snake, Look& look, const NeedleZone* needle,
                   double share);

@@ -17,6 +17,8 @@ constexpr double kNeedleReach_px = 34.0, kLeastNeedleConfidence = 0.1;
 // While a cell has no needle: frames between two looks at the whole image; frames in which a cell is new, and a third
 // as many lie between them.
 constexpr int kNeedleSearch_frames = 10, kNewCell_frames = 10;
+// Of the way from where a needle without a cell was followed to, to where its tip is read.
+constexpr double kLoneTipShare = 0.5;
 // Least probability of a cell of the scene.
 constexpr double kLeastShare = 0.6;
 
@@ -33,6 +35,7 @@ class MembraneTracker::Impl {
     FrameInput frame{view, FrameSampler(view), 0.0, {}, &timings_};
     frame.noise = noise_level(frame.image);
     if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
+    if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
     // Another size is another camera setting: nothing that was followed is where it was.
     if (view.width_px != width_px_ || view.height_px != height_px_) {
@@ -138,9 +141,12 @@ class MembraneTracker::Impl {
   void follow_lone_needle(const FrameInput& frame) {
     const PartTimer timer(timings_.needle_us);
     if (lone_needle_.valid()) {
-      const bool seen =
-          lone_needle_.track(frame.image, frame.noise, {kNeedleReach_px, true, frame.needle_motion_px, {0.0, 0.0}});
+      const NeedleCue cue{kNeedleReach_px, true, frame.needle_motion_px, {0.0, 0.0}, std::nullopt};
+      const bool seen = lone_needle_.is_read() ? lone_needle_.follow_read(reader_.tips(), frame.image, cue)
+                                               : lone_needle_.track(frame.image, frame.noise, cue);
       if (!seen && lone_needle_.estimate().confidence < kLeastNeedleConfidence) lone_needle_.reset();
+      if (seen && by_scene() && !lone_needle_.is_read())
+        lone_needle_.read_tip(reader_.tips(), frame.image, kLoneTipShare);
     } else if (by_scene()
                    ? frame.scene == nullptr || !start_lone_needle(frame)
                    : frames_since_detection_ == 0 && !lone_needle_.start_anywhere(frame.image, whole_, frame.noise)) {
@@ -151,7 +157,10 @@ class MembraneTracker::Impl {
   bool start_lone_needle(const FrameInput& frame) {
     return std::any_of(scene_.needles.begin(), scene_.needles.end(), [&](const SceneTool& seen) {
       const ExpectedTip expected = expected_tip(seen);
-      return lone_needle_.start(frame.image, found_tool(seen), frame.noise, &expected);
+      if (!lone_needle_.start(frame.image, found_tool(seen), frame.noise, &expected))
+        return lone_needle_.start_read(reader_.tips(), frame.image, {seen.tip, seen.direction}, seen.half_width_px);
+      lone_needle_.read_tip(reader_.tips(), frame.image, 1.0);
+      return true;
     });
   }
 

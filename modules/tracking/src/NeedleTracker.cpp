@@ -104,6 +104,7 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
   covariance_ << anchor_sigma_ * anchor_sigma_, 0.0, 0.0, 4.0;
   now_.evidence = kShaftEdges | kTipEnd;
   fill(noise, shaft);
+  axis_before_ = axis_;
   valid_ = now_.confidence > 0.2;
   return valid_;
 }
@@ -111,6 +112,7 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
 bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleCue& cue) {
   if (!valid_) return false;
   const NeedleAxis before = axis_;
+  axis_before_ = before;
   const double unit = model_.unit_px;
 
   // Predict: what was commanded, else on as before.
@@ -172,7 +174,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   NeedleEvidence evidence = kNoNeedleEvidence;
   if (!(end.valid || cone.valid) || !fuse(end, cone, cue.in_the_clear, evidence)) {
     axis_ = before;
-    now_.tip = axis_.tip;
+    now_.tip = tip();
     now_.direction = axis_.direction;
     now_.confidence *= 0.5;
     motion_.setZero();
@@ -204,7 +206,7 @@ void NeedleTracker::take_dimple(const Eigen::Vector2d& apex, double sigma_px) {
   axis_.tip += ahead_ * axis_.direction;
   motion_ += ahead_ * axis_.direction;
   ahead_ = 0.0;
-  now_.tip = axis_.tip;
+  now_.tip = tip();
   now_.tip_sigma = std::sqrt(covariance_(0, 0));
   now_.evidence = now_.evidence | kDimple;
 }
@@ -218,10 +220,14 @@ void NeedleTracker::rest_on(const Eigen::Vector2d& apex, double sigma_px) {
   anchor_sigma_ = std::hypot(sigma_px, kClearAnchor * model_.unit_px);
   covariance_(0, 0) = sigma_px * sigma_px;
   covariance_(0, 1) = covariance_(1, 0) = 0.0;
-  now_.tip = axis_.tip;
+  now_.tip = tip();
   now_.tip_half_width = model_.cone.tip_radius();
   now_.tip_sigma = sigma_px;
   now_.evidence = now_.evidence | kDimple;
+}
+
+Eigen::Vector2d NeedleTracker::tip() const {
+  return axis_.tip + beside_ * axis_.across();
 }
 
 void NeedleTracker::prepare() {
@@ -266,7 +272,7 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
   if (!tip.found) return {};
   const double floor = (cue.in_the_clear ? kEndFloor : kEndHidden) * model_.unit_px;
   const double noisy = tip.ahead_sigma * std::max(1.0, tip.disagreement);
-  return {true, tip.ahead, noisy * noisy + floor * floor};
+  return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor};
 }
 
 bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence) {
@@ -320,7 +326,7 @@ void NeedleTracker::learn(double end_ahead) {
 }
 
 void NeedleTracker::fill(double noise, const ShaftResult& shaft) {
-  now_.tip = axis_.tip;
+  now_.tip = tip();
   now_.direction = axis_.direction;
   now_.tip_half_width = model_.cone.tip_radius();
   const double far = std::min(60.0 * model_.unit_px, shaft_.behind_px());

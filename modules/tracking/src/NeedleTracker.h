@@ -9,6 +9,7 @@
 #include "NeedleStart.h"
 #include "ShaftFit.h"
 #include "TipFinder.h"
+#include "TipNetwork.h"
 #include "ToolFinder.h"
 #include "pellucida/core/Observation.h"
 
@@ -62,6 +63,19 @@ class NeedleTracker {
   /// needle far out of focus is known no better than by what it begins to push.
   void rest_on(const Eigen::Vector2d& apex, double sigma_px);
 
+  /// Reads the tip's place, moves the tip by `share` of the way to it, and learns how far from the tip its edges end,
+  /// as a bevel's or a spike's end earlier, and how far beside the axis it lies. False, and nothing happens, where the
+  /// network isn't sure.
+  bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
+
+  /// Begins with a needle whose shaft can't be followed, by its tip alone: about `axis`, `half_width_px` wide some way
+  /// behind the tip. False where the network isn't sure.
+  bool start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis, double half_width_px);
+  /// Follows such a needle; its direction stays. False when its tip isn't seen.
+  bool follow_read(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue);
+  /// Whether it is known by its tip alone.
+  bool is_read() const noexcept { return read_half_width_ > 0.0; }
+
   const NeedleEstimate& estimate() const noexcept { return now_; }
   bool valid() const noexcept { return valid_; }
   void reset() noexcept { *this = NeedleTracker(); }
@@ -77,6 +91,7 @@ class NeedleTracker {
   bool start(const FrameSampler& image, NeedleGuess guess, double noise);
   void prepare();
   void set_zero();
+  Eigen::Vector2d tip() const;
   double again_px() const;
   ShaftResult align(const FrameSampler& image, double noise, int rounds);
   Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px,
@@ -87,7 +102,7 @@ class NeedleTracker {
   void fill(double noise, const ShaftResult& shaft);
 
   NeedleEstimate now_;
-  NeedleAxis axis_;
+  NeedleAxis axis_, axis_before_;
   NeedleModel model_;
   ShaftFit shaft_;
   TipFinder tip_;
@@ -95,8 +110,11 @@ class NeedleTracker {
   // Along the needle: place (relative to axis_.tip) and speed (px a frame), and their covariance.
   double ahead_ = 0.0, speed_ = 0.0;
   Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
-  double unrest_ = 1.0;        // px: how much the speed has been changing from frame to frame
-  double anchor_sigma_ = 1.0;  // px: how well the cone's place on the needle is known
+  double unrest_ = 1.0;           // px: how much the speed has been changing from frame to frame
+  double anchor_sigma_ = 1.0;     // px: how well the cone's place on the needle is known
+  double beside_ = 0.0;           // px: the tip lies so far beside the axis, as a bevel's does
+  double read_half_width_ = 0.0;  // px; above 0: no shaft is followed
+  double end_bias_ = 0.0;         // px: the tip lies so much further ahead than its edges end
   int frames_since_learning_ = 0;
   bool clear_seen_ = false;
   bool valid_ = false;

@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
-#include <vector>
 
-#include "pellucida/core/Error.h"
-#include "pellucida/core/Resources.h"
+#include "NetworkInput.h"
 
 namespace pellucida {
 namespace {
 
 // The network halves its input five times.
 constexpr int kMultiple = 32;
-// As in training: the furthest from the median that a pixel may be, in mean absolute deviations; the least deviation.
-constexpr float kFurthest = 6.0F, kLeastDeviation = 1e-3F / 255.0F;
 // Blur before the picture is reduced, network pixels: as in training.
 constexpr double kReducingBlur = 0.42, kReduces = 0.7;
 
@@ -24,31 +19,11 @@ int rounded_up(double size) {
   return kMultiple * std::max(1, static_cast<int>(std::ceil(size / kMultiple - 1e-9)));
 }
 
-// Zero median, unit mean absolute deviation.
-void normalise(cv::Mat1f& picture) {
-  std::vector<float> values(picture.begin(), picture.end());
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  picture -= *middle;
-  const auto spread = static_cast<float>(cv::norm(picture, cv::NORM_L1) / static_cast<double>(values.size()));
-  picture /= spread + kLeastDeviation;
-  cv::min(picture, kFurthest, picture);
-  cv::max(picture, -kFurthest, picture);
-}
-
 }  // namespace
 
 class SceneNetwork::Impl {
  public:
-  Impl() {
-    const auto path = find_resource("networks", "scene", ".onnx");
-    try {
-      network_ = cv::dnn::readNetFromONNX(path.string());
-    } catch (const cv::Exception& error) {
-      throw InputError(path.string() + ": not a network that can be read (" + error.err + "); install pellucida anew");
-    }
-    network_.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-  }
+  Impl() : network_(read_network("scene")) {}
 
   SceneMap read(const GrayImage& image, const SceneWindow& window, double pixel_per_px) {
     const int width = rounded_up(window.width_px * pixel_per_px), height = rounded_up(window.height_px * pixel_per_px);

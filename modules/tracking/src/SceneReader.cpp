@@ -17,8 +17,6 @@ constexpr double kTipScale = 1.0, kTipSide = 128.0, kTipMagnified = 3.0;
 constexpr double kWorthwhile = 1.2, kSameFromNearer = 0.935, kLeastTipShare = 0.5;
 // A closer look that finds the cell elsewhere has found another, radii.
 constexpr double kElsewhere = 0.3;
-// Error of an outline, map pixels.
-constexpr double kOutlineError = 0.5, kLeastError_px = 0.7;
 constexpr std::size_t kMostCells = 3;
 // A tool found by lines is a needle of the scene when their directions (cosine) and axes (map pixels) are as near.
 constexpr double kSameDirection = 0.985, kSameAxis = 2.5;
@@ -32,10 +30,6 @@ double close_scale(double radius_px) {
 }
 
 }  // namespace
-
-double SceneReader::outline_error_px(double radius_px) noexcept {
-  return std::max(kLeastError_px, kOutlineError * kSceneMapStep / close_scale(radius_px));
-}
 
 SceneNetwork& SceneReader::network() {
   if (!network_) network_ = std::make_unique<SceneNetwork>();
@@ -63,6 +57,16 @@ void SceneReader::look_at_tip(const GrayImage& image, SceneTool& needle, double 
   }
 }
 
+BoundaryNetwork& SceneReader::boundaries() {
+  if (!boundaries_) boundaries_ = std::make_unique<BoundaryNetwork>();
+  return *boundaries_;
+}
+
+TipNetwork& SceneReader::tips() {
+  if (!tips_) tips_ = std::make_unique<TipNetwork>();
+  return *tips_;
+}
+
 SceneReading SceneReader::read(const GrayImage& image) {
   const double scale = std::clamp(kOverviewWidth / image.width, kCoarsest, kFinest);
   const SceneWindow whole{
@@ -85,7 +89,6 @@ SceneReading SceneReader::read(const GrayImage& image) {
 DetectedCell detected(const SceneCell& cell) {
   DetectedCell result;
   result.outer.points = cell.outer;
-  result.outer.kind = kLearntEdge;
   if (cell.inner.cols() > 0) {
     result.inner = result.outer;
     result.inner->points = cell.inner;

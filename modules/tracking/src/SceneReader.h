@@ -1,31 +1,36 @@
 #pragma once
 #include <memory>
 
+#include "BoundaryNetwork.h"
 #include "CellDetector.h"
 #include "NeedleStart.h"
 #include "SceneReading.h"
+#include "TipNetwork.h"
 #include "ToolFinder.h"
 
 namespace pellucida {
 
-/// Reads whole images and, closer, the cells found in them. Loads the network on first use.
+/// Reads whole images and, closer, the cells found in them. Loads the networks on first use.
 class SceneReader {
  public:
-  /// Everything in the image; each cell's outlines from a closer look at it. Allocates; for detection, not for
-  /// every frame.
+  /// Everything in the image; each cell's outlines from a closer look at it. Allocates; for detection, not for every
+  /// frame.
   SceneReading read(const GrayImage& image);
 
-  /// How good an outline of a closer look at such a cell is, px.
-  static double outline_error_px(double radius_px) noexcept;
+  /// To read the boundaries of a cell that is followed, and the tip of a needle.
+  BoundaryNetwork& boundaries();
+  TipNetwork& tips();
 
  private:
   SceneNetwork& network();
   SceneReading look_at(const GrayImage& image, const Eigen::Vector2d& center, double radius_px);
   void look_at_tip(const GrayImage& image, SceneTool& needle, double scale);
   std::unique_ptr<SceneNetwork> network_;
+  std::unique_ptr<BoundaryNetwork> boundaries_;
+  std::unique_ptr<TipNetwork> tips_;
 };
 
-/// A cell of the scene as a detection whose edges' look is to be learnt.
+/// A cell of the scene as a detection of edges of no known kind.
 DetectedCell detected(const SceneCell& cell);
 
 /// A needle of the scene as a tool to be followed; offsets count from its tip.

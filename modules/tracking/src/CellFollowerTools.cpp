@@ -1,0 +1,133 @@
+// The tools beside the followed cell: needle and holding pipette found, the needle followed.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "CellFollower.h"
+#include "ContourMath.h"
+
+namespace pellucida {
+namespace {
+
+// Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
+constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15;
+// Of the radius, beyond the centre: a needle is not taken up with its tip further through the cell.
+constexpr double kThrough_ratio = 0.9;
+// An edge that many times as blurred as the membrane's line is wide can't be taken for one.
+constexpr double kShade_ratio = 2.0;
+// Standard deviation of the way from the membrane's apex, seen through a blurred needle, to the tip, px.
+constexpr double kApexSigma_px = 0.15;
+// How far a membrane's halo reaches, in widths of its line.
+constexpr double kHaloLines = 4.0;
+// The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
+constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
+
+// The whole image in floating point: for searches, not for following.
+GrayImage gray(const ImageView& view) {
+  GrayImage whole;
+  load(view, whole);
+  return whole;
+}
+
+// The tools that the scene shows as holding pipettes.
+std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const SceneReading& scene) {
+  std::vector<FoundTool> holders;
+  for (const SceneTool& seen : scene.holders) {
+    const std::size_t before = holders.size();
+    std::copy_if(tools.begin(), tools.end(), std::back_inserter(holders),
+                 [&](const FoundTool& tool) { return is_same(tool, seen); });
+    if (holders.size() == before) holders.push_back(found_tool(seen));
+  }
+  return holders;
+}
+
+}  // namespace
+
+NeedleZone CellFollower::zone() const {
+  const NeedleEstimate& n = needle_.estimate();
+  // The front of a blurred tip is less sharp.
+  const double tip_sigma = std::hypot(0.4, 0.5 * n.edge_blur);
+  NeedleZone zone{n.tip, n.direction, n.tip_half_width + n.edge_blur, n.widening, touching_, tip_sigma};
+  const double line = snakes_.line_width_px();
+  zone.is_shade = line > 0.0 && n.edge_blur > kShade_ratio * line;
+  return zone;
+}
+
+void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
+  const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
+  motion_ = {};
+  holder_ = find_holder(frame.image, frame.scene ? holders_among(tools, *frame.scene) : tools, circle, frame.noise);
+  find_needle(frame, circle, tools);
+}
+
+// By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
+void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
+                               const std::vector<FoundTool>& tools) {
+  const auto is_plausible = [&] {
+    const NeedleEstimate& n = needle_.estimate();
+    const double beyond = (n.tip - circle.center).dot(n.direction);
+    return n.tip_half_width < kBroadTip_ratio * circle.radius && beyond < kThrough_ratio * circle.radius;
+  };
+  const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected) {
+    if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
+    if (!needle_.start(frame.image, tool, frame.noise, expected)) return false;
+    if (frame.reader) needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
+    return is_plausible();
+  };
+  if (frame.scene == nullptr) {
+    for (const FoundTool& tool : tools)
+      if (!(holder_ && tool.direction.dot(holder_direction()) > 0.8) && is_needle(tool, nullptr)) return;
+  } else {
+    for (const SceneTool& seen : frame.scene->needles) {
+      const ExpectedTip expected = expected_tip(seen);
+      for (const FoundTool& tool : tools)
+        if (is_same(tool, seen) && is_needle(tool, &expected)) return;
+      if (is_needle(found_tool(seen), &expected)) return;
+      const NeedleAxis axis{seen.tip, seen.direction};
+      if (needle_.start_read(frame.reader->tips(), frame.image, axis, seen.half_width_px) && is_plausible()) return;
+    }
+  }
+  needle_.reset();
+}
+
+// What of the picture the cell's membrane and its halo take.
+contour::Circle CellFollower::reach_of_cell() const {
+  const double radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
+  return {center_now(), radius + kHaloLines * snakes_.line_width_px(), 1.0, 0.0};
+}
+
+void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
+  const PartTimer timer(frame.timings->needle_us);
+  if (needle_.valid()) {
+    const double clear_px = kClear_px + kClearBlurs * std::max(0.0, needle_.estimate().edge_blur - kSharp_px);
+    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
+    NeedleCue cue{34.0, clear, frame.needle_motion_px, jump, std::nullopt};
+    if (zone().is_shade) cue.body = reach_of_cell();
+    const bool seen = needle_.is_read() ? needle_.follow_read(frame.reader->tips(), frame.image, cue)
+                                        : needle_.track(frame.image, frame.noise, cue);
+    if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
+    if (is_read_ && !needle_.is_read()) needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
+  } else if (options_.detection == TrackerOptions::Detection::kScene
+                 ? frame.scene != nullptr
+                 : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
+    const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
+    find_needle(frame, circle, find_tools(gray(frame.view), circle));
+  }
+}
+
+// Through a needle that is a mere shade the membrane is seen, and its apex rests on the tip.
+void CellFollower::take_dimple() {
+  if (contact_.state() != CellState::kContact || !needle_.valid() || !zone().is_shade) return;
+  needle_.take_dimple(apex(), apex_sigma());
+}
+
+Eigen::Vector2d CellFollower::apex() const {
+  const NeedleEstimate& n = needle_.estimate();
+  return rest_.entry_point(center_now(), n.tip, n.direction) + membrane_depth_ * n.direction;
+}
+
+double CellFollower::apex_sigma() const {
+  return std::hypot(membrane_sigma(), kApexSigma_px);
+}
+
+}  // namespace pellucida

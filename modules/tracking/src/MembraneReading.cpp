@@ -1,0 +1,108 @@
+// The pair of snakes on edges that a network reads along their normals, instead of on a look learnt from the film.
+#include <algorithm>
+#include <cmath>
+
+#include "BoundaryNetwork.h"
+#include "ContourMath.h"
+#include "MembraneSnakes.h"
+
+namespace pellucida {
+namespace {
+
+// Of the radius: the spread of a place that is half believed; no place is known better than this.
+constexpr double kHalfBelieved = 0.02, kLeastSpreadShare = 0.0015;
+// Spread, of the radius, of an inner boundary that is not seen any more.
+constexpr double kUnseenShare = 0.05;
+// Of the radius: two boundaries this near to each other are one.
+constexpr double kOneShare = 0.03;
+constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with each reading
+// Stiffness: where nothing pushes, the snake resists all bending, and bridges what a holding pipette hides; within so
+// many radii of a tip that pushes, only what the shape has not had.
+constexpr double kReadRigidity = 20.0, kDimpleRadii = 1.0;
+
+// Rounds from a rough outline, and the score below which that showed no boundary. Set on films of the tuning families:
+// 0.95 and more in all 41 with a cell.
+constexpr int kRoundsAtFirst = 3;
+constexpr double kLeastAtFirst = 0.85;
+
+// The places of the network's normals on others of the same contour, both evenly spaced from the same point on.
+void spread_out(const Eigen::VectorXd& places, Eigen::VectorXd& out) {
+  const double ratio = static_cast<double>(places.size()) / static_cast<double>(out.size());
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    const double at = ratio * static_cast<double>(i);
+    const auto whole = static_cast<Eigen::Index>(at);
+    const double t = at - static_cast<double>(whole);
+    out[i] = (1.0 - t) * places[whole] + t * places[contour::wrap(whole + 1, places.size())];
+  }
+}
+
+}  // namespace
+
+void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, double radius_px, const NeedleZone* needle,
+                              SnakeContour& snake) {
+  const Eigen::Index n = outer_.points.cols();
+  edges_.resize(n);
+  sigmas_.resize(n);
+  spread_out(places.offset_px, edges_);
+  spread_out(places.sigma_px, sigmas_);
+  sigmas_ = sigmas_.cwiseMax(kLeastSpreadShare * radius_px);
+  snake.confidence = (1.0 + (sigmas_ / (kHalfBelieved * radius_px)).array().square()).inverse();
+  double score = 0.0, seen = 0.0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (needle && needle->covers(outer_.points.col(i), kNeedleMargin)) continue;
+    score += snake.confidence[i];
+    seen += 1.0;
+  }
+  snake.score = seen > 0.0 ? score / seen : 0.0;
+  rigidity_.setConstant(n, kReadRigidity);
+  shape_share_.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool pushed =
+        needle && needle->touching && (outer_.points.col(i) - needle->tip).norm() < kDimpleRadii * radius_px;
+    shape_share_[i] = pushed ? kShapeShare : 1.0;
+  }
+  if (is_outer && needle) use_needle(snake, true, *needle);
+  rigidity_ = rigidity_.cwiseMin(kReadRigidity);
+  // The weight of 1 belongs to an edge as sure as most.
+  const Eigen::VectorXd& u = snake_.relax(outer_.points, normals_, edges_, sigmas_, rigidity_, shape_share_,
+                                          {options_.elasticity, 3.0 * kLeastSpreadShare * radius_px});
+  even_ = outer_.points + normals_ * u.asDiagonal();
+  const Eigen::VectorXd& deviation = snake_.deviation(edges_);
+  snake.sigma_px = deviation.cwiseMax(kLeastSpreadShare * radius_px);
+  snake.points = even_;
+}
+
+bool MembraneSnakes::start(const FrameSampler& image, BoundaryNetwork& network, const Eigen::Matrix2Xd& outline,
+                           double share, const NeedleZone* needle) {
+  outer_ = inner_ = {};
+  outer_look_ = inner_look_ = {};
+  thickness_ = 0.0;
+  if (outline.cols() < 3) return false;
+  outer_.points = contour::resample(contour::positively_oriented(outline), options_.contour_point_count);
+  sureness_ = read(image, network, needle, kRoundsAtFirst) * share;
+  return outer_.score >= kLeastAtFirst;
+}
+
+double MembraneSnakes::read(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone* needle, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    contour::resample_smooth(outer_.points, options_.contour_point_count, 0.0, even_);
+    outer_.points.swap(even_);
+    const BoundaryReading reading = network.read(image, outer_.points);
+    contour::outward_normals(outer_.points, normals_);
+    const double radius_px = std::sqrt(std::abs(contour::signed_area(outer_.points)) / M_PI);
+    const double inner_spread = reading.inner.sigma_px.mean();
+    const bool shows_inner = inner_spread < kUnseenShare * radius_px &&
+                             (reading.outer.offset_px - reading.inner.offset_px).mean() > kOneShare * radius_px;
+    if (shows_inner) relax_on(reading.inner, false, radius_px, needle, inner_);
+    relax_on(reading.outer, true, radius_px, needle, outer_);
+    if (!shows_inner) inner_ = {};
+  }
+  if (has_inner()) {
+    contour::resample_smooth(inner_.points, options_.contour_point_count, 0.0, even_);
+    inner_.points.swap(even_);
+    learn_thickness(needle, thickness_ > 0.0 ? kThicknessShare : 1.0);
+  }
+  return outer_.score;
+}
+
+}  // namespace pellucida

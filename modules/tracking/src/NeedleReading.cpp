@@ -1,0 +1,89 @@
+// The needle's tip by a network: beside the followed shaft, or by itself where no shaft can be followed.
+#include <algorithm>
+#include <cmath>
+
+#include "NeedleTracker.h"
+
+namespace pellucida {
+namespace {
+
+// Of the image's longer side: how far behind the tip the width is taken that a patch for the network is scaled by.
+// Least share of its answer in one place; px from where it was read that a tip is read again from there.
+constexpr double kWidthBehind = 0.05, kLeastTipShare = 0.5, kReadAgain_px = 3.0;
+// A needle known by its tip alone: of its half width further back, that of its tip; px, its edges' blur; of the last
+// motion, what it goes on with.
+constexpr double kTipOfWidth = 0.5, kReadBlur_px = 1.0, kGoesOn = 0.7;
+
+}  // namespace
+
+bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share) {
+  if (!valid_) return false;
+  const double half_width = model_.cone.half_width(kWidthBehind * std::max(image.width, image.height));
+  TipReading seen = network.read(image, axis_, half_width);
+  if (seen.share < kLeastTipShare) {
+    // What was followed may have run away: there where it was before?
+    NeedleAxis earlier = axis_;
+    earlier.tip += (axis_before_.tip - axis_.tip).dot(axis_.direction) * axis_.direction;
+    const TipReading there = network.read(image, earlier, half_width);
+    if (there.share < kLeastTipShare) return false;
+    seen = there;
+    share = 1.0;
+  } else if ((seen.tip - tip()).norm() > kReadAgain_px) {
+    NeedleAxis nearer = axis_;
+    nearer.tip += (seen.tip - axis_.tip).dot(axis_.direction) * axis_.direction;
+    const TipReading again = network.read(image, nearer, half_width);
+    if (again.share > seen.share) seen = again;
+  }
+  const Eigen::Vector2d off = seen.tip - tip();
+  const double way = share * off.dot(axis_.direction);
+  axis_.tip += way * axis_.direction;
+  beside_ += share * off.dot(axis_.across());
+  motion_ += way * axis_.direction;
+  end_bias_ += way;
+  model_.cone.move(way, 0.0);
+  covariance_(0, 0) = seen.along_sigma_px * seen.along_sigma_px;
+  covariance_(0, 1) = covariance_(1, 0) = 0.0;
+  prepare();
+  now_.tip = tip();
+  now_.tip_sigma = seen.along_sigma_px;
+  now_.tip_half_width = model_.cone.tip_radius();
+  return true;
+}
+
+bool NeedleTracker::start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis,
+                               double half_width_px) {
+  reset();
+  read_half_width_ = half_width_px;
+  axis_ = axis_before_ = axis;
+  valid_ = true;
+  for (int round = 0; round < 2 && valid_; ++round) valid_ = follow_read(network, image, {});
+  return valid_;
+}
+
+bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue) {
+  axis_before_ = axis_;
+  const Eigen::Vector2d expected = cue.commanded_px.value_or(kGoesOn * motion_) + cue.scene_jump_px;
+  TipReading seen;
+  for (const Eigen::Vector2d& from : {Eigen::Vector2d(axis_.tip + expected), axis_.tip}) {
+    const TipReading there = network.read(image, {from, axis_.direction}, read_half_width_);
+    if (there.share > seen.share) seen = there;
+    if (seen.share >= kLeastTipShare) break;
+  }
+  if (seen.share < kLeastTipShare) {
+    now_.confidence *= 0.5;
+    motion_.setZero();
+    return false;
+  }
+  axis_.tip = seen.tip;
+  motion_ = axis_.tip - axis_before_.tip - cue.scene_jump_px;
+  now_.tip = seen.tip;
+  now_.direction = axis_.direction;
+  now_.tip_half_width = kTipOfWidth * read_half_width_;
+  now_.edge_blur = kReadBlur_px;
+  now_.tip_sigma = seen.along_sigma_px;
+  now_.confidence = seen.share;
+  now_.evidence = kTipEnd;
+  return true;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Core>
+#include <memory>
+
+#include "FrameSampler.h"
+#include "NeedleModel.h"
+
+namespace pellucida {
+
+/// Where a needle ends.
+struct TipReading {
+  Eigen::Vector2d tip = Eigen::Vector2d::Zero();  ///< px
+  double along_sigma_px = 0.0;                    ///< as spread as the network's answer is, along the needle
+  double across_sigma_px = 0.0;                   ///< and across
+  double share = 0.0;                             ///< 0..1: of the answer, near its highest place
+};
+
+/// A small convolutional network that reads the patch of an image about the supposed tip of a needle, laid along it,
+/// and says where in it the tip is, in any contrast and whatever lies before it. Trained by
+/// `resources/networks/train_tip.py` on drawn pictures of the tuning families; run by OpenCV. It sees 56 samples behind
+/// the supposed tip and 39 ahead of it, five of which make the needle's half width.
+class TipNetwork {
+ public:
+  /// Reads `networks/tip.onnx` of the resources. Throws InputError when it can't be read.
+  TipNetwork();
+  ~TipNetwork();
+  TipNetwork(TipNetwork&&) noexcept;
+  TipNetwork& operator=(TipNetwork&&) noexcept;
+
+  /// Reads about the axis's tip; `half_width_px`: the needle's, some way behind its tip.
+  TipReading read(const FrameSampler& image, const NeedleAxis& axis, double half_width_px);
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pellucida

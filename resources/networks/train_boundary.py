@@ -1,0 +1,266 @@
+#!/usr/bin/python3
+"""Trains the boundary network, which reads the strip of normals along a rough outline of a cell and says on each normal
+where the zona's outer and inner boundaries lie, in any contrast.
+
+    build/release/bin/film_samples --count 3200 --first 20001 --out samples     (a test program of this project draws them)
+    python3 train_boundary.py samples boundary.onnx --minutes 45
+
+Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only.
+The strip has NORMALS rows, the first WRAP of which are repeated after the last and the last before the first, and
+COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the outline's radius; the outline lies on
+sample ZERO. Its four planes: grey values (median 0, mean deviation 1), the normal's x and y, and how many pixels a
+sample takes (SPACING_OF of train and program alike).
+"""
+import argparse
+import csv
+import glob
+import os
+import time
+
+import cv2
+import numpy as np
+import torch
+from torch import nn
+
+from train_scene import Block, normalised
+
+NORMALS, WRAP, COLUMNS, ZERO, RADIUS_SAMPLES = 128, 16, 96, 58, 160
+REDUCING_BLUR = 0.42   # before samples further apart than a pixel, in samples
+LABEL_SIGMA = 1.0      # of the label's spot, samples
+TIGHT = 0.5            # share of the loss for the mean of the spot
+
+
+class BoundaryNetwork(nn.Module):
+    """A U of four levels; input (n, 4, NORMALS + 2 WRAP, COLUMNS), output (n, 2, NORMALS + 2 WRAP, COLUMNS): logits of
+    the outer and the inner boundary's place on each normal."""
+
+    def __init__(self, widths=(12, 24, 40, 56)):
+        super().__init__()
+        self.stem = nn.Sequential(nn.Conv2d(4, widths[0], (3, 7), (1, 2), (1, 3), bias=False), nn.BatchNorm2d(widths[0]),
+                                  nn.ReLU())
+        self.first = Block(widths[0], widths[0])
+        self.down = nn.ModuleList(
+            nn.Sequential(Block(a, b, stride=2), Block(b, b)) for a, b in zip(widths, widths[1:]))
+        self.up = nn.ModuleList(Block(a + b, a) for a, b in reversed(list(zip(widths, widths[1:]))))
+        self.out = nn.ConvTranspose2d(widths[0], 2, (1, 4), (1, 2), (0, 1))
+
+    def forward(self, x):
+        x = self.first(self.stem(x))
+        kept = [x]
+        for down in self.down:
+            x = down(x)
+            kept.append(x)
+        for up, skip in zip(self.up, kept[-2::-1]):
+            x = up(torch.cat([nn.functional.interpolate(x, scale_factor=2.0, mode="nearest"), skip], 1))
+        return self.out(x)
+
+
+def evenly(points, count):
+    """`count` points (2, count) at equal arc lengths of a closed polygon (2, n)."""
+    closed = np.hstack([points, points[:, :1]])
+    length = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(closed)))])
+    at = np.arange(count) * length[-1] / count
+    return np.stack([np.interp(at, length, closed[0]), np.interp(at, length, closed[1])])
+
+
+def outward(points):
+    """Unit normals (2, n) of a closed polygon of positive area."""
+    tangent = np.roll(points, -1, 1) - np.roll(points, 1, 1)
+    normal = np.stack([tangent[1], -tangent[0]])
+    return normal / np.maximum(np.hypot(*normal), 1e-9)
+
+
+def area(points):
+    x, y = points
+    return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
+
+
+def crossings(points, normals, polygon, reach):
+    """Signed way along each normal to the polygon's crossing next to 0; NaN where none is within `reach`, low to high."""
+    a, b = polygon, np.roll(polygon, -1, 1)
+    d = b - a
+    across = normals[0][:, None] * d[1] - normals[1][:, None] * d[0]
+    w = a[:, None, :] - points[:, :, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = (w[0] * d[1] - w[1] * d[0]) / across
+        t = (w[0] * normals[1][:, None] - w[1] * normals[0][:, None]) / across
+    s = np.where((t >= 0) & (t < 1) & (s > reach[0]) & (s < reach[1]), s, np.inf)
+    best = s[np.arange(len(s)), np.argmin(np.abs(s), 1)]
+    return np.where(np.isfinite(best), best, np.nan)
+
+
+class Samples:
+    """Pictures of a folder that show a cell, with both boundaries; `load` takes in what has been added since."""
+
+    def __init__(self, folder):
+        self.folder, self.items, self.known = folder, [], set()
+        self.load()
+
+    def load(self):
+        for path in sorted(glob.glob(os.path.join(self.folder, "contours*.csv"))):
+            found = {}
+            with open(path) as file:
+                for line in file:
+                    if not line.endswith("\n"):
+                        continue
+                    name, which, *values = line.strip().split(",")
+                    found.setdefault(name, {})[which] = np.array(values, float).reshape(-1, 2).T
+            for name, both in found.items():
+                if name in self.known or "outer" not in both or "inner" not in both:
+                    continue
+                image = cv2.imread(os.path.join(self.folder, name), cv2.IMREAD_GRAYSCALE)
+                if image is None:
+                    continue
+                both = {key: value if area(value) > 0 else value[:, ::-1] for key, value in both.items()}
+                self.known.add(name)
+                self.items.append((image, both["outer"], both["inner"]))
+
+    def draw(self, random):
+        image, outer, inner = self.items[random.integers(len(self.items))]
+        return strip_of(image, outer, inner, random)
+
+
+def rough(outer, random):
+    """An outline as detection may give it: wrong by an offset, a few harmonics, a dimple too many or too few."""
+    points = evenly(outer, 4 * NORMALS)
+    radius = np.sqrt(area(points) / np.pi)
+    normal = outward(points)
+    angle = np.arctan2(*(points - points.mean(1, keepdims=True))[::-1])
+    coarse = 3.0 if random.random() < 0.25 else 1.0
+    off = random.normal(0, 0.018 * coarse) * np.ones_like(angle)
+    for k in range(1, 6):
+        off += coarse * random.normal(0, 0.012) / np.sqrt(k) * np.cos(k * angle + random.uniform(0, 2 * np.pi))
+    for _ in range(random.choice(4, p=[0.4, 0.3, 0.2, 0.1])):
+        away = np.angle(np.exp(1j * (angle - random.uniform(-np.pi, np.pi))))
+        width = np.exp(random.uniform(np.log(0.04), np.log(0.4)))
+        off += random.uniform(-0.2, 0.2) * min(1.0, width / 0.08) * np.exp(-0.5 * (away / width) ** 2)
+    if random.random() < 0.3:  # the outline without its own dimple: the circle through its far points
+        middle = points.mean(1, keepdims=True)
+        way = points - middle
+        far = np.percentile(np.hypot(*way), 70)
+        points = points + random.uniform(0.3, 1.0) * (middle + way * far / np.hypot(*way) - points)
+    return points + np.clip(off, -0.19, 0.28) * radius * normal
+
+
+def strip_of(image, outer, inner, random):
+    outline = rough(outer, random)
+    if random.random() < 0.5:
+        image, width = image[:, ::-1], image.shape[1]
+        outline, outer, inner = (np.stack([width - 1 - p[0], p[1]])[:, ::-1] for p in (outline, outer, inner))
+    radius = np.sqrt(abs(area(outline)) / np.pi)
+    spacing = radius / RADIUS_SAMPLES
+    points = np.roll(evenly(outline, NORMALS), random.integers(NORMALS), 1)
+    normals = outward(points)
+    reach = (-ZERO * spacing, (COLUMNS - 1 - ZERO) * spacing)
+    truth = np.stack([crossings(points, normals, p, reach) for p in (outer, inner)]) / spacing + ZERO
+    # Only what the strip needs.
+    low = np.floor(points.min(1) + 2 * reach[0]).astype(int) - 8
+    high = np.ceil(points.max(1) - 2 * reach[0]).astype(int) + 8
+    low, high = np.maximum(low, 0), np.minimum(high, image.shape[::-1])
+    if np.any(high - low < 16):
+        return None
+    part = np.ascontiguousarray(image[low[1]:high[1], low[0]:high[0]]).astype(np.float32)
+    if random.random() < 0.2:
+        part = 255 - part
+    if random.random() < 0.3:
+        part = 255 * (np.clip(part, 0, 255) / 255) ** np.exp(random.uniform(-0.5, 0.5)).astype(np.float32)
+    if random.random() < 0.3:
+        part = cv2.GaussianBlur(part, (0, 0), random.uniform(0.3, 1.0))
+    if random.random() < 0.5:
+        part = part + cv2.randn(np.empty_like(part), 0, random.uniform(0, 5))
+    if spacing > 1:
+        part = cv2.GaussianBlur(part, (0, 0), REDUCING_BLUR * spacing)
+    offsets = (np.arange(COLUMNS) - ZERO) * spacing
+    wrapped = np.arange(-WRAP, NORMALS + WRAP) % NORMALS
+    points, normals, truth = points[:, wrapped], normals[:, wrapped], truth[:, wrapped]
+    x = (points[0] - low[0])[:, None] + normals[0][:, None] * offsets
+    y = (points[1] - low[1])[:, None] + normals[1][:, None] * offsets
+    grey = cv2.remap(part, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    plane = np.ones_like(grey)
+    strip = np.stack([normalised(grey), plane * normals[0][:, None], plane * normals[1][:, None],
+                      plane * spacing_of(spacing)])
+    return strip.astype(np.float32), truth.astype(np.float32)
+
+
+def spacing_of(spacing_px):
+    return float(np.clip(np.log2(spacing_px), -3, 3)) / 2
+
+
+def batch(samples, random, count):
+    drawn = []
+    while len(drawn) < count:
+        one = samples.draw(random)
+        if one is not None and np.isfinite(one[1][0]).mean() > 0.6:
+            drawn.append(one)
+    xs, ts = zip(*drawn)
+    return torch.from_numpy(np.stack(xs)), torch.from_numpy(np.stack(ts))
+
+
+def loss_of(logits, truth):
+    """Cross entropy with a spot at the truth, and how far the mean of the place is off, in samples."""
+    known = torch.isfinite(truth)
+    truth = torch.where(known, truth, torch.zeros_like(truth))
+    place = torch.arange(COLUMNS, dtype=torch.float32)
+    label = torch.exp(-0.5 * ((place - truth[..., None]) / LABEL_SIGMA) ** 2)
+    label = label / label.sum(-1, keepdim=True).clamp(min=1e-6)
+    logs = torch.log_softmax(logits, -1)
+    crossed = -(label * logs).sum(-1)
+    mean = (torch.exp(logs) * place).sum(-1)
+    off = (mean - truth).abs()
+    weight = known.float() * torch.tensor([1.0, 0.5])[None, :, None]
+    total = weight.sum()
+    return ((crossed + TIGHT * torch.minimum(off, 1 + 0.2 * off)) * weight).sum() / total, (off[:, 0][known[:, 0]]).detach()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("samples")
+    parser.add_argument("output")
+    parser.add_argument("--minutes", type=float, default=45)
+    parser.add_argument("--start", help="weights to go on from (.pt)")
+    parser.add_argument("--rate", type=float, default=4e-3)
+    options = parser.parse_args()
+    torch.set_num_threads(1)
+    torch.manual_seed(1)
+    cv2.setNumThreads(1)
+    cv2.setRNGSeed(1)
+    random = np.random.default_rng(1)
+    samples = Samples(options.samples)
+    network = BoundaryNetwork()
+    print(f"{len(samples.items)} samples, {sum(p.numel() for p in network.parameters())} parameters", flush=True)
+    if options.start:
+        network.load_state_dict(torch.load(options.start))
+    optimiser = torch.optim.AdamW(network.parameters(), lr=options.rate, weight_decay=1e-4)
+    begin, step, mean, offs = time.time(), 0, None, []
+    while True:
+        share = (time.time() - begin) / (60 * options.minutes)
+        if share >= 1:
+            break
+        for group in optimiser.param_groups:
+            group["lr"] = options.rate * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
+        strips, truth = batch(samples, random, 8)
+        loss, off = loss_of(network(strips), truth)
+        optimiser.zero_grad()
+        loss.backward()
+        nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+        optimiser.step()
+        offs.append(off.median().item())
+        mean = loss.item() if mean is None else 0.98 * mean + 0.02 * loss.item()
+        step += 1
+        if step % 100 == 0:
+            samples.load()
+            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}  median off {np.mean(offs[-100:]):.2f} samples"
+                  f"  {len(samples.items)} pictures", flush=True)
+            torch.save(network.state_dict(), options.output[:-5] + ".pt")
+    export(network, options.output)
+
+
+def export(network, path):
+    network.eval()
+    torch.save(network.state_dict(), path[:-5] + ".pt")
+    torch.onnx.export(network, torch.zeros(1, 4, NORMALS + 2 * WRAP, COLUMNS), path, opset_version=11,
+                      input_names=["strip"], output_names=["boundaries"])
+
+
+if __name__ == "__main__":
+    main()

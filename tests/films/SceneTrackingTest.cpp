@@ -1,0 +1,53 @@
+// Cells and needles of films of families that no network and no constant has seen, followed by --detection scene.
+// Limits are about twice what is found. film_report prints more.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "films/FilmRun.h"
+
+namespace pellucida::test {
+namespace {
+
+constexpr std::uint64_t kFirst = 3001, kFilms = 16;
+
+double share_of(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 1e9 : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+TEST(SceneTracking, FollowsFilmsOfFamiliesNeverSeen) {
+  TrackerOptions options;
+  options.detection = TrackerOptions::Detection::kScene;
+  std::vector<double> outer, tip;
+  int frames = 0, found = 0, contact = 0, false_punctures = 0, bold = 0;
+  for (std::uint64_t seed = kFirst; seed < kFirst + kFilms; ++seed) {
+    const FilmRun run = run_film(draw_film(Split::kValidation, seed, 640), options);
+    if (!run.has_cell) {
+      EXPECT_EQ(run.found_count, 0) << "film " << seed;
+      continue;
+    }
+    frames += static_cast<int>(run.errors.size());
+    found += run.found_count;
+    contact += run.contact_count;
+    false_punctures += run.false_puncture_count;
+    bold += run.confident_and_wrong_count;
+    for (const FrameError& error : run.errors) {
+      if (error.outer_px >= 0) outer.push_back(error.outer_px);
+      if (error.tip_px >= 0) tip.push_back(error.tip_px);
+    }
+  }
+  std::printf("%d frames: found %d; outer %.2f px median, %.2f 95 %%; tip %.2f, %.2f; false punctures %d of %d\n",
+              frames, found, share_of(outer, 0.5), share_of(outer, 0.95), share_of(tip, 0.5), share_of(tip, 0.95),
+              false_punctures, contact);
+  EXPECT_GT(found, 0.8 * frames);
+  EXPECT_LT(share_of(outer, 0.5), 0.4);
+  EXPECT_LT(share_of(tip, 0.5), 1.0);
+  EXPECT_LE(false_punctures, contact / 50);
+  EXPECT_EQ(bold, 0);
+}
+
+}  // namespace
+}  // namespace pellucida::test
