@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/pipeline/PaceFigures.h"
+#include "pellucida/core/PaceFigures.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 
 namespace pellucida {

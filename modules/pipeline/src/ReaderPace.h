@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "pellucida/core/Clock.h"
-#include "pellucida/pipeline/PaceFigures.h"
+#include "pellucida/core/PaceFigures.h"
 
 namespace pellucida {
 

@@ -13,7 +13,7 @@
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
-#include "pellucida/pipeline/PaceFigures.h"
+#include "pellucida/core/PaceFigures.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 
 namespace pellucida {
