@@ -18,6 +18,7 @@
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionWriter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
+#include "support/DocsPage.h"
 #include "support/WaitUntil.h"
 
 namespace pellucida {
@@ -89,8 +90,8 @@ TEST_P(LiveAgainstReplay, HasTheSameNumbers) {
   const TemporaryFolder folder;
   record_live(quick_scenario(GetParam()), folder / "live");
   for (const auto& [name, rerun] : {std::pair{"tracking", Rerun::kTracking}, {"mechanics", Rerun::kMechanics}}) {
-    const auto result = run_counterfactual(folder / "live", again(folder / "live", rerun),
-                                           {same(folder / "live", folder / name)});
+    const auto result =
+        run_counterfactual(folder / "live", again(folder / "live", rerun), {same(folder / "live", folder / name)});
     const ChangeFigures& changes = result.variants.front().changes;
     EXPECT_EQ(changes.equal_row_count, changes.frame_count) << name;
     EXPECT_GT(changes.force_count, 5) << name;
@@ -233,8 +234,8 @@ TEST_F(Counterfactual, APartWithoutItsPastIsAnotherMeasurement) {
 TEST_F(Counterfactual, WhatIsMissingIsSaidAndKeepsItsRow) {
   fs::copy(recorded(), at("holes"), fs::copy_options::recursive);
   fs::remove(at("holes") / "membranes" / "membranes_00000003.vtp");
-  const auto result = run_counterfactual(at("holes"), again(at("holes"), Rerun::kMechanics),
-                                         {same(at("holes"), at("holes_again"))});
+  const auto result =
+      run_counterfactual(at("holes"), again(at("holes"), Rerun::kMechanics), {same(at("holes"), at("holes_again"))});
   EXPECT_EQ(result.absent_count, 1);
   EXPECT_NE(result.first_absence.find("frame 3"), std::string::npos) << result.first_absence;
   const SessionReader holes(at("holes_again"));
@@ -252,6 +253,17 @@ TEST_F(Counterfactual, RefusesWhatItCannotDo) {
   options.playback.pixel_size_um = 0.5;
   EXPECT_THROW(run_counterfactual(recorded(), options, {same(recorded(), at("never"))}), UsageError);
   EXPECT_FALSE(fs::exists(at("never") / "session.json"));
+}
+
+TEST(ChangeFigures, TheirColumnsAreThoseOfThePage) {
+  const std::string page = test::docs_section("file-format.md", "A replayed session");
+  for (const auto& column : change_columns()) {
+    const std::string unit = column.unit.empty() ? "|" : "| " + std::string(column.unit) + " |";
+    const std::string row = "| `" + std::string(column.name) + "` " + unit + (column.unit.empty() ? " | " : " ") +
+                            std::string(column.doc) + " |";
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+  EXPECT_NE(page.find(ChangeLog::table_header().substr(0, 34)), std::string::npos);
 }
 
 TEST(RunProvenance, TheRecordedOptionsComeBack) {

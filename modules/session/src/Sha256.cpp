@@ -12,18 +12,7 @@
 namespace pellucida {
 namespace {
 
-struct DigestDeleter {
-  void operator()(EVP_MD_CTX* context) const noexcept { EVP_MD_CTX_free(context); }
-};
-using DigestContext = std::unique_ptr<EVP_MD_CTX, DigestDeleter>;
-
-DigestContext new_context() {
-  DigestContext context(EVP_MD_CTX_new());
-  if (!context) throw Error(ExitCode::kOurFault, "SHA-256: no memory");
-  return context;
-}
-
-void require(int result) {
+void require_digest(int result) {
   if (result != 1) throw Error(ExitCode::kOurFault, "SHA-256 failed in the cryptographic library");
 }
 
@@ -31,17 +20,22 @@ void require(int result) {
 
 class Sha256::Impl {
  public:
-  Impl() : context_(new_context()) { require(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
+  struct DigestDeleter {
+    void operator()(EVP_MD_CTX* context) const noexcept { EVP_MD_CTX_free(context); }
+  };
+  using DigestContext = std::unique_ptr<EVP_MD_CTX, DigestDeleter>;
 
-  void add(const void* bytes, std::size_t count) { require(EVP_DigestUpdate(context_.get(), bytes, count)); }
+  Impl() : context_(new_context()) { require_digest(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr)); }
+
+  void add(const void* bytes, std::size_t count) { require_digest(EVP_DigestUpdate(context_.get(), bytes, count)); }
 
   std::string hex() const {
     // A copy is finished, so that more can be added to this one.
     const DigestContext copy = new_context();
-    require(EVP_MD_CTX_copy_ex(copy.get(), context_.get()));
+    require_digest(EVP_MD_CTX_copy_ex(copy.get(), context_.get()));
     std::array<std::uint8_t, EVP_MAX_MD_SIZE> bytes{};
     unsigned count = 0;
-    require(EVP_DigestFinal_ex(copy.get(), bytes.data(), &count));
+    require_digest(EVP_DigestFinal_ex(copy.get(), bytes.data(), &count));
     constexpr std::string_view kDigits = "0123456789abcdef";
     std::string text;
     for (unsigned i = 0; i < count; ++i) {
@@ -52,6 +46,12 @@ class Sha256::Impl {
   }
 
  private:
+  static DigestContext new_context() {
+    DigestContext context(EVP_MD_CTX_new());
+    if (!context) throw Error(ExitCode::kOurFault, "SHA-256: no memory");
+    return context;
+  }
+
   DigestContext context_;
 };
 
