@@ -87,6 +87,30 @@ class VariantThread {
   std::jthread thread_;
 };
 
+/// The recorded profile's own mechanics, where variants of its modulus can use the shapes it finds.
+class SharedShapes {
+ public:
+  SharedShapes(const CounterfactualOptions& options, const std::vector<ReplayVariant>& variants) {
+    const CellProfile recorded = profile_of(options.pipeline);
+    // Even for one: what a variant gives does not depend on those beside it.
+    const bool is_wanted = std::any_of(variants.begin(), variants.end(), [&](const ReplayVariant& variant) {
+      return has_same_shape(variant.profile, recorded) && to_json(variant.profile) != to_json(recorded);
+    });
+    if (!is_wanted) return;
+    mechanics_.emplace(recorded);
+    if (options.pipeline.palpation) mechanics_->set_palpation(*options.pipeline.palpation);
+  }
+
+  void add_to(RecordedFrame& frame) {
+    const Scene& scene = frame.scene;
+    if (!mechanics_ || scene.use < FrameUse::kMeasure || !scene.observation) return;
+    if (mechanics_->process(scene)) frame.shape = mechanics_->solved_shape();
+  }
+
+ private:
+  std::optional<MechanicsStep> mechanics_;
+};
+
 void require_possible(const CounterfactualOptions& options, const std::vector<ReplayVariant>& variants) {
   if (variants.empty()) throw UsageError("a replay needs a variant, if only the recording's own");
   if (options.job_count < 1) {
@@ -109,6 +133,7 @@ CounterfactualResult run_counterfactual(const std::filesystem::path& session, co
   RecordedFrames frames(reader, options);
   const std::string hash = sha256_of_file(session / "session.json");
 
+  SharedShapes shapes(options, variants);
   WorkSlots slots(options.job_count);
   std::vector<std::unique_ptr<VariantThread>> threads;
   for (const ReplayVariant& variant : variants) {
@@ -124,6 +149,7 @@ CounterfactualResult run_counterfactual(const std::filesystem::path& session, co
     while (going_on) {
       auto frame = frames.next();
       if (!frame) break;
+      shapes.add_to(*frame);
       const auto shared = std::make_shared<const RecordedFrame>(std::move(*frame));
       going_on = std::all_of(threads.begin(), threads.end(), [&](const auto& thread) { return thread->give(shared); });
       if (options.progress) options.progress(++done, frames.expected_count());

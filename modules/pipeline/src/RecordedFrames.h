@@ -4,6 +4,7 @@
 
 #include "pellucida/core/Clock.h"
 #include "pellucida/core_vtk/Scene.h"
+#include "pellucida/membrane/Indenter.h"
 #include "pellucida/pipeline/Counterfactual.h"
 #include "pellucida/session/SessionReader.h"
 
@@ -11,8 +12,9 @@ namespace pellucida {
 
 /// One recorded frame, ready for the mechanics.
 struct RecordedFrame {
-  Scene recorded;  ///< contours, surface and row as they were recorded
-  Scene scene;     ///< the same frame tracked anew, or as it was tracked, and revolved
+  Scene recorded;                            ///< contours, surface and row as they were recorded
+  Scene scene;                               ///< the same frame tracked anew, or as it was tracked, and revolved
+  std::shared_ptr<const SolvedShape> shape;  ///< of the recorded profile, for variants of its modulus; may be empty
 };
 
 /// The frames of a session as they enter the mechanics: what does not depend on a cell profile, done once for all

@@ -71,12 +71,31 @@ void write_table(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
+bool has_same_shape(const CellProfile& one, const CellProfile& other) {
+  const auto shape_of = [](CellProfile profile) {
+    const CellProfile none;
+    profile.effective_young_modulus_kPa = 1.0;
+    // Numbers that say something of the force, and nothing of the shape.
+    profile.force_scale_relative_sigma = none.force_scale_relative_sigma;
+    profile.young_modulus_kPa = none.young_modulus_kPa;
+    profile.puncture_force_uN = none.puncture_force_uN;
+    profile.puncture_indentation_um = none.puncture_indentation_um;
+    profile.description.clear();
+    profile.sources.clear();
+    profile.references.clear();
+    profile.errors.clear();
+    return to_json(profile);
+  };
+  return shape_of(one) == shape_of(other);
+}
+
 VariantRun::VariantRun(const ReplayVariant& variant, const CounterfactualOptions& options, const SessionReader& session,
                        const std::string& session_json_sha256, const Clock& clock)
     : variant_(variant),
       options_(options),
       clock_(clock),
       mechanics_(variant.profile),
+      has_recorded_shape_(has_same_shape(variant.profile, profile_of(options.pipeline))),
       writer_(variant.folder, info_of_variant(variant, options, session, session_json_sha256),
               {.frames = options.keep_frames}) {
   if (options.pipeline.palpation) mechanics_.set_palpation(*options.pipeline.palpation);
@@ -86,7 +105,8 @@ void VariantRun::take(const RecordedFrame& frame) {
   Scene scene = frame.scene;
   scene.arrival_s = clock_.now_s();
   if (scene.use == FrameUse::kMeasure && scene.observation) {
-    if (auto measured = mechanics_.process(scene)) scene = std::move(*measured);
+    if (auto measured = mechanics_.process(scene, has_recorded_shape_ ? frame.shape.get() : nullptr))
+      scene = std::move(*measured);
     stamp_age(scene, clock_);
   }
   const FieldDifferences largest = add_differences(scene, frame.recorded);

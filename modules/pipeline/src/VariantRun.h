@@ -10,6 +10,10 @@
 
 namespace pellucida {
 
+/// True when two profiles give the same shape at every depth: they differ in their modulus, and what follows from it,
+/// alone.
+bool has_same_shape(const CellProfile& one, const CellProfile& other);
+
 /// One variant at work: the mechanics under its profile, the differences, its session. One thread at a time.
 class VariantRun {
  public:
@@ -26,6 +30,7 @@ class VariantRun {
   const CounterfactualOptions& options_;
   const Clock& clock_;
   MechanicsStep mechanics_;
+  const bool has_recorded_shape_;
   SessionWriter writer_;
   ChangeLog log_;
 };

@@ -95,7 +95,7 @@ class MechanicsStep::Impl {
 
   ForceObserver& observer() noexcept { return observer_; }
 
-  expected<Scene, StepFailure> process(const Scene& scene) {
+  expected<Scene, StepFailure> process(const Scene& scene, const SolvedShape* known) {
     if (!scene.observation) return unexpected<StepFailure>({"mechanics: the scene has no observation"});
     if (scene.run_index != run_index_) {
       run_index_ = scene.run_index;
@@ -105,7 +105,7 @@ class MechanicsStep::Impl {
       told_puncture_ = false;
     }
     Scene out = scene;
-    const ForceEstimate e = observer_.process(*scene.observation);
+    const ForceEstimate e = observer_.process(*scene.observation, known);
 
     out.contact = contact_model(*scene.observation, e, scene.arrival_s);
 
@@ -228,8 +228,11 @@ MechanicsStep::~MechanicsStep() = default;
 MechanicsStep::MechanicsStep(MechanicsStep&&) noexcept = default;
 MechanicsStep& MechanicsStep::operator=(MechanicsStep&&) noexcept = default;
 
-expected<Scene, StepFailure> MechanicsStep::process(const Scene& scene) {
-  return impl_->process(scene);
+expected<Scene, StepFailure> MechanicsStep::process(const Scene& scene, const SolvedShape* known) {
+  return impl_->process(scene, known);
+}
+std::shared_ptr<const SolvedShape> MechanicsStep::solved_shape() const {
+  return impl_->observer().solved_shape();
 }
 
 void MechanicsStep::set_palpation(const Palpation& palpation) {

@@ -39,7 +39,9 @@ class MechanicsStep {
   MechanicsStep(MechanicsStep&&) noexcept;
   MechanicsStep& operator=(MechanicsStep&&) noexcept;
 
-  expected<Scene, StepFailure> process(const Scene& scene);
+  /// `known`: see `ForceObserver::process`.
+  expected<Scene, StepFailure> process(const Scene& scene, const SolvedShape* known = nullptr);
+  std::shared_ptr<const SolvedShape> solved_shape() const;
 
   /// See `ForceObserver`. Between two calls of `process`.
   void set_palpation(const Palpation& palpation);
