@@ -9,6 +9,8 @@
 
 namespace pellucida {
 
+struct SolvedShape;  // membrane/Indenter.h
+
 /// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
