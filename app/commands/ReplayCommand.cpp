@@ -1,6 +1,7 @@
 #include "commands/ReplayCommand.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,12 @@ Rerun choose_rerun(const CLI::App& command, const ReplayArguments& arguments, co
   return !changes_tracking && has_observations(session) ? Rerun::kMechanics : Rerun::kTracking;
 }
 
+/// Without the sign of a zero, and of what the nine digits of a table make of equal numbers.
+double as_printed(double value) {
+  constexpr double kDigits = 1e4;
+  return std::round(kDigits * value) / kDigits + 0.0;
+}
+
 void print_table(const CounterfactualResult& result) {
   std::size_t width = 7;
   for (const VariantResult& variant : result.variants) width = std::max(width, variant.name.size());
@@ -64,8 +71,8 @@ void print_table(const CounterfactualResult& result) {
   for (const VariantResult& variant : result.variants) {
     const ChangeFigures& c = variant.changes;
     std::printf("%-*s  %10.3f  %10.3f  %8.4f  %10.4f  %+14.4f  %10d  %5d / %d\n", column, variant.name.c_str(),
-                c.peak_force_uN, c.recorded_peak_force_uN, c.force_ratio, c.force_rms_uN, c.largest_force_uN,
-                c.state_change_count, c.equal_row_count, c.frame_count);
+                c.peak_force_uN, c.recorded_peak_force_uN, c.force_ratio, c.force_rms_uN,
+                as_printed(c.largest_force_uN), c.state_change_count, c.equal_row_count, c.frame_count);
   }
 }
 
