@@ -199,6 +199,16 @@ TEST_F(Counterfactual, TheFieldsAreThoseOfBothAndTheirDifference) {
   EXPECT_TRUE(fs::exists(at("fields") / "differences.csv"));
 }
 
+TEST_F(Counterfactual, TablesAloneHaveTheSameNumbers) {
+  auto options = again(recorded(), Rerun::kMechanics);
+  run_counterfactual(recorded(), options, {with_modulus(1.2, "whole")});
+  options.tables_only = true;
+  run_counterfactual(recorded(), options, {with_modulus(1.2, "tables")});
+  expect_equal_rows(at("whole"), at("tables"));
+  EXPECT_EQ(SessionReader(at("tables")).stated_counts().files(SessionPart::kSurface), 0U);
+  EXPECT_EQ(check_session(at("tables"), false).problem_count, 0U);
+}
+
 TEST_F(Counterfactual, TheHeadTellsWhatWasReplayedAndWhatIsDifferent) {
   run_counterfactual(recorded(), again(recorded(), Rerun::kTracking), {with_modulus(1.5, "told")});
   const SessionInfo info = SessionReader(at("told")).info();

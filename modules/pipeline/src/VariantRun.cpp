@@ -104,14 +104,21 @@ VariantRun::VariantRun(const ReplayVariant& variant, const CounterfactualOptions
 void VariantRun::take(const RecordedFrame& frame) {
   Scene scene = frame.scene;
   scene.arrival_s = clock_.now_s();
+  // What is not written need not be computed either; the row has the surface's volume already.
+  if (options_.tables_only) scene.surface = {};
   if (scene.use == FrameUse::kMeasure && scene.observation) {
     if (auto measured = mechanics_.process(scene, has_recorded_shape_ ? frame.shape.get() : nullptr))
       scene = std::move(*measured);
     stamp_age(scene, clock_);
   }
-  const FieldDifferences largest = add_differences(scene, frame.recorded);
   log_.add(frame.recorded.measurement, scene.measurement);
-  log_.add_fields(largest.contour_um, largest.displacement_um, largest.node_force_uN);
+  if (options_.tables_only) {
+    scene.membranes = {};
+    scene.tools = {};
+  } else {
+    const FieldDifferences largest = add_differences(scene, frame.recorded);
+    log_.add_fields(largest.contour_um, largest.displacement_um, largest.node_force_uN);
+  }
   writer_.write(scene);
 }
 

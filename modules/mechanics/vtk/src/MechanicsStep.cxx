@@ -31,6 +31,8 @@ std::string format(const char* pattern, Numbers... numbers) {
 }
 
 constexpr const char* kRestDirection = "rest_direction";
+/// The surface brings its directions with 32 bits: nearer than this they are the same.
+constexpr double kSameDirection = 1e-6;
 
 /// A point array of `values` (components x points).
 vtkSmartPointer<vtkDoubleArray> make_array(const char* name, const Eigen::Ref<const Eigen::MatrixXd>& values) {
@@ -157,7 +159,7 @@ class MechanicsStep::Impl {
     directions = e.rotation_WC.transpose() * directions;
     directions.colwise().normalize();
     const bool known = transfer_ && directions_.cols() == count && nodes_ == e.rest_um.cols() &&
-                       (directions_ - directions).cwiseAbs().maxCoeff() < 1e-9;
+                       (directions_ - directions).cwiseAbs().maxCoeff() < kSameDirection;
     if (!known) {
       Eigen::Matrix3Xd model = e.rotation_WC.transpose() * (e.rest_um.colwise() - e.center_um);
       model.colwise().normalize();

@@ -31,6 +31,7 @@ struct CounterfactualOptions {
   PipelineOptions pipeline;  ///< tracking, mesh, palpation; the profile is the variant's
   PlaybackOptions playback;  ///< `from_s`, `to_s`, `every`, `pixel_size_um`, `all_frames` count
   bool keep_frames = false;  ///< write the images too
+  bool tables_only = false;  ///< write rows, events and tables, but no surfaces, contours and tools: twice as fast
   int job_count = 2;         ///< variants at work at the same time, >= 1
   std::string command_line;
   std::function<void(long done, std::optional<long> all)> progress;  ///< after each frame; may be empty
