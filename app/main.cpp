@@ -13,6 +13,7 @@
 #include "commands/InjectCommand.h"
 #include "commands/Manual.h"
 #include "commands/ProfilesCommand.h"
+#include "commands/ReplayCommand.h"
 #include "commands/SimulateCommand.h"
 #include "commands/TrialCommand.h"
 #include "commands/Versions.h"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   pellucida::add_simulate_command(app);
   pellucida::add_inject_command(app);
   pellucida::add_analyze_command(app);
+  pellucida::add_replay_command(app);
   pellucida::add_identify_command(app);
   pellucida::add_force_command(app);
   pellucida::add_check_command(app);

@@ -6,6 +6,7 @@
 #include "commands/CommandLine.h"
 #include "commands/DetectionOption.h"
 #include "commands/MeasureSession.h"
+#include "commands/PlaybackOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/pipeline/AnySource.h"
 
@@ -17,6 +18,7 @@ struct AnalyzeArguments {
   std::string output;
   PipelineOptions pipeline;
   SourceOptions source;
+  PlaybackOptions playback{.all_frames = true};
   std::string quality = "live";
   Palpation palpation;
   double known_sigma_percent = 5.0;
@@ -24,20 +26,21 @@ struct AnalyzeArguments {
   int job_count = 1;
 };
 
-void analyze(const AnalyzeArguments& arguments) {
+void analyze(const CLI::App& command, const AnalyzeArguments& arguments) {
   if (arguments.job_count < 1) {
     throw UsageError("--jobs " + std::to_string(arguments.job_count) + ": give a number of 1 or more");
   }
-  PipelineOptions pipeline = arguments.pipeline;
-  if (arguments.quality == "high") pipeline.tracker.quality = TrackerOptions::Quality::kHigh;
+  PipelineOptions stated = arguments.pipeline;
+  if (arguments.quality == "high") stated.tracker.quality = TrackerOptions::Quality::kHigh;
   const Palpation& palpation = arguments.palpation;
   if (palpation.known_force_uN != 0.0 || palpation.known_stiffness_uN_per_um != 0.0 ||
       palpation.indentation_um != 0.0) {
-    pipeline.palpation = palpation;
-    pipeline.palpation->relative_sigma = 0.01 * arguments.known_sigma_percent;
-    validate(*pipeline.palpation);
+    stated.palpation = palpation;
+    stated.palpation->relative_sigma = 0.01 * arguments.known_sigma_percent;
+    validate(*stated.palpation);
   }
-  const auto source = open_any_source(arguments.input, arguments.source);
+  const PipelineOptions pipeline = options_for(arguments.input, command, stated);
+  const auto source = open_any_source(arguments.input, arguments.source, arguments.playback);
   const BatchResult result = measure_session(*source, pipeline, arguments.job_count, arguments.output,
                                              {.frames = !arguments.no_frames}, command_line());
   std::cout << summary(result, arguments.output);
@@ -51,10 +54,14 @@ void add_analyze_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("analyze", "measure a recording: contours, 3-D surface, forces, into a session");
   command
-      ->add_option("input", arguments->input, "video, folder of images, multi-page TIFF, still, or virtual[:SCENARIO]")
+      ->add_option("input", arguments->input,
+                   "video, folder of images, multi-page TIFF, still, session, or virtual[:SCENARIO]")
       ->required();
   command->add_option("--output", arguments->output, "folder of the session to write")->required();
-  command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
+  command
+      ->add_option("--profile", arguments->pipeline.profile,
+                   "cell profile, by name or file; of a session: the recorded one, and so for the options that follow")
+      ->capture_default_str();
   command->add_option("--pixel-size-um", arguments->source.pixel_size_um, "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source.frame_rate_hz, "frames a second (default: metadata)");
   command
@@ -77,10 +84,11 @@ void add_analyze_command(CLI::App& app) {
       ->add_option("--known-force-sigma-percent", arguments->known_sigma_percent,
                    "standard deviation of the known force or stiffness, %")
       ->capture_default_str();
+  add_range_options(*command, arguments->playback);
   command->add_flag("--no-frames", arguments->no_frames, "omit the images from the session");
   command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps in parallel, with the same numbers")
       ->capture_default_str();
-  command->callback([arguments] { analyze(*arguments); });
+  command->callback([command, arguments] { analyze(*command, *arguments); });
 }
 
 }  // namespace pellucida

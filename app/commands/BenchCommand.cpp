@@ -10,6 +10,7 @@
 #include "bench/DisplayBench.h"
 #include "bench/HapticsBench.h"
 #include "bench/MechanicsBench.h"
+#include "bench/ReplayBench.h"
 #include "bench/TrackingBench.h"
 #include "commands/Progress.h"
 #include "pellucida/core/Clock.h"
@@ -227,15 +228,43 @@ Json bench_session(const Rounds& rounds, const SourceInfo& source) {
           {"seek_ms", to_json(seek_ms)}};
 }
 
+Json bench_replay(const BenchArguments& arguments) {
+  const ReplayFigures figures = measure_replay(arguments.source, arguments.pipeline, arguments.seconds);
+  Json paces = Json::array();
+  for (const PaceFigures& pace : figures.paces) {
+    std::printf("replay at %-18g %+9.4f %% of the wall clock over %.1f s, no frame more than %.1f ms late\n",
+                pace.speed_ratio, 100.0 * pace.error_ratio(), pace.wall_s(), 1e3 * pace.largest_lateness_s);
+    paces.push_back({{"speed_ratio", pace.speed_ratio},
+                     {"wall_s", pace.wall_s()},
+                     {"recorded_s", pace.recorded_s()},
+                     {"error_ratio", pace.error_ratio()},
+                     {"largest_lateness_s", pace.largest_lateness_s}});
+  }
+  std::printf("%-28s %9d of %d rows equal\n", "replay without changes", figures.equal_row_count, figures.frame_count);
+  std::printf("%-28s %9.1f s for %d moduli on %.1f s of %d frames\n", "counterfactual", figures.counterfactual_s,
+              figures.variant_count, figures.recorded_s, figures.frame_count);
+  return {{"pace", paces},
+          {"frames", figures.frame_count},
+          {"equal_rows", figures.equal_row_count},
+          {"recorded_s", figures.recorded_s},
+          {"variants", figures.variant_count},
+          {"counterfactual_s", figures.counterfactual_s}};
+}
+
 void bench(const BenchArguments& arguments) {
   const auto wanted = [&](const char* part) { return arguments.part == "all" || arguments.part == part; };
-  if (!(wanted("tracking") || wanted("mechanics") || wanted("haptics") || wanted("pipeline") || wanted("session"))) {
-    throw UsageError("bench " + arguments.part + ": give tracking, mechanics, haptics, pipeline, session or all");
+  // Thrice the time of the others: only who asks for it gets it.
+  const bool replays = arguments.part == "replay";
+  if (!(replays || wanted("tracking") || wanted("mechanics") || wanted("haptics") || wanted("pipeline") ||
+        wanted("session"))) {
+    throw UsageError("bench " + arguments.part +
+                     ": give tracking, mechanics, haptics, pipeline, session, replay or all");
   }
   Json report;
+  if (replays) report["replay"] = bench_replay(arguments);
   if (wanted("tracking")) report["tracking"] = bench_tracking(arguments);
   if (wanted("haptics")) report["haptics"] = bench_haptics(arguments);
-  if (arguments.part != "tracking" && arguments.part != "haptics") {
+  if (arguments.part != "tracking" && arguments.part != "haptics" && !replays) {
     const SourceInfo source = open_any_source(arguments.source, {})->info();
     const Rounds rounds = run_rounds(arguments);
     if (rounds.frame_count == 0) throw NothingMeasuredError(arguments.source + ": it has no frames");
@@ -256,11 +285,11 @@ void bench(const BenchArguments& arguments) {
 void add_bench_command(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command = app.add_subcommand("bench", "measure the program's own speed");
-  command->add_option("part", arguments->part, "tracking, mechanics, haptics, pipeline, session or all")
+  command->add_option("part", arguments->part, "tracking, mechanics, haptics, pipeline, session, replay or all")
       ->capture_default_str();
   command->add_option("--json", arguments->json, "also write the figures to this file (microseconds unless named)");
   command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")->capture_default_str();
-  command->add_option("--source", arguments->source, "virtual[:SCENARIO] or a file")->capture_default_str();
+  command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file or a session")->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   command->callback([arguments] { bench(*arguments); });
 }

@@ -5,6 +5,7 @@
 #include "commands/MeasureSession.h"
 #include "pellucida/operation/HapticWriter.h"
 #include "pellucida/operation/ProfileStrength.h"
+#include "pellucida/pipeline/RunProvenance.h"
 #include "pellucida/session/SessionWriter.h"
 
 namespace pellucida {
@@ -13,7 +14,7 @@ GuidedResult measure_guided_session(const SimulatedInjectionOptions& operated, c
                                     const std::filesystem::path& folder, const SessionOptions& session_options,
                                     const std::string& command_line) {
   SimulatedInjectionOptions of_profile = operated;
-  of_profile.cell = strength_of(load_profile(pipeline.profile));
+  of_profile.cell = strength_of(profile_of(pipeline));
   SimulatedInjectionSource microscope(of_profile);
   SessionWriter* session = nullptr;
   HapticWriter hand([&](const Event& event) { session->event(event); },

@@ -7,6 +7,7 @@
 #include "commands/CommandLine.h"
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
+#include "commands/Versions.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
@@ -20,7 +21,9 @@ struct InjectArguments {
 };
 
 void inject(const InjectArguments& arguments) {
-  const GuidedResult result = measure_guided_session(arguments.operated, arguments.pipeline, arguments.output,
+  PipelineOptions pipeline = arguments.pipeline;
+  pipeline.versions = library_versions();
+  const GuidedResult result = measure_guided_session(arguments.operated, pipeline, arguments.output,
                                                      {.frames = !arguments.no_frames}, command_line());
   std::cout << summary(result.measured, arguments.output) << summary(result.injection);
   require_measured(result.measured, "virtual:" + arguments.operated.scenario);

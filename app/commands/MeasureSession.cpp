@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/membrane/CellProfile.h"
+#include "pellucida/pipeline/RunProvenance.h"
+#include "pellucida/session/SessionSource.h"
 #include "pellucida/session/SessionWriter.h"
+#include "pellucida/session/Sha256.h"
 
 namespace pellucida {
 namespace {
@@ -67,26 +69,6 @@ std::string scale_line(const BatchResult& result) {
   return line;
 }
 
-// What was known, what came of it, and the risk by depth.
-std::string palpation_json(const Palpation& palpation, const BatchResult& result) {
-  nlohmann::ordered_json json;
-  if (palpation.known_force_uN > 0.0) json["known_force_uN"] = palpation.known_force_uN;
-  if (palpation.known_stiffness_uN_per_um > 0.0) {
-    json["known_stiffness_uN_per_um"] = palpation.known_stiffness_uN_per_um;
-  }
-  json["at_indentation_um"] = palpation.indentation_um;
-  json["known_relative_sigma"] = palpation.relative_sigma;
-  json["cell_scale_ratio"] = result.cell_scale.ratio;
-  json["cell_scale_relative_sigma"] = result.cell_scale.relative_sigma;
-  json["puncture_spread_ratio"] = kPunctureSpread_ratio;
-  json["puncture_risk"] = nlohmann::ordered_json::array();
-  for (const PunctureRisk& risk : result.puncture_risk) {
-    json["puncture_risk"].push_back(
-        {{"indentation_um", risk.depth_um}, {"force_uN", risk.force_uN}, {"probability", risk.probability}});
-  }
-  return json.dump();
-}
-
 std::string cell_line(const BatchResult& result) {
   if (!result.peak || !result.peak->observation || !result.peak->observation->outer) return "no cell seen";
   const Observation& o = *result.peak->observation;
@@ -99,15 +81,27 @@ std::string cell_line(const BatchResult& result) {
   return line;
 }
 
+// What was read, where it is a file; the frames' own hash is the writer's business.
+RunProvenance provenance_of(const std::string& source) {
+  RunProvenance provenance;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(source, ignored)) provenance.input_sha256["file"] = sha256_of_file(source);
+  const std::filesystem::path folder = source;
+  if (is_session(folder)) provenance.input_sha256["session_json"] = sha256_of_file(folder / "session.json");
+  return provenance;
+}
+
 }  // namespace
 
 BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline, int job_count,
                             const std::filesystem::path& folder, const SessionOptions& session_options,
                             const std::string& command_line, const SessionAddition& addition) {
   // The profile first: a wrong name must not leave an empty session behind.
-  const CellProfile profile = load_profile(pipeline.profile);
+  const CellProfile profile = profile_of(pipeline);
   SessionInfo info;
   info.source = source.info();
+  info.seeds = source.info().seeds;
+  info.provenance_json = to_json(provenance_of(source.info().name), pipeline, profile);
   info.profile_name = profile.name;
   info.profile_json = to_json(profile);
   info.command_line = command_line;
@@ -123,7 +117,8 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
     if (addition.after_frame) addition.after_frame(writer, scene);
   });
   if (addition.at_end) addition.at_end(writer);
-  if (pipeline.palpation) writer.set_palpation(palpation_json(*pipeline.palpation, result));
+  if (pipeline.palpation)
+    writer.set_palpation(palpation_json(*pipeline.palpation, result.cell_scale, result.puncture_risk));
   writer.close();
   return result;
 }

@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "pellucida/core/Version.h"
 #include "pellucida/teleoperation/GamepadHand.h"
@@ -32,6 +34,20 @@ std::string tiff_version() {
   return line.substr(line.rfind(' ') + 1);
 }
 
+// In the order in which they are printed.
+std::vector<std::pair<const char*, std::string>> libraries() {
+  return {
+      {"VTK", vtkVersion::GetVTKVersion()},
+      {"Qt", qVersion()},
+      {"OpenCV", cv::getVersionString()},
+      {"ITK", itk::Version::GetITKVersion()},
+      {"libtiff", tiff_version()},
+      {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"Ceres Solver", CERES_VERSION_STRING},
+      {"nlohmann JSON", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+      {"CLI11", CLI11_VERSION}};
+}
+
 void add(std::ostream& text, const char* library, const std::string& version) {
   text << '\n' << std::left << std::setw(15) << library << version;
 }
@@ -42,19 +58,16 @@ void add_device(std::ostream& text, const char* library, const std::string& vers
 
 }  // namespace
 
+std::map<std::string, std::string> library_versions() {
+  std::map<std::string, std::string> versions;
+  for (const auto& [library, version] : libraries()) versions[library] = version;
+  return versions;
+}
+
 std::string version_text() {
   std::ostringstream text;
   text << "Pellucida " << kVersion;
-  add(text, "VTK", vtkVersion::GetVTKVersion());
-  add(text, "Qt", qVersion());
-  add(text, "OpenCV", cv::getVersionString());
-  add(text, "ITK", itk::Version::GetITKVersion());
-  add(text, "libtiff", tiff_version());
-  add(text, "Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION));
-  add(text, "Ceres Solver", CERES_VERSION_STRING);
-  add(text, "nlohmann JSON",
-      dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH));
-  add(text, "CLI11", CLI11_VERSION);
+  for (const auto& [library, version] : libraries()) add(text, library, version);
   add_device(text, "SDL", gamepad_library_version(), "gamepads");
   add_device(text, "libspnav", space_mouse_library_version(), "SpaceMouse");
   add_device(text, "libserialport", serial_port_library_version(), "manipulators on a serial port");

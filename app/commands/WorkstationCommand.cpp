@@ -9,6 +9,7 @@
 #include "commands/DetectionOption.h"
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
+#include "commands/PlaybackOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/operation/OperatorConsole.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
@@ -24,6 +25,8 @@ struct WorkstationArguments {
   std::string source = "virtual";
   PipelineOptions pipeline;
   SourceOptions source_options;
+  PlaybackOptions playback;
+  double speed_ratio = 1.0;
   std::string mode = "guide";
   std::string hand;
   std::string session;
@@ -58,7 +61,10 @@ void run_headless(const WorkstationArguments& arguments) {
     run_headless_injection(arguments, session);
     return;
   }
-  const auto source = open_any_source(arguments.source, arguments.source_options);
+  const auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
+  if (arguments.playback.loop_count == 0) {
+    throw UsageError("--loop 0 never ends and needs the window; set DISPLAY, or give a number");
+  }
   if (source->info().live) {
     throw UsageError(arguments.source + ": a live camera never ends and needs the window; set DISPLAY, or name a " +
                      "recording or a virtual microscope");
@@ -82,9 +88,9 @@ std::optional<std::string_view> hand_name(const WorkstationArguments& arguments)
 int run_window(const WorkstationArguments& arguments, WindowOptions options) {
   const auto hand = hand_name(arguments);
   if (!hand) {
-    return run_workstation(
-        std::make_unique<LiveRun>(open_any_source(arguments.source, arguments.source_options), arguments.pipeline),
-        options);
+    auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
+    return run_workstation(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio),
+                           options);
   }
   if (!is_virtual_source(arguments.source)) {
     throw UsageError("--hand " + arguments.hand + ": " + arguments.source +
@@ -127,13 +133,15 @@ void add_workstation_command(CLI::App& app) {
   auto arguments = std::make_shared<WorkstationArguments>();
   CLI::App* command =
       app.add_subcommand("workstation", "the window: live feed, 3-D membrane, forces (the default command)");
-  command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, or a camera v4l2:N")
+  command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, a session, or a camera v4l2:N")
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   add_detection_option(*command, arguments->pipeline.tracker.detection);
   command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um,
                       "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");
+  add_range_options(*command, arguments->playback);
+  add_showing_options(*command, arguments->playback, arguments->speed_ratio);
   command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
   command
       ->add_option("--hand", arguments->hand,
@@ -149,7 +157,10 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--height-px", arguments->height_px, "height of the window at the start, px")
       ->check(CLI::Range(500, 8000))
       ->capture_default_str();
-  command->callback([arguments] { run_workstation_command(*arguments); });
+  command->callback([command, arguments] {
+    arguments->pipeline = options_for(arguments->source, *command, arguments->pipeline);
+    run_workstation_command(*arguments);
+  });
 }
 
 }  // namespace pellucida

@@ -213,5 +213,35 @@ TEST(ForceObserver, ACellFarLargerThanTheProfilesIsItsOwnSize) {
   EXPECT_GT(softer, 0.5 * force);
 }
 
+// The modulus scales forces and no shape: a solution serves every modulus. With the same modulus it is the same bits.
+TEST(ForceObserver, AShapeSolvedUnderAnotherModulusGivesTheForcesOfThisOne) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  CellProfile stiffer = profile;
+  stiffer.effective_young_modulus_kPa *= 1.7;
+  ForceObserver solving(profile), same(profile), sharing(stiffer), alone(stiffer);
+  for (int frame = 0; frame <= 30; ++frame) {
+    const double depth_um = 0.7 * frame;
+    const auto o = make_observation(frame > 0 ? CellState::kContact : CellState::kFree, depth_um, 0.3,
+                                    0.3 + std::numbers::pi, frame);
+    const ForceEstimate solved = solving.process(o);
+    const auto shape = solving.solved_shape();
+    ASSERT_EQ(shape != nullptr, frame > 0);
+    const ForceEstimate equal = same.process(o, shape.get());
+    EXPECT_EQ(equal.contact_force_uN, solved.contact_force_uN);
+    EXPECT_EQ(equal.contact_force_upper_uN, solved.contact_force_upper_uN);
+    EXPECT_EQ(equal.stiffness_uN_per_um, solved.stiffness_uN_per_um);
+    EXPECT_EQ(equal.pressure_Pa, solved.pressure_Pa);
+    EXPECT_EQ(equal.force_uN, solved.force_uN);
+    const ForceEstimate shared = sharing.process(o, shape.get());
+    const ForceEstimate own = alone.process(o);
+    const double tolerance = 1e-5 * (1e-3 + own.contact_force_uN);
+    EXPECT_NEAR(shared.contact_force_uN, 1.7 * solved.contact_force_uN, 1e-9 * (1.0 + own.contact_force_uN));
+    EXPECT_NEAR(shared.contact_force_uN, own.contact_force_uN, tolerance);
+    EXPECT_NEAR(shared.contact_force_lower_uN, own.contact_force_lower_uN, 10.0 * tolerance);
+    EXPECT_NEAR(shared.stiffness_uN_per_um, own.stiffness_uN_per_um, 1e-4 * own.stiffness_uN_per_um + 1e-9);
+    EXPECT_LT((shared.force_uN - own.force_uN).cwiseAbs().maxCoeff(), 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace pellucida

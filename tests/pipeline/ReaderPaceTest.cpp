@@ -129,5 +129,29 @@ TEST_F(ReaderPaceTest, AnyThreadMayAsk) {
   EXPECT_GE(restart_count, 1);
 }
 
+// A clock that a test sets: no sleep, so that the figures don't depend on the machine.
+TEST(ReaderPaceFigures, AreTimeTakenOverTimeDue) {
+  ManualClock clock;
+  ReaderPace pace(clock, 2.0);
+  const std::stop_source stop;
+  clock.set(10.0);
+  EXPECT_TRUE(pace.wait_until_due(5.0, stop.get_token()));  // the first frame begins the pace
+  EXPECT_EQ(pace.figures().error_ratio(), 0.0);
+  clock.set(12.0);
+  EXPECT_TRUE(pace.wait_until_due(9.0, stop.get_token()));  // four seconds of the recording in two: in time
+  EXPECT_EQ(pace.figures().recorded_s(), 4.0);
+  EXPECT_EQ(pace.figures().wall_s(), 2.0);
+  EXPECT_EQ(pace.figures().error_ratio(), 0.0);
+  EXPECT_EQ(pace.figures().largest_lateness_s, 0.0);
+  clock.set(15.3);
+  EXPECT_TRUE(pace.wait_until_due(15.0, stop.get_token()));  // due at 15.0
+  EXPECT_NEAR(pace.figures().largest_lateness_s, 0.3, 1e-12);
+  EXPECT_NEAR(pace.figures().error_ratio(), 0.06, 1e-12);
+  clock.set(20.0);
+  EXPECT_TRUE(pace.wait_until_due(25.0, stop.get_token()));  // due at 20.0: a late frame moves none after it
+  EXPECT_EQ(pace.figures().error_ratio(), 0.0);
+  EXPECT_NEAR(pace.figures().largest_lateness_s, 0.3, 1e-12);
+}
+
 }  // namespace
 }  // namespace pellucida

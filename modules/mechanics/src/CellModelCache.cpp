@@ -41,7 +41,12 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
   return !fits;
 }
 
-IndentationState CellModelCache::press(double depth_um) {
+IndentationState CellModelCache::press(double depth_um, const SolvedShape* known) {
+  if (known && known->depth_um == depth_um && known->report.status == SolveStatus::kConverged &&
+      known->positions_um.cols() == model().rest().points_um.cols()) {
+    start_anew_ = false;
+    return indenter_->adopt(*known);
+  }
   if (start_anew_) indenter_->reset();
   const IndentationState state = indenter_->advance_to(depth_um);
   start_anew_ = state.report.status != SolveStatus::kConverged;

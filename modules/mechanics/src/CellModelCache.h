@@ -27,8 +27,9 @@ class CellModelCache {
   const Indenter& indenter() const noexcept { return *indenter_; }
   const MembraneModel& model() const noexcept { return indenter_->model(); }
 
-  /// Equilibrium at a depth; after a failure from rest, not from a shape that leads nowhere.
-  IndentationState press(double depth_um);
+  /// Equilibrium at a depth; after a failure from rest, not from a shape that leads nowhere. `known` (may be null):
+  /// that equilibrium, if it is one at this depth, as the model of another modulus found it.
+  IndentationState press(double depth_um, const SolvedShape* known = nullptr);
   /// At rest.
   IndentationState release();
 

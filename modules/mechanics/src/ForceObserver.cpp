@@ -65,8 +65,10 @@ class ForceObserver::Impl {
     end_contact();
   }
 
-  ForceEstimate process(const Observation& o) {
+  ForceEstimate process(const Observation& o, const SolvedShape* known) {
     ForceEstimate estimate;
+    known_ = options_.observation_ratio > 0.0 ? nullptr : known;
+    pressed_.reset();
     estimate.time_s = o.time_s;
     estimate.frame_index = o.frame_index;
     estimate.reason = why_not_measured(o, profile_);
@@ -92,6 +94,10 @@ class ForceObserver::Impl {
     verdict_.add(frame.depth_um, estimate.contact_force_uN);
     estimate.work_uN_um = verdict_.work_uN_um();
     return estimate;
+  }
+
+  std::shared_ptr<const SolvedShape> solved_shape() const {
+    return pressed_ ? std::make_shared<const SolvedShape>(cell_.indenter().shape(*pressed_)) : nullptr;
   }
 
  private:
@@ -189,7 +195,7 @@ class ForceObserver::Impl {
                       .placement = placement_,
                       .scale = scale_,
                       .auditor = auditor_,
-                      .state = depth_um ? cell_.press(*depth_um) : cell_.release(),
+                      .state = depth_um ? cell_.press(*depth_um, known_) : cell_.release(),
                       .depth_um = depth_um.value_or(0.0),
                       .contact = depth_um.has_value()};
     estimate.iterations = frame.state.report.iterations;
@@ -197,6 +203,7 @@ class ForceObserver::Impl {
     if (!estimate.converged) {
       estimate.reason = "the model found no equilibrium: " + std::string(to_string(frame.state.report.status));
     }
+    if (frame.contact) pressed_ = frame.state.report;
     audit(o, estimate);
     if (!frame.contact || !estimate.converged) return frame;
 
@@ -206,6 +213,7 @@ class ForceObserver::Impl {
                                       .usual_um = usual_mismatch_um(shape, frame.depth_um)};
     if (verdict_.judge(seen)) {
       puncture(o, estimate);
+      pressed_.reset();
       frame.contact = false;
       frame.depth_um = 0.0;
       frame.state = cell_.release();
@@ -244,6 +252,8 @@ class ForceObserver::Impl {
   PunctureVerdict verdict_;
   ShapeAuditor auditor_;
   CellPlacement placement_;
+  const SolvedShape* known_ = nullptr;  // during a frame
+  std::optional<SolveReport> pressed_;  // the last frame's model is pressed
 };
 
 ForceObserver::ForceObserver(CellProfile profile, ForceOptions options)
@@ -267,8 +277,11 @@ std::vector<PunctureRisk> ForceObserver::puncture_risk(double step_um) {
 CellScale ForceObserver::scale() const noexcept {
   return impl_->scale();
 }
-ForceEstimate ForceObserver::process(const Observation& observation) {
-  return impl_->process(observation);
+ForceEstimate ForceObserver::process(const Observation& observation, const SolvedShape* known) {
+  return impl_->process(observation, known);
+}
+std::shared_ptr<const SolvedShape> ForceObserver::solved_shape() const {
+  return impl_->solved_shape();
 }
 void ForceObserver::reset() {
   impl_->reset();

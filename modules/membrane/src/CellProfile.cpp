@@ -66,11 +66,7 @@ void check_together(const CellProfile& p, const std::string& where) {
     throw InputError(where + ": geometry.inner_radius_um must be mid_radius_um less half of thickness_um");
 }
 
-}  // namespace
-
-CellProfile read_profile(const std::filesystem::path& file) {
-  const std::string where = file.string();
-  const Json root = read_json_object(file);
+CellProfile profile_from(const Json& root, const std::string& where) {
   if (root.value("schema", Json()) != "pellucida-cell-profile")
     throw InputError(where + ": schema must be \"pellucida-cell-profile\"");
   if (root.value("schema_version", Json()) != 1)
@@ -94,6 +90,16 @@ CellProfile read_profile(const std::filesystem::path& file) {
   }
   read_checked(root, relaxation_fields_of(p), where);
   return p;
+}
+
+}  // namespace
+
+CellProfile read_profile(const std::filesystem::path& file) {
+  return profile_from(read_json_object(file), file.string());
+}
+
+CellProfile parse_profile(std::string_view text, const std::string& where) {
+  return profile_from(parse_json_object(text, where), where);
 }
 
 CellProfile load_profile(std::string_view name_or_file) {

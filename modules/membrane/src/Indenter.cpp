@@ -102,7 +102,30 @@ IndentationState Indenter::advance_to(double depth_um) {
     }
   } while (depth_um_ != depth_um);
 
-  // The read-out.
+  return read_out(total);
+}
+
+SolvedShape Indenter::shape(const SolveReport& report) const {
+  return {.depth_um = depth_um_,
+          .positions_um = x_um_,
+          .depth_tangent = tangent_,
+          .stiffness_uN_per_um = stiffness_uN_per_um_,
+          .force_scale_uN_per_um = model_.force_scale_uN_per_um(),
+          .report = report};
+}
+
+IndentationState Indenter::adopt(const SolvedShape& solved) {
+  depth_um_ = solved.depth_um;
+  model_.set_depth(depth_um_);
+  x_um_ = solved.positions_um;
+  tangent_ = solved.depth_tangent;
+  stiffness_uN_per_um_ = solved.stiffness_uN_per_um * (model_.force_scale_uN_per_um() / solved.force_scale_uN_per_um);
+  has_tangent_ = true;
+  has_bend_ = false;
+  return read_out(solved.report);
+}
+
+IndentationState Indenter::read_out(const SolveReport& report) const {
   IndentationState state;
   state.depth_um = depth_um_;
   state.tip_force_uN = model_.tip().force_uN(x_um_);
@@ -111,7 +134,7 @@ IndentationState Indenter::advance_to(double depth_um) {
   state.stiffness_uN_per_um = stiffness_uN_per_um_;
   state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0;  // no -0
   state.volume_um3 = model_.volume().volume_um3(x_um_);
-  state.report = total;
+  state.report = report;
   return state;
 }
 

@@ -31,6 +31,7 @@ class SimulatedInjectionSource::Impl {
         microscope_(setup_.make_microscope(Pace::kAsFastAsPossible)),
         info_(microscope_->info()),
         teleoperation_(setup_.injector(), map_settings()) {
+    info_.seeds["operator"] = options_.seed;
     // The operator decides when it ends.
     info_.frame_count.reset();
     setup_.injector().open();

@@ -42,6 +42,7 @@ struct TrackHalf {
     // A recording doesn't age while it waits in a queue: a frame arrives when its turn comes.
     Scene scene = waiting;
     scene.arrival_s = clock.now_s();
+    if (scene.use < FrameUse::kTrack) return scene;
     return timed(chain.tracking, scene, clock, tracking_us);
   }
   Chain& chain;
@@ -53,7 +54,9 @@ struct ForceHalf {
   using Input = Scene;
   using Output = Scene;
   expected<Scene, StepFailure> process(const Scene& tracked) {
+    if (tracked.use < FrameUse::kRevolve) return tracked;
     const Scene surface = timed(chain.reconstruction, tracked, clock, reconstruction_us);
+    if (tracked.use < FrameUse::kMeasure) return surface;
     Scene scene = timed(chain.mechanics, surface, clock, mechanics_us);
     stamp_age(scene, clock);
     return scene;
@@ -74,7 +77,7 @@ class Collector {
   void take(const Scene& scene) {
     result_.rows.push_back(scene.measurement);
     if (scene.measurement.state) ++result_.state_count[*scene.measurement.state];
-    result_.frame_to_force_us.add(1e3 * scene.measurement.frame_age_ms);
+    if (scene.use == FrameUse::kMeasure) result_.frame_to_force_us.add(1e3 * scene.measurement.frame_age_ms);
     if (const double score = picture_score(scene); !result_.peak || score > best_score_) {
       best_score_ = score;
       result_.peak = scene;

@@ -2,10 +2,12 @@
 
 #include <string>
 
+#include "pellucida/pipeline/RunProvenance.h"
+
 namespace pellucida {
 
 Chain::Chain(const PipelineOptions& options)
-    : profile(load_profile(options.profile)),
+    : profile(profile_of(options)),
       tracking(options.tracker),
       reconstruction({.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
       mechanics(profile) {
@@ -15,7 +17,8 @@ Chain::Chain(const PipelineOptions& options)
 Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
   Scene scene;
   scene.arrival_s = arrival_s;
-  scene.run_index = run_index;
+  scene.run_index = run_index + frame.run_index;
+  scene.use = frame.use;
   scene.frame = frame.image;
   scene.measurement.frame = frame.frame_index;
   scene.measurement.time_s = frame.time_s;

@@ -21,7 +21,7 @@ struct Chain {
   MechanicsStep mechanics;
 };
 
-/// A scene that holds only its frame, as it enters the chain.
+/// A scene that holds only its frame, as it enters the chain. `run_index`: that of the run; the frame's own adds to it.
 Scene scene_of(const Frame& frame, double arrival_s, long run_index);
 
 /// Stamps the age of the frame into the row: the last thing that happens to a scene before it is published.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "RunRecording.h"
 #include "pellucida/core/Stage.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/pipeline/RunProvenance.h"
 
 namespace pellucida {
 namespace {
@@ -31,8 +33,13 @@ constexpr const char* kDropPolicy =
 
 class LiveRun::Impl {
  public:
-  Impl(std::unique_ptr<FrameSource> source, PipelineOptions options)
-      : source_(std::move(source)), info_(source_->info()), can_restart_(source_->restart()), chain_(options) {}
+  Impl(std::unique_ptr<FrameSource> source, PipelineOptions options, double speed_ratio)
+      : source_(std::move(source)),
+        info_(source_->info()),
+        can_restart_(source_->restart()),
+        options_(std::move(options)),
+        chain_(options_),
+        pace_(clock_, speed_ratio) {}
 
   ~Impl() { stop(); }
 
@@ -94,7 +101,7 @@ class LiveRun::Impl {
 
   void begin_anew() {
     source_->restart();
-    ++run_index_;
+    run_index_ = last_run_index_ + 1;
     index_offset_ = next_index_;
     time_offset_s_ = next_time_s_;
     session_lag_s_ = kNoLag_s;
@@ -106,6 +113,7 @@ class LiveRun::Impl {
     next_index_ = frame.frame_index + 1;
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
     const Scene scene = scene_of(frame, clock_.now_s(), run_index_);
+    last_run_index_ = scene.run_index;
     session_lag_s_ = std::min(session_lag_s_.load(), scene.arrival_s - frame.time_s);
     ++frame_count_;
     gap_count_ += static_cast<std::uint64_t>(frame.gap_count);
@@ -168,7 +176,20 @@ class LiveRun::Impl {
     info.profile_name = chain_.profile.name;
     info.profile_json = to_json(chain_.profile);
     info.drop_policy = kDropPolicy;
+    info.seeds = info_.seeds;
+    info.clock_offsets_s = clock_offsets();
+    RunProvenance provenance;
+    provenance.frames_before_recording = static_cast<long>(frame_count_);
+    info.provenance_json = to_json(provenance, options_, chain_.profile);
     recording_.start(folder, info, {newest_time_s(), event_kind::kStarted, "recording of " + info_.name});
+  }
+
+  // The run's clock and the wall clock (seconds since 1970) against the session's time.
+  std::map<std::string, double> clock_offsets() const {
+    const double lag_s = session_lag_s_;
+    if (!std::isfinite(lag_s)) return {};
+    const double unix_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    return {{"run", lag_s}, {"unix", unix_s - (clock_.now_s() - lag_s)}};
   }
 
   void stop_recording() { recording_.stop({newest_time_s(), event_kind::kStopped, "recording"}); }
@@ -199,6 +220,7 @@ class LiveRun::Impl {
     status.reconstruction_ms = 1e3 * surface_stage_.counts().last_step_s;
     status.mechanics_ms = 1e3 * force_stage_.counts().last_step_s;
     status.frame_age_ms = measured_count_ > 0 ? 1e3 * (clock_.now_s() - newest_arrival_s_) : 0.0;
+    status.pace = pace_.figures();
     status.finished = pace_.ended() && measured_count_ + skipped_count_ >= frame_count_;
     const RecordingStatus recording = recording_.status();
     status.recording = recording.recording;
@@ -240,6 +262,7 @@ class LiveRun::Impl {
   const SourceInfo info_;
   const bool can_restart_;
   const SteadyClock clock_;
+  const PipelineOptions options_;
   Chain chain_;
 
   const std::shared_ptr<SceneExchange> frames_ = std::make_shared<SceneExchange>();
@@ -249,12 +272,13 @@ class LiveRun::Impl {
   SceneExchange to_force_;
   GrowingLog<Measurement> rows_;
   GrowingLog<Event> events_;
-  ReaderPace pace_{clock_};
+  ReaderPace pace_;
   RunRecording recording_{clock_};
 
   // The reader's own.
   bool resumed_ = false;  // the next frame is the first after a pause
   long run_index_ = 0;
+  long last_run_index_ = 0;
   long index_offset_ = 0;
   long next_index_ = 0;
   double time_offset_s_ = 0.0;
@@ -282,8 +306,8 @@ class LiveRun::Impl {
   std::jthread reader_;
 };
 
-LiveRun::LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options)
-    : impl_(std::make_unique<Impl>(std::move(source), std::move(options))) {}
+LiveRun::LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options, double speed_ratio)
+    : impl_(std::make_unique<Impl>(std::move(source), std::move(options), speed_ratio)) {}
 LiveRun::~LiveRun() = default;
 
 void LiveRun::set_contact_sink(std::function<void(const ContactModel&)> sink) {

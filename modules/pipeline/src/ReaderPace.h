@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -6,6 +7,7 @@
 #include <stop_token>
 
 #include "pellucida/core/Clock.h"
+#include "pellucida/core/PaceFigures.h"
 
 namespace pellucida {
 
@@ -23,8 +25,8 @@ enum class ReaderTurn {
 /// those waits.
 class ReaderPace {
  public:
-  /// `clock` must outlive the pace.
-  explicit ReaderPace(const Clock& clock) : clock_(clock) {}
+  /// `clock` must outlive the pace. `speed_ratio`: of a recording, 1 = its own; above 0.
+  explicit ReaderPace(const Clock& clock, double speed_ratio = 1.0) : clock_(clock), speed_ratio_(speed_ratio) {}
 
   void set_paused(bool paused) {
     {
@@ -84,18 +86,34 @@ class ReaderPace {
     ended_ = true;
   }
 
-  /// Sleeps until a frame of `time_s` (of a recording) is due; the pace begins anew after a pause or a restart. False
-  /// when `stop` is requested.
+  /// Sleeps until a frame of `time_s` (of a recording) is due; the pace begins anew after a pause or a restart. A frame
+  /// that comes too late does not move those after it. False when `stop` is requested.
   bool wait_until_due(double time_s, std::stop_token stop) {
     std::unique_lock lock(mutex_);
-    if (!due_offset_s_) due_offset_s_ = clock_.now_s() - time_s;
-    const double wait_s = *due_offset_s_ + time_s - clock_.now_s();
+    const double played_s = time_s / speed_ratio_;
+    if (!due_offset_s_) {
+      due_offset_s_ = clock_.now_s() - played_s;
+      figures_ = {.speed_ratio = speed_ratio_, .first_time_s = time_s, .first_wall_s = clock_.now_s()};
+    }
+    const double due_s = *due_offset_s_ + played_s;
+    const double wait_s = due_s - clock_.now_s();
     if (wait_s > 0.0) wake_.wait_for(lock, stop, std::chrono::duration<double>(wait_s), [] { return false; });
+    figures_.last_time_s = time_s;
+    figures_.last_wall_s = clock_.now_s();
+    figures_.largest_lateness_s = std::max(figures_.largest_lateness_s, figures_.last_wall_s - due_s);
     return !stop.stop_requested();
+  }
+
+  /// How well the frames kept their time since the pace last began.
+  PaceFigures figures() const {
+    std::lock_guard lock(mutex_);
+    return figures_;
   }
 
  private:
   const Clock& clock_;
+  const double speed_ratio_;
+  PaceFigures figures_;
   mutable std::mutex mutex_;
   std::condition_variable_any wake_;
   bool paused_ = false;

@@ -102,6 +102,7 @@ std::string to_json(const SessionHead& head) {
   json["profile"] = {{"name", info.profile_name}, {"content", parse_profile(info.profile_json)}};
   if (!info.palpation_json.empty()) json["palpation"] = Json::parse(info.palpation_json, nullptr, false);
   if (!info.plan_json.empty()) json["plan"] = Json::parse(info.plan_json, nullptr, false);
+  if (!info.provenance_json.empty()) json["provenance"] = Json::parse(info.provenance_json, nullptr, false);
   json["command_line"] = info.command_line;
   json["seeds"] = info.seeds;
   json["clock_offsets_s"] = info.clock_offsets_s;
@@ -129,6 +130,7 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     if (profile.contains("content") && !profile["content"].is_null()) info.profile_json = profile["content"].dump();
     if (json.contains("palpation")) info.palpation_json = json["palpation"].dump();
     if (json.contains("plan")) info.plan_json = json["plan"].dump();
+    if (json.contains("provenance")) info.provenance_json = json["provenance"].dump();
     take(json, "command_line", info.command_line);
     take(json, "seeds", info.seeds);
     take(json, "clock_offsets_s", info.clock_offsets_s);

@@ -15,6 +15,7 @@
 #include "SessionFolder.h"
 #include "SessionIndex.h"
 #include "SessionJson.h"
+#include "SessionProvenance.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core_vtk/SceneData.h"
@@ -65,7 +66,9 @@ bool is_stamped_as(vtkDataObject* data, const SessionStep& step) {
 class SessionWriter::Impl {
  public:
   Impl(const std::filesystem::path& folder, const SessionInfo& info, SessionOptions options)
-      : folder_(new_session_folder(folder)), head_{.info = info, .options = options, .created = now_utc()} {
+      : folder_(new_session_folder(folder)),
+        head_{.info = info, .options = options, .created = now_utc()},
+        given_provenance_json_(info.provenance_json) {
     // The head comes first: from here on the folder is a session.
     write_head();
     for (const PartNames& names : kParts) {
@@ -102,6 +105,7 @@ class SessionWriter::Impl {
       throw;
     }
     steps_.push_back(step);
+    provenance_.add(scene);
     head_.counts = counts;
     ++head_.counts.step_count;
     if (!row.state) ++head_.counts.unmeasured_count;
@@ -154,6 +158,7 @@ class SessionWriter::Impl {
 
   void set_plan(std::string plan_json) { head_.info.plan_json = std::move(plan_json); }
   void set_palpation(std::string palpation_json) { head_.info.palpation_json = std::move(palpation_json); }
+  void set_provenance(std::string provenance_json) { given_provenance_json_ = std::move(provenance_json); }
 
  private:
   void require_open() const {
@@ -206,6 +211,7 @@ class SessionWriter::Impl {
   }
 
   void write_head() {
+    head_.info.provenance_json = provenance_.merged_into(given_provenance_json_);
     replace_file(folder_ / session_name::kJson, to_json(head_));
     next_head_ = later(kHeadPeriod);
   }
@@ -223,6 +229,8 @@ class SessionWriter::Impl {
 
   std::filesystem::path folder_;
   SessionHead head_;
+  std::string given_provenance_json_;
+  ProvenanceLog provenance_;
   std::vector<SessionStep> steps_;
   std::uint64_t file_byte_count_ = 0;
   std::uint64_t step_byte_count_ = 0;
@@ -258,6 +266,9 @@ void SessionWriter::set_plan(std::string plan_json) {
 }
 void SessionWriter::set_palpation(std::string palpation_json) {
   impl_->set_palpation(std::move(palpation_json));
+}
+void SessionWriter::set_provenance(std::string provenance_json) {
+  impl_->set_provenance(std::move(provenance_json));
 }
 void SessionWriter::close() {
   impl_->close();

@@ -34,6 +34,7 @@ class VirtualMicroscope::Impl {
     info_.pixel_size_origin = "scenario";
     info_.frame_rate_hz = image.frame_rate_hz;
     info_.frame_rate_origin = "scenario";
+    info_.seeds = {{"scenario", scenario_.seed}};
     info_.live = pace == Pace::kWallClock;
     // At least one frame; the epsilon forgives a product such as 5.3 * 30 that falls short of a whole number.
     if (duration_s)

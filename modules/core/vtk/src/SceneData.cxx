@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "pellucida/core/Version.h"
+#include "pellucida/core_vtk/ObservationData.h"
 
 namespace pellucida {
 namespace {
@@ -130,6 +131,7 @@ vtkSmartPointer<vtkPolyData> make_membranes(const Observation& observation) {
   set_field_numbers(data, array_name::kAxis, {observation.axis.x(), observation.axis.y(), 0.0});
   set_field_numbers(data, array_name::kRestRadius,
                     {observation.rest_outer_radius_um, observation.rest_inner_radius_um});
+  add_observation(observation, data);
   stamp(data, observation.time_s, observation.frame_index);
   return data;
 }
@@ -162,6 +164,7 @@ vtkSmartPointer<vtkPolyData> make_tools(const Observation& observation) {
   for (vtkDataArray* array : {static_cast<vtkDataArray*>(tool.Get()), static_cast<vtkDataArray*>(confidence.Get()),
                               static_cast<vtkDataArray*>(tip_sigma.Get()), static_cast<vtkDataArray*>(evidence.Get())})
     data->GetCellData()->AddArray(array);
+  add_poses(observation, data);
   stamp(data, observation.time_s, observation.frame_index);
   return data;
 }

@@ -31,6 +31,8 @@ std::string format(const char* pattern, Numbers... numbers) {
 }
 
 constexpr const char* kRestDirection = "rest_direction";
+/// The surface brings its directions with 32 bits: nearer than this they are the same.
+constexpr double kSameDirection = 1e-6;
 
 /// A point array of `values` (components x points).
 vtkSmartPointer<vtkDoubleArray> make_array(const char* name, const Eigen::Ref<const Eigen::MatrixXd>& values) {
@@ -95,7 +97,7 @@ class MechanicsStep::Impl {
 
   ForceObserver& observer() noexcept { return observer_; }
 
-  expected<Scene, StepFailure> process(const Scene& scene) {
+  expected<Scene, StepFailure> process(const Scene& scene, const SolvedShape* known) {
     if (!scene.observation) return unexpected<StepFailure>({"mechanics: the scene has no observation"});
     if (scene.run_index != run_index_) {
       run_index_ = scene.run_index;
@@ -105,7 +107,7 @@ class MechanicsStep::Impl {
       told_puncture_ = false;
     }
     Scene out = scene;
-    const ForceEstimate e = observer_.process(*scene.observation);
+    const ForceEstimate e = observer_.process(*scene.observation, known);
 
     out.contact = contact_model(*scene.observation, e, scene.arrival_s);
 
@@ -157,7 +159,7 @@ class MechanicsStep::Impl {
     directions = e.rotation_WC.transpose() * directions;
     directions.colwise().normalize();
     const bool known = transfer_ && directions_.cols() == count && nodes_ == e.rest_um.cols() &&
-                       (directions_ - directions).cwiseAbs().maxCoeff() < 1e-9;
+                       (directions_ - directions).cwiseAbs().maxCoeff() < kSameDirection;
     if (!known) {
       Eigen::Matrix3Xd model = e.rotation_WC.transpose() * (e.rest_um.colwise() - e.center_um);
       model.colwise().normalize();
@@ -228,8 +230,11 @@ MechanicsStep::~MechanicsStep() = default;
 MechanicsStep::MechanicsStep(MechanicsStep&&) noexcept = default;
 MechanicsStep& MechanicsStep::operator=(MechanicsStep&&) noexcept = default;
 
-expected<Scene, StepFailure> MechanicsStep::process(const Scene& scene) {
-  return impl_->process(scene);
+expected<Scene, StepFailure> MechanicsStep::process(const Scene& scene, const SolvedShape* known) {
+  return impl_->process(scene, known);
+}
+std::shared_ptr<const SolvedShape> MechanicsStep::solved_shape() const {
+  return impl_->observer().solved_shape();
 }
 
 void MechanicsStep::set_palpation(const Palpation& palpation) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "pellucida/core_vtk/ObservationData.h"
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida {
@@ -53,8 +54,11 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
     run_index_ = scene.run_index;
     reset();
   }
-  auto observation = std::make_shared<const Observation>(tracker_.process(
+  auto tracked = std::make_shared<Observation>(tracker_.process(
       view_of(scene.frame.get()), stamped_time_s(scene.frame.get()), stamped_frame_index(scene.frame.get())));
+  // What a session can't hold, no later step sees: a recording gives the same force as the live image.
+  round_as_stored(*tracked);
+  const std::shared_ptr<const Observation> observation = std::move(tracked);
 
   Scene result = scene;
   result.membranes = Frozen<vtkPolyData>(make_membranes(*observation));
@@ -62,7 +66,7 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
   result.measurement = measurement_from(*observation);
   if (auto event = event_of_change(state_, *observation)) result.events.push_back(std::move(*event));
   state_ = observation->state;
-  result.observation = std::move(observation);
+  result.observation = observation;
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "pellucida/mechanics/ForceEstimate.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
 #include "pellucida/membrane/CellProfile.h"
+#include "pellucida/membrane/Indenter.h"
 
 namespace pellucida {
 
@@ -58,7 +59,14 @@ class ForceObserver {
   /// force at the observed indentation, or nothing with the reason when needle or numbers are missing. A puncture,
   /// tracked or not, gives 0 (`punctured`) once the membrane is seen to have left the tip; before, a tracked one counts
   /// as a contact (`puncture_doubted`).
-  ForceEstimate process(const Observation& observation);
+  ///
+  /// `known` (may be null): the equilibrium that an observer with the same profile but for its effective modulus found
+  /// in the same frame, after the same frames before (`solved_shape`). It saves the solution, most of the time of a
+  /// frame.
+  ForceEstimate process(const Observation& observation, const SolvedShape* known = nullptr);
+
+  /// The equilibrium of the last frame processed, for others; nothing where the needle pressed on nothing.
+  std::shared_ptr<const SolvedShape> solved_shape() const;
 
   /// Forgets the cell.
   void reset();

@@ -99,6 +99,9 @@ CellProfile load_profile(std::string_view name_or_file);
 /// Reads a profile file. Throws InputError with file and key.
 CellProfile read_profile(const std::filesystem::path& file);
 
+/// Reads the text of a profile file, as `to_json` writes it; `where` begins the text of an InputError.
+CellProfile parse_profile(std::string_view text, const std::string& where);
+
 /// The keys of a profile file, with meaning, unit and range; docs/profiles.md is printed from them. Those of the
 /// relaxation belong to a profile with arms only.
 FieldList fields_of(CellProfile& profile);

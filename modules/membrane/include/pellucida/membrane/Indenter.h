@@ -21,6 +21,17 @@ struct IndentationState {
   SolveReport report;
 };
 
+/// An equilibrium, to be taken over by a model of the same cell under another modulus: the modulus scales every force
+/// and no shape.
+struct SolvedShape {
+  double depth_um = 0.0;
+  Eigen::Matrix3Xd positions_um;   ///< (3 x n), frame C
+  Eigen::Matrix3Xd depth_tangent;  ///< (3 x n), motion of the nodes per micrometre of depth
+  double stiffness_uN_per_um = 0.0;
+  double force_scale_uN_per_um = 0.0;  ///< of the model it was solved in
+  SolveReport report;
+};
+
 /// Pushes the needle into the model quasi-statically and keeps the solution from one depth to the next (warm start
 /// along the tangent and its curvature; long distances in steps).
 class Indenter {
@@ -42,12 +53,19 @@ class Indenter {
   /// report says so.
   IndentationState advance_to(double depth_um);
 
+  /// The present state, with the report of the solution that led to it.
+  SolvedShape shape(const SolveReport& report) const;
+  /// Takes over a solution instead of solving. Precondition: it was solved in a model of the same mesh, setup and
+  /// constants, the modulus aside. Forces are read out of this model at that shape; the stiffness is scaled.
+  IndentationState adopt(const SolvedShape& solved);
+
   /// Sets weak observations on the nodes (frame C); they remain until others are given, or `reset`. None: the model
   /// alone. They pull from the next `advance_to` on, also one to the depth that is reached already.
   void observe(std::vector<NormalObservationTerm::Observed> observed);
 
  private:
   SolveReport step_to(double depth_um);
+  IndentationState read_out(const SolveReport& report) const;
 
   MembraneModel model_;
   NormalObservationTerm observation_;

@@ -34,10 +34,10 @@ struct BatchResult {
   std::exception_ptr input_fault;  ///< why the input ended early; empty when it ended well
 };
 
-/// Measures every frame of `source`, as fast as possible, without loss; `sink` (may be empty) receives each scene in
-/// order, on one thread. The numbers do not depend on `job_count`. An input that turns out damaged is reported in
-/// `input_fault`; the frames before were measured. Throws what the sink throws, and UsageError or InputError for a bad
-/// profile.
+/// Measures every frame of `source` as far as its `use` says, as fast as possible, without loss; `sink` (may be empty)
+/// receives each scene in order, on one thread. The numbers do not depend on `job_count`. An input that turns out
+/// damaged is reported in `input_fault`; the frames before were measured. Throws what the sink throws, and UsageError
+/// or InputError for a bad profile.
 BatchResult run_batch(FrameSource& source, const BatchOptions& options, const std::function<void(const Scene&)>& sink);
 
 }  // namespace pellucida

@@ -13,6 +13,7 @@
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
+#include "pellucida/core/PaceFigures.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 
 namespace pellucida {
@@ -34,6 +35,7 @@ struct LiveStatus {
   std::uint64_t recorded_count = 0;
   std::uint64_t recorder_dropped_count = 0;  ///< frames recorded without their image, or lost to a fault
   std::size_t waiting_note_count = 0;        ///< notes made while nothing recorded: they go into the next recording
+  PaceFigures pace;                          ///< of a source that isn't live
   bool finished = false;                     ///< the source ended and all was processed
   std::optional<std::string> fault;          ///< one line, when a thread died
 };
@@ -45,8 +47,9 @@ struct LiveStatus {
 /// None waits for the disk but `start_recording`, `stop_recording` and `stop`, and nobody waits for those.
 class LiveRun {
  public:
-  /// Paced: a source that isn't live is read at its own frame rate. Throws as `Chain` does.
-  LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options);
+  /// Paced: a source that isn't live is read by the times of its frames, `speed_ratio` times as fast (above 0). Throws
+  /// as `Chain` does.
+  LiveRun(std::unique_ptr<FrameSource> source, PipelineOptions options, double speed_ratio = 1.0);
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
   LiveRun& operator=(const LiveRun&) = delete;

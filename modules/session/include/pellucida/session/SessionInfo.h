@@ -19,8 +19,11 @@ struct SessionInfo {
   std::string command_line;                       ///< as the user typed it; empty for the window
   std::map<std::string, std::uint64_t> seeds;     ///< of everything random, by the name of its user
   std::map<std::string, double> clock_offsets_s;  ///< other clock minus session clock, by the clock's name
-  std::string palpation_json;        ///< an independent measurement of the cell and its result; empty: none
-  std::string plan_json;             ///< the plan that guided the hand; empty: none
+  std::string palpation_json;  ///< an independent measurement of the cell and its result; empty: none
+  std::string plan_json;       ///< the plan that guided the hand; empty: none
+  /// Where the numbers come from: versions, parameters, hashes of inputs, and of a replay what it replays; a JSON
+  /// object. The writer adds `frames_used` and `frames_sha256`. Empty: unknown.
+  std::string provenance_json;
   std::string drop_policy = "none";  ///< which frames may be lost on the way to the recorder, in words
 };
 

@@ -52,6 +52,10 @@ class SessionWriter {
   /// The result of a palpation, JSON text: in `session.json` from its next writing on.
   void set_palpation(std::string palpation_json);
 
+  /// Replaces `SessionInfo::provenance_json`, for what is known at the end only; in `session.json` from its next
+  /// writing.
+  void set_provenance(std::string provenance_json);
+
   /// Writes what is still to be written, puts the events into the order of time and marks the session complete. Safe to
   /// call twice. Throws OutputError.
   void close();

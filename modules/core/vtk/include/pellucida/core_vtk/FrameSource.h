@@ -8,12 +8,22 @@
 
 namespace pellucida {
 
+/// How far a frame goes through the chain. A recording of a live run repeats what time allowed then.
+enum class FrameUse : int {
+  kKeep = 0,     ///< its image alone
+  kTrack = 1,    ///< contours and tools
+  kRevolve = 2,  ///< and the surface
+  kMeasure = 3   ///< and the force: everything
+};
+
 /// One frame as delivered by a source.
 struct Frame {
   Frozen<vtkImageData> image;  ///< 1 component, 8 or 16 bit unsigned, spacing in um, stamped
   double time_s = 0.0;         ///< since the source's first frame, from the source's own clock or frame rate
   long frame_index = 0;        ///< counts the source's frames, lost ones included
   long gap_count = 0;          ///< frames lost between the one before and this one
+  long run_index = 0;          ///< increases where the frames begin anew: steps with memory then reset
+  FrameUse use = FrameUse::kMeasure;
 };
 
 /// Anything that delivers frames: video, folder, multi-page TIFF, still, camera, virtual microscope. Used by one thread

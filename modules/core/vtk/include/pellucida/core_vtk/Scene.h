@@ -10,6 +10,7 @@
 #include "pellucida/core/ForceRemarks.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/core/Observation.h"
+#include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Frozen.h"
 
 namespace pellucida {
@@ -19,13 +20,14 @@ namespace pellucida {
 /// The parts are frozen: a copy costs a few reference counts, and may be read from any thread. Parts not made yet are
 /// empty.
 struct Scene {
-  double arrival_s = 0.0;         ///< session clock when the frame arrived: force age is counted from here
-  long run_index = 0;             ///< increases when the source restarts: steps with memory then reset
-  Frozen<vtkImageData> frame;     ///< 1 component, 8 or 16 bit, spacing in um, origin (0, 0, 0)
-  Frozen<vtkPolyData> membranes;  ///< one closed polyline a membrane; see SceneData.h
-  Frozen<vtkPolyData> tools;      ///< needle and holder outlines; see SceneData.h
-  Frozen<vtkPolyData> surface;    ///< both membranes revolved, with the force arrays after the mechanics step
-  Frozen<vtkPolyData> model;      ///< the mass-spring-damper mesh in its solved shape (triangles)
+  double arrival_s = 0.0;             ///< session clock when the frame arrived: force age is counted from here
+  long run_index = 0;                 ///< increases when the source restarts: steps with memory then reset
+  FrameUse use = FrameUse::kMeasure;  ///< how far a batch takes it; a live run goes as far as its time allows
+  Frozen<vtkImageData> frame;         ///< 1 component, 8 or 16 bit, spacing in um, origin (0, 0, 0)
+  Frozen<vtkPolyData> membranes;      ///< one closed polyline a membrane; see SceneData.h
+  Frozen<vtkPolyData> tools;          ///< needle and holder outlines; see SceneData.h
+  Frozen<vtkPolyData> surface;        ///< both membranes revolved, with the force arrays after the mechanics step
+  Frozen<vtkPolyData> model;          ///< the mass-spring-damper mesh in its solved shape (triangles)
   std::shared_ptr<const Observation> observation;  ///< the same contours and tools as plain numbers
   Measurement measurement;                         ///< the row of `measurements.csv`
   ForceRemarks remarks;                            ///< why there is no force, why to doubt it, other models

@@ -46,11 +46,12 @@ ImageView view_of(const vtkImageData* frame);
 
 /// Contours as vtkPolyData: one closed polyline (first point repeated by index, not by coordinates) a membrane; cell
 /// array `membrane` (int); point arrays `confidence` (1 where unknown) and `sigma_um` (0 where unknown), float; field
-/// data the stamp, `center_um`, `axis` and `rest_radius_um`. z = 0.
+/// data the stamp, `center_um`, `axis`, `rest_radius_um` and `observation` (ObservationData.h). z = 0.
 vtkSmartPointer<vtkPolyData> make_membranes(const Observation& observation);
 
 /// Needle and holder as open polylines; cell arrays `tool` (0 needle, 1 holder), `confidence`, `tip_sigma_um` and
-/// `evidence` (how the tip was located: the bits of NeedleEvidence); the needle's first point is its tip.
+/// `evidence` (how the tip was located: the bits of NeedleEvidence); the needle's first point is its tip. Field data:
+/// the stamp, `needle_pose` and `holder_pose` (ObservationData.h).
 vtkSmartPointer<vtkPolyData> make_tools(const Observation& observation);
 
 }  // namespace pellucida

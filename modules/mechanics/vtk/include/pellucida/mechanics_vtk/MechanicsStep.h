@@ -9,6 +9,8 @@
 
 namespace pellucida {
 
+struct SolvedShape;  // membrane/Indenter.h
+
 /// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
@@ -39,7 +41,9 @@ class MechanicsStep {
   MechanicsStep(MechanicsStep&&) noexcept;
   MechanicsStep& operator=(MechanicsStep&&) noexcept;
 
-  expected<Scene, StepFailure> process(const Scene& scene);
+  /// `known`: see `ForceObserver::process`.
+  expected<Scene, StepFailure> process(const Scene& scene, const SolvedShape* known = nullptr);
+  std::shared_ptr<const SolvedShape> solved_shape() const;
 
   /// See `ForceObserver`. Between two calls of `process`.
   void set_palpation(const Palpation& palpation);

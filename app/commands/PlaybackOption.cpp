@@ -1,0 +1,49 @@
+#include "commands/PlaybackOption.h"
+
+#include "commands/Versions.h"
+#include "pellucida/pipeline/RunProvenance.h"
+#include "pellucida/session/SessionReader.h"
+
+namespace pellucida {
+
+void add_range_options(CLI::App& command, PlaybackOptions& playback) {
+  command.add_option("--from", playback.from_s, "of a session: first time, s (default: its beginning)");
+  command.add_option("--to", playback.to_s, "of a session: last time, s (default: its end)");
+  command.add_option("--every", playback.every, "of a session: each so many-th frame")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void add_showing_options(CLI::App& command, PlaybackOptions& playback, double& speed_ratio) {
+  command.add_option("--speed", speed_ratio, "of a recording: times its own speed, 0.01 to 100")
+      ->check(CLI::Range(0.01, 100.0))
+      ->capture_default_str();
+  command.add_option("--loop", playback.loop_count, "of a session: how often; 0: without an end")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--backwards", playback.backwards,
+                   "of a session: from the last frame to the first, as a film in reverse");
+}
+
+PipelineOptions options_for(const std::string& source, const CLI::App& command, const PipelineOptions& stated) {
+  PipelineOptions options = stated;
+  const auto is_stated = [&](const char* name) {
+    const CLI::Option* option = command.get_option_no_throw(name);
+    return option && option->count() > 0;
+  };
+  if (is_session(source)) {
+    options = recorded_options(SessionReader(source).info());
+    if (is_stated("--profile")) {
+      options.given_profile.reset();
+      options.profile = stated.profile;
+    }
+    if (is_stated("--quality")) options.tracker.quality = stated.tracker.quality;
+    if (is_stated("--detection")) options.tracker.detection = stated.tracker.detection;
+    if (is_stated("--revolve-step-deg")) options.revolve_step_deg = stated.revolve_step_deg;
+    if (stated.palpation) options.palpation = stated.palpation;
+  }
+  options.versions = library_versions();
+  return options;
+}
+
+}  // namespace pellucida
