@@ -10,10 +10,10 @@
 
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/ContactModel.h"
+#include "pellucida/core/PaceFigures.h"
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
-#include "pellucida/core/PaceFigures.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 
 namespace pellucida {
