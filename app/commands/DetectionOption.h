@@ -15,7 +15,7 @@ inline void add_detection_option(CLI::App& command, TrackerOptions::Detection& d
             detection = name == "scene" ? TrackerOptions::Detection::kScene : TrackerOptions::Detection::kLines;
           },
           "how cell and needle are found. lines: by dark lines, the most precise in bright field; scene: by a network "
-          "that knows relief and phase contrast as well, where contours and forces aren't validated yet")
+          "that knows relief and phase contrast as well, ten times slower and validated on drawn films alone")
       ->check(CLI::IsMember({"lines", "scene"}))
       ->default_str("lines");
 }
