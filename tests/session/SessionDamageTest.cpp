@@ -20,10 +20,10 @@ class SessionDamage : public testing::Test {
   fs::path session() const { return folder_ / "s"; }
   fs::path other() const { return folder_ / "other"; }
 
-  // Runs `expect` with one bit of each byte of `name` changed; of a longer file, of some 700 bytes all over it.
+  // Runs `expect` with one bit of each byte of `name` changed; of a longer file, of some 200 all over it.
   void flip_bits(const std::string& name, const std::function<void(std::size_t)>& expect) const {
     const std::string whole = text_of(session() / name);
-    for (std::size_t i = 0; i < whole.size(); i += 1 + whole.size() / 1400) {
+    for (std::size_t i = 0; i < whole.size(); i += 1 + whole.size() / 200) {
       std::string changed = whole;
       changed[i] = static_cast<char>(changed[i] ^ (1 << (i % 8)));
       put(session() / name, changed);
