@@ -5,8 +5,10 @@
 
 #include "commands/CommandLine.h"
 #include "commands/DetectionOption.h"
+#include "commands/FieldOption.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/pipeline/AnySource.h"
 
 namespace pellucida {
@@ -57,6 +59,8 @@ void add_analyze_command(CLI::App& app) {
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   command->add_option("--pixel-size-um", arguments->source.pixel_size_um, "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source.frame_rate_hz, "frames a second (default: metadata)");
+  command->add_option("--max-megapixels", arguments->source.most_megapixels, "refuse larger images, megapixels")
+      ->capture_default_str();
   command
       ->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
                    "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
@@ -76,6 +80,7 @@ void add_analyze_command(CLI::App& app) {
   command
       ->add_option("--known-force-sigma-percent", arguments->known_sigma_percent,
                    "standard deviation of the known force or stiffness, %")
+      ->check(number_in(above(0.0, 100.0)))
       ->capture_default_str();
   command->add_flag("--no-frames", arguments->no_frames, "omit the images from the session");
   command->add_option("--jobs", arguments->job_count, "1: one loop; more: the steps in parallel, with the same numbers")

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -11,9 +10,12 @@
 #include "bench/HapticsBench.h"
 #include "bench/MechanicsBench.h"
 #include "bench/TrackingBench.h"
+#include "commands/FieldOption.h"
 #include "commands/Progress.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/identification/Identification.h"
 #include "pellucida/pipeline/AnySource.h"
@@ -232,6 +234,7 @@ void bench(const BenchArguments& arguments) {
   if (!(wanted("tracking") || wanted("mechanics") || wanted("haptics") || wanted("pipeline") || wanted("session"))) {
     throw UsageError("bench " + arguments.part + ": give tracking, mechanics, haptics, pipeline, session or all");
   }
+  if (!arguments.json.empty()) require_apart(arguments.json, arguments.source, "--json");
   Json report;
   if (wanted("tracking")) report["tracking"] = bench_tracking(arguments);
   if (wanted("haptics")) report["haptics"] = bench_haptics(arguments);
@@ -245,10 +248,9 @@ void bench(const BenchArguments& arguments) {
     if (wanted("session")) report["session"] = bench_session(rounds, source);
   }
   if (arguments.json.empty()) return;
-  std::ofstream file(arguments.json);
-  file << report.dump(2) << '\n';
-  file.close();
-  if (!file) throw OutputError(arguments.json + ": can't be written; check the folder and the space on the disk");
+  OutputFile file(arguments.json);
+  file.add(report.dump(2));
+  file.finish();
 }
 
 }  // namespace
@@ -259,7 +261,9 @@ void add_bench_command(CLI::App& app) {
   command->add_option("part", arguments->part, "tracking, mechanics, haptics, pipeline, session or all")
       ->capture_default_str();
   command->add_option("--json", arguments->json, "also write the figures to this file (microseconds unless named)");
-  command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")->capture_default_str();
+  command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")
+      ->check(number_in(above(0.0, 3600.0)))
+      ->capture_default_str();
   command->add_option("--source", arguments->source, "virtual[:SCENARIO] or a file")->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   command->callback([arguments] { bench(*arguments); });
