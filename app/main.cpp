@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "commands/AnalyzeCommand.h"
 #include "commands/BenchCommand.h"
@@ -11,6 +13,7 @@
 #include "commands/ForceCommand.h"
 #include "commands/IdentifyCommand.h"
 #include "commands/InjectCommand.h"
+#include "commands/Interrupt.h"
 #include "commands/Manual.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/ReplayCommand.h"
@@ -26,6 +29,14 @@ namespace {
 int report(pellucida::ExitCode code, const char* text) {
   std::cerr << "pellucida: " << text << '\n';
   return static_cast<int>(code);
+}
+
+// What could not be printed is an output that could not be written.
+int finish() {
+  std::cout.flush();
+  if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
+  return report(pellucida::ExitCode::kOutputUnwritable,
+                "stdout can't be written; check the disk or program it goes to");
 }
 
 }  // namespace
@@ -53,20 +64,26 @@ int main(int argc, char** argv) {
                         [&app] { throw CLI::CallForVersion(pellucida::manual_of_commands(app), 0); })
       ->group("");
   pellucida::keep_command_line(argc, argv);
+  pellucida::install_signals();
   try {
     app.parse(argc, argv);
     // Without a subcommand: the workstation on the virtual microscope.
     if (app.get_subcommands().empty()) app.parse("workstation");
   } catch (const CLI::Success& asked) {
     // Help, version, manual.
-    return app.exit(asked);
+    const int code = app.exit(asked);
+    return code == 0 ? finish() : code;
   } catch (const CLI::ParseError& error) {
     const std::string text = std::string(error.what()) + "; see pellucida --help";
     return report(pellucida::ExitCode::kWrongUsage, text.c_str());
   } catch (const pellucida::Error& error) {
     return report(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return report(pellucida::ExitCode::kOurFault, "there is not enough memory for this");
   } catch (const std::exception& error) {
     return report(pellucida::ExitCode::kOurFault, error.what());
   }
-  return 0;
+  const int code = finish();
+  pellucida::end_if_interrupted();
+  return code;
 }

@@ -5,9 +5,11 @@
 
 #include "commands/CommandLine.h"
 #include "commands/DetectionOption.h"
+#include "commands/FieldOption.h"
 #include "commands/MeasureSession.h"
 #include "commands/PlaybackOption.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/pipeline/AnySource.h"
 
 namespace pellucida {
@@ -64,6 +66,8 @@ void add_analyze_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--pixel-size-um", arguments->source.pixel_size_um, "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source.frame_rate_hz, "frames a second (default: metadata)");
+  command->add_option("--max-megapixels", arguments->source.most_megapixels, "refuse larger images, megapixels")
+      ->capture_default_str();
   command
       ->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
                    "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
@@ -83,6 +87,7 @@ void add_analyze_command(CLI::App& app) {
   command
       ->add_option("--known-force-sigma-percent", arguments->known_sigma_percent,
                    "standard deviation of the known force or stiffness, %")
+      ->check(number_in(above(0.0, 100.0)))
       ->capture_default_str();
   add_range_options(*command, arguments->playback);
   command->add_flag("--no-frames", arguments->no_frames, "omit the images from the session");

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -12,9 +11,12 @@
 #include "bench/MechanicsBench.h"
 #include "bench/ReplayBench.h"
 #include "bench/TrackingBench.h"
+#include "commands/FieldOption.h"
 #include "commands/Progress.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/identification/Identification.h"
 #include "pellucida/pipeline/AnySource.h"
@@ -260,6 +262,7 @@ void bench(const BenchArguments& arguments) {
     throw UsageError("bench " + arguments.part +
                      ": give tracking, mechanics, haptics, pipeline, session, replay or all");
   }
+  if (!arguments.json.empty()) require_apart(arguments.json, arguments.source, "--json");
   Json report;
   if (replays) report["replay"] = bench_replay(arguments);
   if (wanted("tracking")) report["tracking"] = bench_tracking(arguments);
@@ -274,10 +277,9 @@ void bench(const BenchArguments& arguments) {
     if (wanted("session")) report["session"] = bench_session(rounds, source);
   }
   if (arguments.json.empty()) return;
-  std::ofstream file(arguments.json);
-  file << report.dump(2) << '\n';
-  file.close();
-  if (!file) throw OutputError(arguments.json + ": can't be written; check the folder and the space on the disk");
+  OutputFile file(arguments.json);
+  file.add(report.dump(2));
+  file.finish();
 }
 
 }  // namespace
@@ -288,7 +290,9 @@ void add_bench_command(CLI::App& app) {
   command->add_option("part", arguments->part, "tracking, mechanics, haptics, pipeline, session, replay or all")
       ->capture_default_str();
   command->add_option("--json", arguments->json, "also write the figures to this file (microseconds unless named)");
-  command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")->capture_default_str();
+  command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")
+      ->check(number_in(above(0.0, 3600.0)))
+      ->capture_default_str();
   command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file or a session")->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   command->callback([arguments] { bench(*arguments); });

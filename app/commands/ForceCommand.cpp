@@ -1,7 +1,6 @@
 #include "commands/ForceCommand.h"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -9,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "commands/FieldOption.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/membrane/Indenter.h"
@@ -54,6 +56,7 @@ std::vector<Row> relax(const std::vector<Row>& elastic, const CellProfile& profi
 }
 
 void write_force_curve(const ForceArguments& arguments) {
+  require_apart(arguments.output, arguments.profile, "--output");
   CellProfile profile = load_profile(arguments.profile);
   if (arguments.tip_radius_um) {
     if (*arguments.tip_radius_um > 0.5 * profile.mid_radius_um) {
@@ -86,16 +89,15 @@ void write_force_curve(const ForceArguments& arguments) {
   const bool relaxes = arguments.speed_um_per_s && !rows.empty();
   if (relaxes) rows = relax(rows, profile, *arguments.speed_um_per_s, arguments.hold_s.value_or(0.0));
 
-  std::ofstream file(arguments.output);
-  file << "indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um" << (relaxes ? ",time_s\n" : "\n");
+  OutputFile file(arguments.output);
+  file.add(std::string("indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um") + (relaxes ? ",time_s" : ""));
   for (const Row& row : rows) {
-    file << csv_number(row.depth_um) << ',' << csv_number(row.force_uN) << ',' << csv_number(row.pressure_Pa) << ','
-         << csv_number(row.stiffness_uN_per_um);
-    if (relaxes) file << ',' << csv_number(row.time_s);
-    file << '\n';
+    std::string line = csv_number(row.depth_um);
+    for (const double value : {row.force_uN, row.pressure_Pa, row.stiffness_uN_per_um}) line += ',' + csv_number(value);
+    if (relaxes) line += ',' + csv_number(row.time_s);
+    file.add(line);
   }
-  file.close();
-  if (!file) throw OutputError(arguments.output + ": can't be written; check the folder and its permissions");
+  file.finish();
   if (reached < curve.size()) {
     throw Error(ExitCode::kOurFault, arguments.output + ": the model found no equilibrium beyond " +
                                          csv_number(reached_um) + " um; give a smaller --max-indentation-um");
@@ -122,32 +124,33 @@ void add_force_command(CLI::App& app) {
   command
       ->add_option("--angle-deg", arguments->angle_deg,
                    "between the axes of needle and holder, 0 to 90 degrees, instead of a configuration")
-      ->check(CLI::Range(0.0, 90.0))
+      ->check(number_in({0.0, 90.0}))
       ->excludes("--configuration");
   command
       ->add_option("--offset-um", arguments->offset_um,
                    "of the needle's axis beside the cell's centre, um, towards the holder's side above 0, instead of a "
                    "configuration")
+      ->check(number_in({-1e4, 1e4}))
       ->excludes("--configuration");
   command
       ->add_option("--tip-radius-um", arguments->tip_radius_um,
                    "another tip, um; the profile's constants stay, which costs accuracy (docs/method.md, 3.6)")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(above(0.0, 1e9)));
   command
       ->add_option("--max-indentation-um", arguments->max_indentation_um,
                    "deepest point, um (default: the profile's puncture)")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(above(0.0, 1e9)));
   command->add_option("--step-um", arguments->step_um, "step between rows, um")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(above(0.0, 1e9)))
       ->capture_default_str();
   CLI::Option* speed =
       command
           ->add_option("--speed-um-per-s", arguments->speed_um_per_s,
                        "push at this speed, for a profile with relaxation: forces decay meanwhile, and "
                        "a column time_s is added")
-          ->check(CLI::PositiveNumber);
+          ->check(number_in(above(0.0, 1e9)));
   command->add_option("--hold-s", arguments->hold_s, "then hold the needle there, s")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(above(0.0, 1e9)))
       ->needs(speed);
   command
       ->add_option("--output", arguments->output, "CSV file: indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um")

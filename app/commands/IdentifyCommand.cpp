@@ -46,7 +46,7 @@ void add_identify_command(CLI::App& app) {
   };
   number("--scale-uncertainty-percent", a->scale_uncertainty_percent,
          "standard deviation of a scale anchored to one point, % (default: 5, an assumption)")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(number_in({0.0, 100.0}));
   command
       ->add_option("--measured-curve", a->measured_curve,
                    "CSV, indentation_um,force_uN, needle opposite the holder: anchors the scale by least squares, with "
@@ -57,18 +57,18 @@ void add_identify_command(CLI::App& app) {
       "CSV, segment,style,time_s,height_um,force_uN: a ramp-and-hold record to fit two relaxation arms to");
   number("--anchor-ramp-s", a->anchor_ramp_s,
          "how long the push took whose force anchors the scale, s; 0: sudden (default: as fast as the record's ramp)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_in({0.0, 1e9}));
   command
       ->add_flag("--keep-constants", a->keep_constants,
                  "keep the constants of --from; only the force scale and the relaxation are found")
       ->needs("--from");
   number("--max-indentation-um", a->max_indentation_um,
          "deepest point fitted, um (default: the puncture's, 1.06 radii at least)")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(above(0.0, 2e4)));
   command
       ->add_option("--edge-length-ratio", a->edge_length_ratio,
                    "factor on the finite elements' size: 1.4 is quicker and 3 to 8 % stiffer")
-      ->check(CLI::Range(0.5, 2.0))
+      ->check(number_in({0.5, 2.0}))
       ->capture_default_str();
   command->add_option("--jobs", a->threads, "threads (default: one a core)")->check(CLI::Range(1, 256));
   command->add_flag("--no-picture", a->no_picture, "draw no picture");

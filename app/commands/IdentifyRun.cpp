@@ -2,8 +2,8 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <vector>
 
 #include "commands/CommandLine.h"
 #include "commands/IdentifyPicture.h"
@@ -11,6 +11,7 @@
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/identification/Identification.h"
@@ -126,27 +127,32 @@ void set_relaxation(const IdentifyArguments& arguments, const std::optional<Fitt
               cell.relaxation_elastic_ratio, ramp_s, arguments.anchor_ramp_s ? "" : " (assumed)");
 }
 
-void write_profile(const CellProfile& profile, const fs::path& file) {
-  std::ofstream stream(file);
-  stream << to_json(profile) << '\n';
-  stream.close();
-  if (!stream) throw OutputError(file.string() + ": can't be written; check the folder and its permissions");
+/// Whether the files can be written, before a minute is spent on what goes into them, and are none that is read.
+void check_outputs(const IdentifyArguments& arguments, const fs::path& picture) {
+  std::vector<fs::path> outputs{arguments.output};
+  if (!arguments.no_picture) outputs.push_back(picture);
+  for (const fs::path& output : outputs) {
+    for (const std::string& input : {arguments.base, arguments.measured_curve, arguments.relaxation}) {
+      require_apart(output, input, "--output");
+    }
+  }
+  require_apart(picture, arguments.output, "--output");
+  { OutputFile probe(arguments.output); }
 }
 
-/// Whether the file can be written, before a minute is spent on what goes into it.
-void check_writable(const fs::path& file) {
-  std::error_code ignored;
-  const bool existed = fs::exists(file, ignored);
-  std::ofstream probe(file, std::ios::app);
-  if (!probe) throw OutputError(file.string() + ": can't be written; check the folder and its permissions");
-  probe.close();
-  if (!existed) fs::remove(file, ignored);
+void write_profile(const CellProfile& profile, const fs::path& file) {
+  OutputFile output(file);
+  output.add(to_json(profile));
+  output.finish();
 }
 
 }  // namespace
 
 void run_identify(const IdentifyArguments& arguments) {
   const fs::path output(arguments.output);
+  fs::path picture = output;
+  picture.replace_extension(".png");
+  check_outputs(arguments, picture);
   IdentificationRequest request;
   request.cell = cell_of(arguments);
   if (!arguments.measured_curve.empty()) request.measured = read_measured_curve(arguments.measured_curve);
@@ -163,7 +169,6 @@ void run_identify(const IdentifyArguments& arguments) {
   if (arguments.max_indentation_um) request.max_indentation_um = *arguments.max_indentation_um;
   request.edge_length_ratio = arguments.edge_length_ratio;
   request.threads = arguments.threads;
-  check_writable(output);
   std::optional<FittedArms> arms;
   if (!arguments.relaxation.empty()) {
     arms = fit_arms(arguments.relaxation);
@@ -200,8 +205,6 @@ void run_identify(const IdentifyArguments& arguments) {
       shown.indentation_um = Eigen::VectorXd::Constant(1, result.profile.puncture_indentation_um);
       shown.force_uN = Eigen::VectorXd::Constant(1, result.profile.puncture_force_uN);
     }
-    fs::path picture = output;
-    picture.replace_extension(".png");
     std::optional<RelaxationPicture> relaxation;
     if (arms) relaxation = RelaxationPicture{&arms->record, &arms->two, &arms->one};
     draw_identification(result, shown, relaxation, picture);

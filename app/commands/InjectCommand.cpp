@@ -5,10 +5,12 @@
 #include <map>
 
 #include "commands/CommandLine.h"
+#include "commands/FieldOption.h"
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
 #include "commands/Versions.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 
 namespace pellucida {
 namespace {
@@ -46,15 +48,17 @@ void add_inject_command(CLI::App& app) {
       ->add_option("--modality", arguments->operated.simulated_operator.modality,
                    "what the operator sees and feels: image, 3d, 3d+haptics, 3d+haptics+guide (default)")
       ->transform(CLI::CheckedTransformer(modalities).description(""));
-  command->add_option("--seed", arguments->operated.seed, "of the operator")->capture_default_str();
+  command->add_option("--seed", arguments->operated.seed, "of the operator")
+      ->check(number_in({0.0, kMostSeed}))
+      ->capture_default_str();
   command
       ->add_option("--vision-delay-s", arguments->operated.vision_delay_s,
                    "delay from a frame's exposure to its force at the hand, s")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in({0.0, 1.0}))
       ->capture_default_str();
   command
       ->add_option("--max-duration-s", arguments->operated.max_duration_s, "time after which the operator gives up, s")
-      ->check(CLI::Range(1.0, 3600.0))
+      ->check(number_in({1.0, 3600.0}))
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
   command->add_flag("--no-frames", arguments->no_frames, "keep no images in the session");

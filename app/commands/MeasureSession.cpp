@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "commands/Interrupt.h"
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/membrane/CellProfile.h"
@@ -106,17 +107,26 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
   info.profile_json = to_json(profile);
   info.command_line = command_line;
   info.drop_policy = "none: every frame is measured and written";
+  // A value that the chain refuses must not leave a session that blocks the corrected call.
+  validate(
+      RevolveOptions{.step_deg = pipeline.revolve_step_deg, .meridian_point_count = pipeline.meridian_point_count});
+  const InterruptScope interrupt;
+  InterruptibleSource interruptible(source);
   SessionWriter writer(folder, info, session_options);
 
   Progress progress("frame");
   const BatchOptions options{.pipeline = pipeline,
                              .job_count = job_count,
                              .progress = [&](long done, std::optional<long> all) { progress.update(done, all); }};
-  BatchResult result = run_batch(source, options, [&](const Scene& scene) {
+  BatchResult result = run_batch(interruptible, options, [&](const Scene& scene) {
     writer.write(scene);
     if (addition.after_frame) addition.after_frame(writer, scene);
   });
   if (addition.at_end) addition.at_end(writer);
+  if (const int number = interrupted(); number != 0) {
+    const double time_s = result.rows.empty() ? 0.0 : result.rows.back().time_s;
+    writer.event({time_s, event_kind::kStopped, std::string("the program was stopped by ") + signal_name(number)});
+  }
   if (pipeline.palpation)
     writer.set_palpation(palpation_json(*pipeline.palpation, result.cell_scale, result.puncture_risk));
   writer.close();

@@ -5,9 +5,11 @@
 #include <optional>
 
 #include "commands/FieldOption.h"
+#include "commands/Interrupt.h"
 #include "commands/Progress.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/simulation/FrameWriter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 
@@ -35,6 +37,9 @@ void simulate(const SimulateArguments& arguments) {
   if (arguments.seed) scenario.seed = *arguments.seed;
   if (!arguments.look.empty()) scenario.look = arguments.look;
 
+  require_apart(arguments.output, arguments.scenario, "--output");
+  require_apart(arguments.truth, arguments.scenario, "--truth");
+  require_apart(arguments.truth, arguments.output, "--truth");
   VirtualMicroscope microscope(scenario);
   // The small file first: where it can't be written, the video of an earlier run is left alone.
   std::optional<TruthWriter> truth;
@@ -42,9 +47,11 @@ void simulate(const SimulateArguments& arguments) {
   const auto writer = FrameWriter::open(arguments.output, microscope.info());
 
   long count = 0;
+  const InterruptScope interrupt;
+  InterruptibleSource source(microscope);
   {
     Progress progress("frame");
-    while (const auto frame = microscope.next()) {
+    while (const auto frame = source.next()) {
       writer->write(*frame);
       if (truth) truth->write(microscope.truth());
       progress.update(++count, microscope.info().frame_count);
@@ -90,7 +97,8 @@ void add_simulate_command(CLI::App& app) {
   const FieldList fields = fields_of(defaults);
   add_field_option(*command, "--duration-s", *fields.find("image.duration_s"), arguments->duration_s, "the scenario's");
   add_field_option(*command, "--fps", *fields.find("image.frame_rate_hz"), arguments->frame_rate_hz, "the scenario's");
-  command->add_option("--seed", arguments->seed, "of noise, grain and debris (default: the scenario's)");
+  command->add_option("--seed", arguments->seed, "of noise, grain and debris (default: the scenario's)")
+      ->check(number_in({0.0, kMostSeed}));
   command->callback([arguments] { simulate(*arguments); });
 }
 

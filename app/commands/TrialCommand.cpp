@@ -2,18 +2,20 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "commands/FieldOption.h"
+#include "commands/Interrupt.h"
 #include "commands/Progress.h"
 #include "commands/TrialPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/evaluation/TrialSeries.h"
 #include "pellucida/evaluation/TrialSummary.h"
 
@@ -42,10 +44,11 @@ std::vector<Modality> modalities_of(const std::string& name) {
 }
 
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-  std::ofstream stream(file);
-  write(stream);
-  stream.close();
-  if (!stream) throw OutputError(file.string() + ": can't be written; check the folder and its permissions");
+  std::ostringstream text;
+  write(text);
+  OutputFile output(file);
+  output.write(text.str());
+  output.finish();
 }
 
 void run_trials(const TrialArguments& arguments) {
@@ -53,10 +56,7 @@ void run_trials(const TrialArguments& arguments) {
     throw UsageError("trial: this version has simulated operators only; add --simulated");
   }
   const fs::path folder(arguments.output);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw OutputError(folder.string() + ": can't be created, " + error.message() + "; choose another --output");
+  make_folder(folder);
 
   SeriesOptions options;
   options.modalities = modalities_of(arguments.modality);
@@ -67,10 +67,13 @@ void run_trials(const TrialArguments& arguments) {
   options.trial.slows_on_force = !arguments.no_slowing;
   const TrialScene scene(load_scenario(arguments.scenario));
   std::vector<TrialOutcome> outcomes;
+  const InterruptScope interrupt;
   {
     Progress progress("simulated trials:");
+    options.stopped = [] { return interrupted() != 0; };
     outcomes = run_series(scene, options, [&](long done, long all) { progress.update(done, all); });
   }
+  if (outcomes.empty()) return;
 
   const auto summaries = summarize(outcomes);
   write_file(folder / "trials.csv", [&](std::ostream& stream) { write_trials_csv(stream, outcomes); });
@@ -90,7 +93,9 @@ void add_trial_command(CLI::App& app) {
       "trial", "injections by a SIMULATED operator: 2-D image, 3-D view, 3-D and haptics, 3-D, haptics and a guide");
   command->add_flag("--simulated", a->simulated, "the operator is a model of a person (required: there is no other)");
   command->add_option("--trials", a->trials, "of each modality")->check(CLI::Range(1, 100000))->capture_default_str();
-  command->add_option("--seed", a->seed, "of the first trial; incremented for the next ones")->capture_default_str();
+  command->add_option("--seed", a->seed, "of the first trial; incremented for the next ones")
+      ->check(number_in({0.0, kMostSeed}))
+      ->capture_default_str();
   command->add_option("--modality", a->modality, "what the operator sees and feels: all, 2d, 3d, haptics or guide")
       ->check(CLI::IsMember({"all", "2d", "3d", "haptics", "guide"}))
       ->capture_default_str();

@@ -7,10 +7,12 @@
 
 #include "commands/CommandLine.h"
 #include "commands/DetectionOption.h"
+#include "commands/FieldOption.h"
 #include "commands/GuidedSession.h"
 #include "commands/MeasureSession.h"
 #include "commands/PlaybackOption.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/operation/OperatorConsole.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
@@ -140,6 +142,8 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um,
                       "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");
+  command->add_option("--max-megapixels", arguments->source_options.most_megapixels, "refuse larger images, megapixels")
+      ->capture_default_str();
   add_range_options(*command, arguments->playback);
   add_showing_options(*command, arguments->playback, arguments->speed_ratio);
   command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
@@ -150,7 +154,9 @@ void add_workstation_command(CLI::App& app) {
       ->check(CLI::IsMember({"demonstration", "mouse", "none"}));
   command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");
   command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then close");
-  command->add_option("--after", arguments->after_s, "seconds before the screenshot")->capture_default_str();
+  command->add_option("--after", arguments->after_s, "seconds before the screenshot")
+      ->check(number_in({0.0, 86400.0}))
+      ->capture_default_str();
   command->add_option("--width-px", arguments->width_px, "width of the window at the start, px")
       ->check(CLI::Range(800, 8000))
       ->capture_default_str();

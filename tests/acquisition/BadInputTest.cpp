@@ -142,6 +142,98 @@ TEST(BadInput, FlippedBitsNeverCrash) {
   }
 }
 
+// A head of a BMP of 1,080 bytes that says `compression`; ITK would decode run lengths beyond the pixels.
+std::string bitmap(std::uint32_t width_px, std::uint32_t height_px, std::uint32_t compression) {
+  std::string bytes(1080, '\0');
+  const auto set = [&](std::size_t at, std::uint32_t value, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) bytes[at + i] = static_cast<char>(value >> (8 * i));
+  };
+  bytes[0] = 'B';
+  bytes[1] = 'M';
+  set(2, 1080, 4);
+  set(10, 1078, 4);
+  set(14, 40, 4);
+  set(18, width_px, 4);
+  set(22, height_px, 4);
+  set(26, 1, 2);
+  set(28, 8, 2);
+  set(30, compression, 4);
+  return bytes;
+}
+
+TEST(BadInput, ABitmapWithRunLengthsIsRefused) {
+  const TemporaryFolder folder;
+  for (const std::uint32_t compression : {1U, 2U, 4U, 0xFFFFFFFFU}) {
+    put(folder / "a.bmp", bitmap(30000, 30000, compression));
+    expect_error(ExitCode::kInputUnreadable, "a BMP with run lengths",
+                 [&] { open_source(folder / "a.bmp", kAnyScale); });
+  }
+  put(folder / "a.bmp", bitmap(30000, 30000, 0));
+  expect_error(ExitCode::kInputUnreadable, "cut off", [&] { open_source(folder / "a.bmp", kAnyScale); });
+}
+
+TEST(BadInput, AnImageTooLargeIsRefusedBeforeItIsDecoded) {
+  const TemporaryFolder folder;
+  SourceOptions small = kAnyScale;
+  small.most_megapixels = 0.01;
+  for (const char* name : {"a.png", "b.jpg", "c.bmp", "d.tif"}) {
+    cv::imwrite(folder / name, picture(0, 128, 96));
+    expect_error(ExitCode::kInputUnreadable, "128 x 96 px, more than 0.01 megapixels; raise --max-megapixels",
+                 [&] { open_source(folder / name, small); });
+    EXPECT_TRUE(open_source(folder / name, kAnyScale)->next());
+  }
+  write_video(folder / "e.avi", 3, 20.0);
+  small.most_megapixels = 0.001;
+  expect_error(ExitCode::kInputUnreadable, "64 x 48 px, more than", [&] { open_source(folder / "e.avi", small); });
+  small.most_megapixels = -1.0;
+  expect_error(ExitCode::kWrongUsage, "--max-megapixels must be", [&] { open_source(folder / "a.png", small); });
+}
+
+TEST(BadInput, ATiffOfManySamplesOrHugeTilesIsRefused) {
+  const TemporaryFolder folder;
+  const auto write = [&](std::uint32_t samples, std::uint32_t tile_px) {
+    TIFF* file = TIFFOpen((folder / "a.tif").c_str(), "w");
+    TIFFSetField(file, TIFFTAG_IMAGEWIDTH, 16U);
+    TIFFSetField(file, TIFFTAG_IMAGELENGTH, 16U);
+    TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8);
+    TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, samples);
+    TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    if (tile_px > 0) {
+      TIFFSetField(file, TIFFTAG_TILEWIDTH, tile_px);
+      TIFFSetField(file, TIFFTAG_TILELENGTH, tile_px);
+      std::vector<std::uint8_t> tile(std::size_t{tile_px} * tile_px);
+      TIFFWriteTile(file, tile.data(), 0, 0, 0, 0);
+    } else {
+      std::vector<std::uint8_t> row(std::size_t{16} * samples);
+      for (std::uint32_t y = 0; y < 16; ++y) TIFFWriteScanline(file, row.data(), y, 0);
+    }
+    TIFFWriteDirectory(file);
+    TIFFClose(file);
+  };
+  write(4000, 0);
+  expect_error(ExitCode::kInputUnreadable, "4000 samples a pixel", [&] { open_source(folder / "a.tif", kAnyScale); });
+  write(1, 64);
+  SourceOptions small = kAnyScale;
+  small.most_megapixels = 0.001;
+  expect_error(ExitCode::kInputUnreadable, "its tiles: 64 x 64 px, more than",
+               [&] { open_source(folder / "a.tif", small); });
+  EXPECT_TRUE(open_source(folder / "a.tif", kAnyScale)->next());
+}
+
+// Left out, it would shift the times of the images behind it.
+TEST(BadInput, AnEmptyImageOfAFolderIsNamedInItsTurn) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "f");
+  for (int i = 0; i < 3; ++i) cv::imwrite((folder / "f").string() + "/" + std::to_string(i) + ".png", picture(i));
+  put(folder / "f" / "1.png", "");
+  put(folder / "f" / "notes.txt", "");
+  const auto source = open_source(folder / "f", kAnyScale);
+  EXPECT_EQ(source->info().frame_count, 3);
+  EXPECT_TRUE(source->next());
+  expect_error(ExitCode::kInputUnreadable, "1.png: empty file (0 bytes)", [&] { source->next(); });
+}
+
 TEST(BadInput, CamerasThatAreNotThere) {
   expect_error(ExitCode::kDeviceMissing, "v4l2:97: /dev/video97 can't be opened (No such file or directory); ",
                [] { open_source("v4l2:97", kAnyScale); });

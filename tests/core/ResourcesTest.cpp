@@ -42,9 +42,12 @@ TEST_F(ResourcesTest, AnUnknownNameListsTheKnownOnes) {
   try {
     find_resource("profiles", "toad", ".json");
     FAIL();
-  } catch (const InputError& error) {
+  } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("frog"), std::string::npos);
   }
+  // A file that isn't there is an input that can't be read.
+  EXPECT_THROW(find_resource("profiles", "toad.json", ".json"), InputError);
+  EXPECT_THROW(find_resource("profiles", "own/toad", ".json"), InputError);
 }
 
 /// The error that the rule ends in.

@@ -26,6 +26,13 @@ TEST(Table, ReadsColumnsByName) {
   EXPECT_THROW(table.column("pressure_Pa"), InputError);
 }
 
+TEST(Table, ExcelsByteOrderMarkIsNoPartOfAName) {
+  const auto table = Table::read(write_file("mark.csv",
+                                            "\xEF\xBB\xBF"
+                                            "depth_um,force_uN\n1,2\n"));
+  EXPECT_DOUBLE_EQ(table.column("depth_um")[0], 1.0);
+}
+
 TEST(Table, ErrorsNameFileAndLine) {
   EXPECT_THROW(Table::read("/nowhere/at/all.csv"), InputError);
   EXPECT_THROW(Table::read(write_file("empty.csv", "")), InputError);

@@ -1,4 +1,8 @@
-// libFuzzer's entry: any bytes as each text file of a session: its head and its two tables.
+// libFuzzer's entry: any bytes as each file of a session: its head, its tables, its list, its data files.
+#include <new>
+
+#include "DataFile.h"
+#include "PvdList.h"
 #include "SessionIndex.h"
 #include "SessionJson.h"
 #include "support/FuzzReader.h"
@@ -8,5 +12,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   test::fuzz_reader(data, size, ".json", [](const auto& file) { read_session_json(file); });
   test::fuzz_reader(data, size, ".csv", [](const auto& file) { read_measurements(file); });
   test::fuzz_reader(data, size, ".csv", [](const auto& file) { read_events(file); });
+  test::fuzz_reader(data, size, ".csv", [](const auto& file) { read_checksums(file); });
+  test::fuzz_reader(data, size, ".pvd", [](const auto& file) { compare_pvd(file, {}, true); });
+  const std::string_view content(reinterpret_cast<const char*>(data), size);
+  for (const bool image : {true, false}) {
+    try {
+      if (image) {
+        image_from(content);
+      } else {
+        poly_from(content);
+      }
+    } catch (const Error&) {
+    } catch (const std::bad_alloc&) {
+    }
+  }
   return 0;
 }

@@ -36,6 +36,12 @@ TEST_F(MeasuredCurveFile, IsReadInAnyOrder) {
   EXPECT_EQ(curve.force_uN, Eigen::Vector4d(0.0, 1.0, 3.0, 5.0));
 }
 
+TEST_F(MeasuredCurveFile, ATableTooLongForACurveIsRefused) {
+  std::string text = "indentation_um,force_uN\n";
+  for (int i = 0; i <= 10000; ++i) text += std::to_string(i) + ",1\n";
+  EXPECT_NE(error_of(text).find("10001 rows"), std::string::npos);
+}
+
 TEST_F(MeasuredCurveFile, FaultsAreNamed) {
   EXPECT_NE(error_of("indentation_um,force\n1,1\n").find("force_uN"), std::string::npos);
   EXPECT_NE(error_of("indentation_um,force_uN\n1,x\n").find("not a number"), std::string::npos);

@@ -108,7 +108,8 @@ TEST_F(BadInputOnAVideo, TruncatedVideoKeepsWhatCameBefore) {
 
 TEST_F(BadInput, UnknownCommandAndUnknownScenario) {
   expect("frobnicate", 2, {"--help"});
-  expect("simulate --scenario nowhere --output " + quoted("v.avi"), 3, {"nowhere", "default"});
+  expect("simulate --scenario nowhere --output " + quoted("v.avi"), 2, {"nowhere", "default"});
+  expect("simulate --scenario nowhere.json --output " + quoted("v.avi"), 3, {"nowhere.json", "default"});
   expect("export /no/such/session --output " + quoted("x"), 3, {"/no/such/session"});
   expect("check /no/such/session", 3, {"/no/such/session"});
 }

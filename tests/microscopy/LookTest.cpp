@@ -41,7 +41,7 @@ TEST(Look, SaysWhatIsWrong) {
   EXPECT_NE(message_of(R"({"needle": {"end": "blunt"}})").find("needle.end is 'blunt'"), std::string::npos);
   EXPECT_NE(message_of(R"({"contrast": {"blur": 1}})").find("contrast.blur is an unknown key"), std::string::npos);
   EXPECT_NE(message_of(R"({"camera": {"gamma": 9}})").find("camera.gamma is 9; allowed: 0.3 to 2"), std::string::npos);
-  EXPECT_THROW(load_look("no-such-look"), InputError);
+  EXPECT_THROW(load_look("no-such-look"), UsageError);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "Recorder.h"
 
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 
@@ -23,27 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A disk that stands still: the first image's file is a pipe that nobody reads, until somebody does.
+// A disk that stands still until it is told to go on.
 class StalledDisk {
  public:
-  explicit StalledDisk(const fs::path& session) : pipe_(session / "frames/frame_00000000.vti.tmp") {
-    if (mkfifo(pipe_.c_str(), 0600) != 0) throw OutputError(pipe_.string() + ": no pipe");
+  std::function<void()> wait() const {
+    return [moved = moved_] { moved.wait(); };
   }
-  void go_on() {
-    std::ifstream stream(pipe_, std::ios::binary);
-    std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    content_ = std::move(content);
-  }
-  // The pipe has the image's name by now: the image takes its place.
-  void put_image(const fs::path& session) const {
-    const fs::path file = session / "frames/frame_00000000.vti";
-    fs::remove(file);
-    std::ofstream(file, std::ios::binary) << content_;
-  }
+  void go_on() { go_on_.set_value(); }
 
  private:
-  fs::path pipe_;
-  std::string content_;
+  std::promise<void> go_on_;
+  std::shared_future<void> moved_ = go_on_.get_future().share();
 };
 
 class RecorderTest : public testing::Test {
@@ -79,8 +68,8 @@ class RecorderTest : public testing::Test {
 
 // The window and the camera go on while the disk stands still; nothing is lost.
 TEST_F(RecorderTest, NobodyWaitsForTheDiskAndNothingIsLost) {
-  Recorder recorder(session(), info(), clock_);
-  StalledDisk disk(session());
+  StalledDisk disk;
+  Recorder recorder(session(), info(), clock_, recording_memory_bytes(), disk.wait());
   const auto frames = scenes(600);
   auto given = std::async(std::launch::async, [&] {
     for (const Scene& frame : frames) {
@@ -100,7 +89,6 @@ TEST_F(RecorderTest, NobodyWaitsForTheDiskAndNothingIsLost) {
   disk.go_on();
   EXPECT_TRUE(given.get());
   recorder.close();
-  disk.put_image(session());
 
   EXPECT_EQ(recorder.written_count(), 600U);
   EXPECT_EQ(recorder.dropped_count(), 0U);
@@ -116,15 +104,14 @@ TEST_F(RecorderTest, NobodyWaitsForTheDiskAndNothingIsLost) {
 // Where memory ends, images go: rows, events and their order stay, and the loss is named and counted.
 TEST_F(RecorderTest, WithoutMemoryImagesGoAndRowsStay) {
   const auto frames = scenes(300);
-  Recorder recorder(session(), info(), clock_, 100'000);  // some twenty of these images
-  StalledDisk disk(session());
+  StalledDisk disk;
+  Recorder recorder(session(), info(), clock_, 100'000, disk.wait());  // some twenty of these images
   for (const Scene& frame : frames) {
     recorder.announce(frame);
     recorder.settle(measured(frame));
   }
   disk.go_on();
   recorder.close();
-  disk.put_image(session());
 
   EXPECT_EQ(recorder.written_count(), 300U);
   EXPECT_GT(recorder.dropped_count(), 100U);

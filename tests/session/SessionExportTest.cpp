@@ -21,8 +21,9 @@ class SessionExport : public testing::Test {
 
 TEST_F(SessionExport, CopiesTheTables) {
   const ExportReport report = export_session(session(), output());
-  EXPECT_EQ(text_of(output() / "measurements.csv"), text_of(session() / "measurements.csv"));
-  EXPECT_EQ(text_of(output() / "events.csv"), text_of(session() / "events.csv"));
+  // Without their checksums, which are for the session alone.
+  EXPECT_EQ(lines_of(output() / "measurements.csv"), rows_of(session() / "measurements.csv"));
+  EXPECT_EQ(lines_of(output() / "events.csv"), rows_of(session() / "events.csv"));
   EXPECT_EQ(report.files.size(), 4U);
   EXPECT_FALSE(fs::exists(output() / "haptics.csv"));
   EXPECT_TRUE(mentions(report.notes, "no haptics.csv"));

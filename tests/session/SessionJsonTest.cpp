@@ -1,5 +1,7 @@
 #include "SessionJson.h"
 
+#include <nlohmann/json.hpp>
+
 #include "TestSession.h"
 #include "pellucida/core/Error.h"
 
@@ -30,7 +32,7 @@ TEST(SessionJson, KeepsEverything) {
 
 TEST(SessionJson, UnknownAndMissingKeysAreNoError) {
   const TemporaryFolder folder;
-  put(folder / "session.json", R"({"schema_version": 9, "news": [1, 2], "source": {"name": "x"}})");
+  put(folder / "session.json", R"({"schema_version": 1, "news": [1, 2], "source": {"name": "x"}})");
   const SessionHead read = read_session_json(folder / "session.json");
   EXPECT_EQ(read.info.source.name, "x");
   EXPECT_FALSE(read.complete);
@@ -44,6 +46,58 @@ TEST(SessionJson, WrongTypesAreAnInputError) {
     put(folder / "session.json", text);
     EXPECT_THROW(read_session_json(folder / "session.json"), InputError) << text;
   }
+}
+
+TEST(SessionJson, ALaterSchemaIsNamedAndRefused) {
+  const TemporaryFolder folder;
+  put(folder / "session.json", R"({"schema_version": 99})");
+  EXPECT_THROW(read_session_json(folder / "session.json"), LaterSchemaError);
+  put(folder / "session.json", R"({"complete": true})");
+  EXPECT_THROW(read_session_json(folder / "session.json"), InputError);
+}
+
+TEST(SessionJson, ImpossibleValuesAreAnInputError) {
+  const TemporaryFolder folder;
+  for (const char* text :
+       {R"("calibration": {"pixel_size_um": -1})", R"("calibration": {"pixel_size_um": 1e300})",
+        R"("source": {"width_px": -5})", R"("source": {"bit_depth": 12})", R"("source": {"frame_rate_hz": -2})"}) {
+    put(folder / "session.json", std::string(R"({"schema_version": 1, )") + text + '}');
+    EXPECT_THROW(read_session_json(folder / "session.json"), InputError) << text;
+  }
+}
+
+TEST(SessionJson, DeepNestingIsRefused) {
+  const TemporaryFolder folder;
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  put(folder / "session.json", R"({"schema_version": 1, "profile": {"content": )" + deep + "}}");
+  EXPECT_THROW(read_session_json(folder / "session.json"), InputError);
+}
+
+TEST(SessionJson, EveryChangedBitIsSeen) {
+  const TemporaryFolder folder;
+  const std::string text = to_json({.info = make_info()});
+  EXPECT_TRUE(nlohmann::json::accept(text));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string changed = text;
+    changed[i] = static_cast<char>(changed[i] ^ (1 << (i % 8)));
+    put(folder / "session.json", changed);
+    try {
+      const SessionHead head = read_session_json(folder / "session.json");
+      EXPECT_TRUE(head.changed || !head.checked) << "byte " << i;
+    } catch (const InputError&) {
+    }
+  }
+}
+
+TEST(SessionJson, ARepairKeepsTheKeysOfLaterVersions) {
+  const TemporaryFolder folder;
+  put(folder / "session.json", R"({"schema_version": 1, "news": [1, 2], "counts": {"steps": 9}})");
+  put(folder / "session.json", repaired_json(folder / "session.json", {.step_count = 4}));
+  const auto json = nlohmann::json::parse(text_of(folder / "session.json"));
+  EXPECT_EQ(json["news"], nlohmann::json({1, 2}));
+  EXPECT_EQ(json["counts"]["steps"], 4);
+  EXPECT_EQ(json["recovered"], true);
+  EXPECT_FALSE(read_session_json(folder / "session.json").changed);
 }
 
 TEST(SessionJson, NameThatIsNoUtf8IsWrittenAllTheSame) {

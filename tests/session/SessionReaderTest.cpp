@@ -75,7 +75,10 @@ TEST(SessionReader, GivesBackA16BitImage) {
   Scene scene;
   scene.frame = Frozen(make_frame({pixels.data(), PixelFormat::kGray16, 2, 2, 4, 0.5}, 0.0, 0));
   {
-    SessionWriter writer(folder / "s", make_info());
+    SessionInfo info = make_info();
+    info.source.width_px = info.source.height_px = 2;
+    info.source.pixel_size_um = 0.5;
+    SessionWriter writer(folder / "s", info);
     writer.write(scene);
   }
   const Scene read = SessionReader(folder / "s").load(0);
@@ -165,9 +168,9 @@ TEST(SessionReader, EventsComeInTheOrderOfTime) {
     writer.event({0.1, "contact", ""});
   }
   EXPECT_EQ(SessionReader(folder / "s").events()[0].kind, "contact");
-  EXPECT_EQ(lines_of(folder / "s/events.csv")[1], "0.5,limit,depth");
+  EXPECT_EQ(rows_of(folder / "s/events.csv")[1], "0.5,limit,depth");
   check_session(folder / "s", true);
-  EXPECT_EQ(lines_of(folder / "s/events.csv")[1], "0.1,contact,");
+  EXPECT_EQ(rows_of(folder / "s/events.csv")[1], "0.1,contact,");
 }
 
 TEST(SessionReader, PassesOverATornRow) {

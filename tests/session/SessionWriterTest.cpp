@@ -98,7 +98,8 @@ TEST(SessionWriter, MembranesAreClosedPolylinesWithTheirArrays) {
 TEST(SessionWriter, TablesHaveTheHeadersOfTheContract) {
   const TemporaryFolder folder;
   write_session(folder / "s", 2);
-  const auto rows = lines_of(folder / "s/measurements.csv");
+  const auto rows = rows_of(folder / "s/measurements.csv");
+  EXPECT_TRUE(lines_of(folder / "s/measurements.csv")[0].ends_with(",row_crc32"));
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0],
             "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,"
@@ -106,7 +107,7 @@ TEST(SessionWriter, TablesHaveTheHeadersOfTheContract) {
             "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
             "puncture_probability");
   EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,");
-  const auto events = lines_of(folder / "s/events.csv");
+  const auto events = rows_of(folder / "s/events.csv");
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0], "time_s,kind,detail");
   EXPECT_EQ(events[1], "0.05,contact,\"needle, outer membrane\"");
@@ -133,7 +134,7 @@ TEST(SessionWriter, WritesOnlyThePartsThatAreThere) {
   EXPECT_FALSE(fs::exists(folder / "s/frames/frame_00000001.vti"));
   EXPECT_TRUE(fs::is_empty(folder / "s/surface"));
   EXPECT_TRUE(fs::is_empty(folder / "s/membranes"));
-  EXPECT_EQ(lines_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,");
   EXPECT_EQ(writer.counts().step_count, 2U);
   EXPECT_EQ(writer.counts().files(SessionPart::kFrame), 1U);
   EXPECT_TRUE(check_session(folder / "s", false).fine());
@@ -207,7 +208,7 @@ TEST(SessionWriter, ScenesOwnEventsAreWritten) {
   Scene scene = make_scene(0);
   scene.events = {{0.0, "contact", "a \"quoted\" word"}, {0.01, "note", "two\nlines"}};
   writer.write(scene);
-  const auto events = lines_of(folder / "s/events.csv");
+  const auto events = rows_of(folder / "s/events.csv");
   ASSERT_EQ(events.size(), 3U);
   EXPECT_EQ(events[1], "0,contact,\"a \"\"quoted\"\" word\"");
   EXPECT_EQ(events[2], "0.01,note,\"two lines\"");
@@ -227,7 +228,7 @@ TEST(SessionWriter, ClosingPutsTheEventsInOrder) {
   }
   const std::vector<std::string> expected{"time_s,kind,detail", "0.1,contact,\"first, of two\"", "0.1,note,second",
                                           "0.3,puncture,", "0.5,limit,depth"};
-  EXPECT_EQ(lines_of(folder / "s/events.csv"), expected);
+  EXPECT_EQ(rows_of(folder / "s/events.csv"), expected);
   EXPECT_TRUE(check_session(folder / "s", false).fine());
 }
 
@@ -241,7 +242,9 @@ TEST(SessionWriter, QuickPackingKeepsEveryPixel) {
     const fs::path session = folder / (packing == Packing::kQuick ? "quick" : "small");
     Scene scene = make_scene(0);
     scene.frame = Frozen(make_frame({pixels.data(), PixelFormat::kGray8, 256, 256, 256, 0.825}, time_of(0), 0));
-    SessionWriter writer(session, make_info());
+    SessionInfo info = make_info();
+    info.source.width_px = info.source.height_px = 256;
+    SessionWriter writer(session, info);
     writer.write(scene, packing);
     EXPECT_GT(writer.last_cost().packing_s, 0.0);
     EXPECT_GT(writer.last_cost().disk_s, 0.0);

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "Checksum.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/core_vtk/SceneData.h"
@@ -37,6 +38,30 @@ inline std::vector<std::string> lines_of(const fs::path& file) {
 inline bool mentions(const std::vector<std::string>& lines, const std::string& part) {
   return std::any_of(lines.begin(), lines.end(),
                      [&](const auto& line) { return line.find(part) != std::string::npos; });
+}
+
+/// The lines of a table without the checksums at their ends.
+inline std::vector<std::string> rows_of(const fs::path& table) {
+  std::vector<std::string> lines = lines_of(table);
+  for (std::string& line : lines) {
+    const std::string_view row(line.data(), line.rfind(','));
+    EXPECT_TRUE(&line == &lines.front() || signed_row(row) == line) << line;
+    line.resize(row.size());
+  }
+  return lines;
+}
+
+/// A session as it was written before there were checksums.
+inline void remove_checksums(const fs::path& session) {
+  for (const char* table : {"measurements.csv", "events.csv"}) {
+    std::string text;
+    for (const std::string& row : rows_of(session / table)) text += row + '\n';
+    put(session / table, text);
+  }
+  fs::remove(session / "checksums.csv");
+  std::string head = text_of(session / "session.json");
+  head.resize(head.rfind(",\n  \"crc32\""));
+  put(session / "session.json", head + "\n}\n");
 }
 
 inline double time_of(long frame) {

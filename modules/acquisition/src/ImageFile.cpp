@@ -12,6 +12,7 @@
 #include "JpegFile.h"
 #include "TiffPages.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
 
 namespace pellucida {
 namespace {
@@ -61,6 +62,12 @@ itk::ImageIOBase::Pointer open_image(const std::filesystem::path& file) {
   return reader;
 }
 
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
 int bytes_per_sample(const itk::ImageIOBase& reader) {
   return reader.GetComponentType() == itk::IOComponentEnum::USHORT ? 2 : 1;
 }
@@ -78,16 +85,29 @@ ImageKind image_kind(const std::filesystem::path& file) {
     if (start.starts_with(magic)) return ImageKind::kTiff;
   }
   // Two letters are little: a bitmap must also be called one.
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return start.starts_with("BM") && extension == ".bmp" ? ImageKind::kBmp : ImageKind::kNone;
+  return start.starts_with("BM") && lower_extension(file) == ".bmp" ? ImageKind::kBmp : ImageKind::kNone;
 }
 
-ImageFileInfo read_image_info(const std::filesystem::path& file) {
+bool has_image_name(const std::filesystem::path& file) {
+  const std::string extension = lower_extension(file);
+  for (const char* known : {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".bmp"}) {
+    if (extension == known) return true;
+  }
+  return false;
+}
+
+void require_size(const std::string& name, std::uint64_t width_px, std::uint64_t height_px, double most_megapixels) {
+  const double megapixels = 1e-6 * static_cast<double>(width_px) * static_cast<double>(height_px);
+  if (megapixels <= most_megapixels) return;
+  throw InputError(name + ": " + std::to_string(width_px) + " x " + std::to_string(height_px) + " px, more than " +
+                   csv_number(most_megapixels) + " megapixels; raise --max-megapixels if that is right");
+}
+
+ImageFileInfo read_image_info(const std::filesystem::path& file, double most_megapixels) {
   const ImageKind kind = image_kind(file);
-  if (kind == ImageKind::kTiff) return TiffPages(file).info();
+  if (kind == ImageKind::kTiff) return TiffPages(file, most_megapixels).info();
   // ITK gives a spacing of 1 for these kinds whatever the file says: the scale comes from the file's structure.
-  const ImageStructure structure = check_structure(file, kind);
+  const ImageStructure structure = check_structure(file, kind, most_megapixels);
   ImageFileInfo info;
   if (kind == ImageKind::kJpeg) {
     info.width_px = structure.width_px;
@@ -102,10 +122,10 @@ ImageFileInfo read_image_info(const std::filesystem::path& file) {
   return info;
 }
 
-GreyImage read_image(const std::filesystem::path& file) {
+GreyImage read_image(const std::filesystem::path& file, double most_megapixels) {
   const ImageKind kind = image_kind(file);
-  check_structure(file, kind);
-  if (kind == ImageKind::kTiff) return TiffPages(file).read();
+  check_structure(file, kind, most_megapixels);
+  if (kind == ImageKind::kTiff) return TiffPages(file, most_megapixels).read();
   if (kind == ImageKind::kJpeg) return read_jpeg(file);
   const auto reader = open_image(file);
   const auto width_px = static_cast<int>(reader->GetDimensions(0));

@@ -18,6 +18,12 @@ bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
+void require_content(const std::filesystem::path& file) {
+  std::error_code code;
+  if (std::filesystem::file_size(file, code) != 0) return;
+  throw InputError(file.string() + ": empty file (0 bytes); copy it again, or remove it if no frame belongs there");
+}
+
 /// Images one after the other, each got by its number.
 class ImageSequenceSource final : public FrameSource {
  public:
@@ -112,27 +118,36 @@ std::unique_ptr<FrameSource> open_image_folder(const std::filesystem::path& fold
   std::error_code status;
   for (const auto& entry : std::filesystem::directory_iterator(folder, status)) {
     const bool hidden = entry.path().filename().string().starts_with('.');
-    if (!hidden && entry.is_regular_file() && image_kind(entry.path()) != ImageKind::kNone)
-      files.push_back(entry.path());
+    if (hidden || !entry.is_regular_file()) continue;
+    // An empty image keeps its place: it is refused in its turn.
+    std::error_code code;
+    const bool empty_image = has_image_name(entry.path()) && entry.file_size(code) == 0;
+    if (empty_image || image_kind(entry.path()) != ImageKind::kNone) files.push_back(entry.path());
   }
   if (status) throw InputError(name + ": the folder can't be read (" + status.message() + "); check its permission");
+  if (std::all_of(files.begin(), files.end(), [](const auto& file) { return image_kind(file) == ImageKind::kNone; })) {
+    files.clear();
+  }
   if (files.empty()) throw InputError(name + ": no PNG, TIFF, JPEG or BMP image in this folder");
   std::sort(files.begin(), files.end(), [](const auto& left, const auto& right) {
     return natural_less(left.filename().string(), right.filename().string());
   });
 
-  const ImageFileInfo first = read_image_info(files.front());
+  require_content(files.front());
+  const double most_megapixels = options.most_megapixels;
+  const ImageFileInfo first = read_image_info(files.front(), most_megapixels);
   SourceInfo info = info_from(name, first, static_cast<long>(files.size()));
   check_options(options);
   settle_pixel_size(info, options, first.physical);
   settle_frame_rate(info, options, first.physical);
 
-  auto read = [files](long index) {
+  auto read = [files, most_megapixels](long index) {
     const auto& file = files[static_cast<std::size_t>(index)];
-    if (image_kind(file) == ImageKind::kTiff && read_image_info(file).page_count > 1) {
+    require_content(file);
+    if (image_kind(file) == ImageKind::kTiff && read_image_info(file, most_megapixels).page_count > 1) {
       throw InputError(file.string() + ": has several pages; give the file itself as the input");
     }
-    return read_image(file);
+    return read_image(file, most_megapixels);
   };
   auto where = [files](long index) { return files[static_cast<std::size_t>(index)].string(); };
   return std::make_unique<ImageSequenceSource>(std::move(info), std::move(read), std::move(where));
@@ -140,12 +155,13 @@ std::unique_ptr<FrameSource> open_image_folder(const std::filesystem::path& fold
 
 std::unique_ptr<FrameSource> open_image_file(const std::filesystem::path& file, const std::string& name,
                                              const SourceOptions& options) {
-  const ImageFileInfo first = read_image_info(file);
+  const double most_megapixels = options.most_megapixels;
+  const ImageFileInfo first = read_image_info(file, most_megapixels);
   SourceInfo info = info_from(name, first, first.page_count);
   auto where = [name](long index) { return name + ", page " + std::to_string(index + 1); };
   if (first.page_count == 1) {
     // A still is read at once: what can't be decoded is an input error before any option is looked at.
-    auto image = std::make_shared<const GreyImage>(read_image(file));
+    auto image = std::make_shared<const GreyImage>(read_image(file, most_megapixels));
     check_options(options);
     settle_pixel_size(info, options, first.physical);
     info.frame_rate_hz = 1.0;
@@ -156,7 +172,7 @@ std::unique_ptr<FrameSource> open_image_file(const std::filesystem::path& file, 
   check_options(options);
   settle_pixel_size(info, options, first.physical);
   settle_frame_rate(info, options, first.physical);
-  auto pages = std::make_shared<TiffPages>(file);
+  auto pages = std::make_shared<TiffPages>(file, most_megapixels);
   auto read = [pages](long index) {
     pages->go_to(index);
     return pages->read();

@@ -55,6 +55,8 @@ class Judge {
     throw InputError(file_ + ": broken image (" + what + "); copy it again");
   }
 
+  [[noreturn]] void refused(const char* what) const { throw InputError(file_ + ": " + what); }
+
  private:
   std::string file_;
 };
@@ -91,7 +93,11 @@ ImageStructure check_png(std::string_view bytes, const Judge& judge) {
     if (crc(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length, 4))
       judge.damaged("a checksum is wrong");
     if (first != (name == "IHDR") || (first && !is_png_head(payload))) judge.damaged("its header is invalid");
-    if (first) colour = payload[9];
+    if (first) {
+      colour = payload[9];
+      structure.width_px = static_cast<int>(big_endian(payload, 0, 4));
+      structure.height_px = static_cast<int>(big_endian(payload, 4, 4));
+    }
     if (name == "IEND") break;
     if (name == "PLTE") {
       if (has_palette || has_pixels || length == 0 || length > 768 || length % 3 != 0)
@@ -140,8 +146,8 @@ ImageStructure check_jpeg(std::string_view bytes, const Judge& judge) {
   return structure;
 }
 
-// A head with the size, then rows padded to four bytes; compressed ones can't be foretold.
-void check_bmp(std::string_view bytes, const Judge& judge) {
+// A head with the size, then rows padded to four bytes.
+ImageStructure check_bmp(std::string_view bytes, const Judge& judge) {
   if (bytes.size() < 54) judge.cut_off();
   const std::uint64_t start = little_endian(bytes, 10, 4);
   const std::uint64_t width = little_endian(bytes, 18, 4);
@@ -149,21 +155,27 @@ void check_bmp(std::string_view bytes, const Judge& judge) {
   const std::uint64_t depth = little_endian(bytes, 28, 2);
   if (width == 0 || width > 100000 || height == 0 || height > 100000 || width * height > kMostPixels)
     judge.damaged("its header is invalid");
-  if (little_endian(bytes, 30, 4) != 0) return;
+  // Plain pixels, or plain ones with masks of their colours.
+  const std::uint64_t compression = little_endian(bytes, 30, 4);
+  if (compression != 0 && compression != 3)
+    judge.refused("a BMP with run lengths or another compression; convert it to PNG");
   if (bytes.size() < start + (width * depth + 31) / 32 * 4 * height) judge.cut_off();
+  return {.pixel_size_um = {}, .width_px = static_cast<int>(width), .height_px = static_cast<int>(height)};
 }
 
 }  // namespace
 
-ImageStructure check_structure(const std::filesystem::path& file, ImageKind kind) {
+ImageStructure check_structure(const std::filesystem::path& file, ImageKind kind, double most_megapixels) {
   if (kind == ImageKind::kTiff || kind == ImageKind::kNone) return {};
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   const Judge judge(file);
-  if (kind == ImageKind::kPng) return check_png(bytes, judge);
-  if (kind == ImageKind::kJpeg) return check_jpeg(bytes, judge);
-  if (kind == ImageKind::kBmp) check_bmp(bytes, judge);
-  return {};
+  const ImageStructure structure = kind == ImageKind::kPng    ? check_png(bytes, judge)
+                                   : kind == ImageKind::kJpeg ? check_jpeg(bytes, judge)
+                                                              : check_bmp(bytes, judge);
+  require_size(file.string(), static_cast<std::uint64_t>(structure.width_px),
+               static_cast<std::uint64_t>(structure.height_px), most_megapixels);
+  return structure;
 }
 
 }  // namespace pellucida

@@ -66,6 +66,9 @@ std::unique_ptr<FrameSource> open_source(const std::string& input, const SourceO
 
   // Everything else lies on the disk; what it holds counts, not what it is called.
   require_readable(input);
+  if (!(options.most_megapixels > 0.0 && options.most_megapixels <= 1000.0)) {
+    throw UsageError("--max-megapixels must be above 0, up to 1000");
+  }
   const std::filesystem::path path(input);
   if (std::filesystem::is_directory(path)) return open_image_folder(path, input, options);
   if (image_kind(path) != ImageKind::kNone) return open_image_file(path, input, options);

@@ -34,7 +34,8 @@ void TiffPages::Close::operator()(::tiff* file) const noexcept {
   TIFFClose(file);
 }
 
-TiffPages::TiffPages(const std::filesystem::path& file) : file_(file) {
+TiffPages::TiffPages(const std::filesystem::path& file, double most_megapixels)
+    : file_(file), most_megapixels_(most_megapixels) {
   // What is wrong is said once, by the exception. Each time anew: other libraries put handlers of their own here.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
@@ -47,9 +48,8 @@ TiffPages::TiffPages(const std::filesystem::path& file) : file_(file) {
   const auto bits = tag<std::uint16_t>(page, TIFFTAG_BITSPERSAMPLE, 1);
   const auto format = tag<std::uint16_t>(page, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT);
   if (info_.width_px <= 0 || info_.height_px <= 0) throw InputError(file.string() + ": broken TIFF (it has no size)");
-  if (static_cast<std::int64_t>(info_.width_px) * info_.height_px > std::int64_t{1} << 30) {
-    throw InputError(file.string() + ": broken TIFF (its size is invalid)");
-  }
+  require_size(file.string(), static_cast<std::uint64_t>(info_.width_px), static_cast<std::uint64_t>(info_.height_px),
+               most_megapixels);
   if (bits > 16 || (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_VOID)) {
     const char* kind = format == SAMPLEFORMAT_IEEEFP ? " bit float"
                        : format == SAMPLEFORMAT_INT  ? " bit signed"
@@ -73,6 +73,24 @@ void TiffPages::go_to(long index) {
 
 int TiffPages::channel_count() const {
   return tag<std::uint16_t>(tiff_.get(), TIFFTAG_SAMPLESPERPIXEL, 1);
+}
+
+// What a page asks for besides its size: the library would take it at its word.
+void TiffPages::require_layout() const {
+  TIFF* page = tiff_.get();
+  constexpr int kMostChannels = 4;
+  const std::string where = file_.string() + ", page " + std::to_string(page_ + 1);
+  if (channel_count() < 1 || channel_count() > kMostChannels) {
+    throw InputError(where + ": " + std::to_string(channel_count()) +
+                     " samples a pixel; convert it to grey or plain colour");
+  }
+  if (TIFFIsTiled(page)) {
+    require_size(where + ", its tiles", tag<std::uint32_t>(page, TIFFTAG_TILEWIDTH, 0),
+                 tag<std::uint32_t>(page, TIFFTAG_TILELENGTH, 0), most_megapixels_);
+    if (tag<std::uint32_t>(page, TIFFTAG_TILEWIDTH, 0) == 0 || tag<std::uint32_t>(page, TIFFTAG_TILELENGTH, 0) == 0) {
+      throw InputError(where + ": broken TIFF (its tiles have no size)");
+    }
+  }
 }
 
 // Strips or tiles as they are stored, put together to rows. False when one can't be read.
@@ -117,6 +135,7 @@ GreyImage TiffPages::read() const {
                      " has another size or depth than the first; all pages must be alike");
   }
 
+  require_layout();
   GreyImage image = make_grey(info_.width_px, info_.height_px, info_.bit_depth);
   const auto photometric = tag<std::uint16_t>(page, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   const int channels = channel_count();

@@ -14,9 +14,9 @@ namespace pellucida {
 /// the unit of the resolution, and lets the library write to stderr.)
 class TiffPages {
  public:
-  /// Opens at the first page. Throws InputError when the file is broken or its pixels are neither 8 nor 16 bit
-  /// unsigned.
-  explicit TiffPages(const std::filesystem::path& file);
+  /// Opens at the first page. Throws InputError when the file is broken, larger than `most_megapixels`, or its pixels
+  /// are neither 8 nor 16 bit unsigned.
+  TiffPages(const std::filesystem::path& file, double most_megapixels);
 
   /// Of the first page.
   const ImageFileInfo& info() const noexcept { return info_; }
@@ -32,9 +32,11 @@ class TiffPages {
     void operator()(::tiff* file) const noexcept;
   };
   int channel_count() const;
+  void require_layout() const;
   bool read_samples(std::uint8_t* samples, std::size_t row_bytes) const;
 
   std::filesystem::path file_;
+  double most_megapixels_ = 0.0;
   std::unique_ptr<::tiff, Close> tiff_;
   long page_ = 0;
   ImageFileInfo info_;

@@ -9,6 +9,7 @@
 #include "ContainerExtent.h"
 #include "GapCounter.h"
 #include "Grey.h"
+#include "ImageFile.h"
 #include "MatGrey.h"
 #include "SourceCalibration.h"
 #include "pellucida/core/Error.h"
@@ -29,6 +30,8 @@ class VideoFileSource final : public FrameSource {
     open();
     info_.width_px = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH));
     info_.height_px = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT));
+    require_size(name, static_cast<std::uint64_t>(std::max(info_.width_px, 0)),
+                 static_cast<std::uint64_t>(std::max(info_.height_px, 0)), options.most_megapixels);
     if (const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT); count >= 1.0)
       info_.frame_count = std::lround(count);
 

@@ -68,7 +68,7 @@ double parse_number(const std::string& cell, std::string_view name) {
   if (cell.empty()) return Measurement::kNotMeasured;
   double value = 0.0;
   const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (code != std::errc() || end != cell.data() + cell.size()) {
+  if (code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
     throw InputError("measurements.csv: \"" + cell + "\" in column " + std::string(name) + " is not a number");
   }
   return value;

@@ -56,8 +56,10 @@ fs::path find_resource(std::string_view folder, std::string_view name, std::stri
 
   std::string known;
   for (const auto& one : list_resources(folder, extension)) known += (known.empty() ? "" : ", ") + one;
-  throw InputError(std::string(name) + ": neither a file nor one of the known " + std::string(folder) + " (" + known +
-                   ")");
+  const std::string text =
+      std::string(name) + ": neither a file nor one of the known " + std::string(folder) + " (" + known + ")";
+  if (name.find_first_of("./") == std::string_view::npos) throw UsageError(text);
+  throw InputError(text);
 }
 
 }  // namespace pellucida

@@ -63,6 +63,9 @@ Table Table::read(const std::filesystem::path& file) {
 
   std::string line;
   if (!std::getline(stream, line)) throw InputError(table.file_ + ": empty; a CSV table starts with a header line");
+  // Excel's "CSV UTF-8" begins with a byte order mark.
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
   table.names_ = split_csv(line);
 
   // Collect the rows, then lay them out as one matrix.

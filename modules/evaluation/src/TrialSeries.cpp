@@ -18,6 +18,7 @@ std::vector<TrialOutcome> run_series(const TrialScene& scene, const SeriesOption
   if (options.jobs < 0) throw UsageError("series.jobs is " + std::to_string(options.jobs) + "; it must be 0 or above");
   const auto trials = static_cast<std::size_t>(options.trials);
   std::vector<TrialOutcome> outcomes(trials * options.modalities.size());
+  std::vector<char> finished(outcomes.size(), 0);
 
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
@@ -25,11 +26,13 @@ std::vector<TrialOutcome> run_series(const TrialScene& scene, const SeriesOption
   long done = 0;
   const auto work = [&] {
     for (std::size_t k = next++; k < outcomes.size(); k = next++) {
+      if (options.stopped && options.stopped()) return;
       try {
         TrialOptions trial = options.trial;
         trial.modality = options.modalities[k / trials];
         trial.seed = options.seed + k % trials;
         outcomes[k] = run_trial(scene, trial);
+        finished[k] = 1;
       } catch (...) {
         std::lock_guard lock(mutex);
         if (!failure) failure = std::current_exception();
@@ -50,7 +53,12 @@ std::vector<TrialOutcome> run_series(const TrialScene& scene, const SeriesOption
     work();
   }
   if (failure) std::rethrow_exception(failure);
-  return outcomes;
+  std::vector<TrialOutcome> done_ones;
+  done_ones.reserve(outcomes.size());
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (finished[k] != 0) done_ones.push_back(std::move(outcomes[k]));
+  }
+  return done_ones;
 }
 
 }  // namespace pellucida

@@ -12,6 +12,11 @@ namespace pellucida {
 
 MeasuredCurve read_measured_curve(const std::filesystem::path& file) {
   const Table table = Table::read(file);
+  constexpr Eigen::Index kMostPoints = 10000;
+  if (table.rows() > kMostPoints) {
+    throw InputError(file.string() + ": " + std::to_string(table.rows()) + " rows; a measured curve has " +
+                     std::to_string(kMostPoints) + " at most: thin it out");
+  }
   for (const char* name : {"indentation_um", "force_uN"}) {
     if (!table.has(name)) {
       throw InputError(file.string() + ": no column \"" + name +

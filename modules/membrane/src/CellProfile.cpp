@@ -103,15 +103,6 @@ CellProfile parse_profile(std::string_view text, const std::string& where) {
 }
 
 CellProfile load_profile(std::string_view name_or_file) {
-  std::error_code code;
-  const std::filesystem::path shipped = resource_folder() / "profiles" / (std::string(name_or_file) + ".json");
-  if (!std::filesystem::is_regular_file(shipped, code) &&
-      !std::filesystem::exists(std::filesystem::path(name_or_file), code)) {
-    std::string known;
-    for (const auto& one : list_resources("profiles", ".json")) known += (known.empty() ? "" : ", ") + one;
-    throw UsageError("profile " + std::string(name_or_file) + ": unknown; give one of " + known +
-                     ", or a profile's file");
-  }
   return read_profile(find_resource("profiles", name_or_file, ".json"));
 }
 

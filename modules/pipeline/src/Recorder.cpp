@@ -62,6 +62,7 @@ expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
 }
 
 void Recorder::WriteStep::write(const RecordedFrame& frame) {
+  if (before_write) before_write();
   writer.write(frame.scene, queue.load().byte_count() > hurry_bytes ? Packing::kQuick : Packing::kSmall);
   ++written_count;
   disk_bound = writer.last_cost().disk_s > writer.last_cost().packing_s;
@@ -105,11 +106,14 @@ void Recorder::WriteStep::finish() {
 }
 
 Recorder::Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock,
-                   std::size_t memory_bytes)
+                   std::size_t memory_bytes, std::function<void()> before_write)
     : folder_(folder.string()),
       memory_bytes_(memory_bytes),
       writer_(folder, info),
-      step_{.writer = writer_, .queue = queue_, .hurry_bytes = memory_bytes / kHurryShare},
+      step_{.writer = writer_,
+            .queue = queue_,
+            .hurry_bytes = memory_bytes / kHurryShare,
+            .before_write = std::move(before_write)},
       stage_(
           step_, queue_, [](bool) {}, clock) {
   stage_.start();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,9 +32,11 @@ std::size_t recording_memory_bytes();
 /// source) is one event for a stretch of frames.
 class Recorder {
  public:
-  /// Throws OutputError or UsageError as SessionWriter does. `clock` must outlive the recorder.
+  /// Throws OutputError or UsageError as SessionWriter does. `clock` must outlive the recorder. `before_write` is
+  /// called on the writer's thread before each frame is written, and may stand still as a disk may; it is there for
+  /// tests.
   Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock,
-           std::size_t memory_bytes = recording_memory_bytes());
+           std::size_t memory_bytes = recording_memory_bytes(), std::function<void()> before_write = {});
   ~Recorder();
 
   /// A frame arrived; `scene` holds only its image.
@@ -93,6 +96,7 @@ class Recorder {
     FrameStretchFinder dropped{};
     FrameStretchFinder gaps{};
     std::string_view dropped_because{};
+    std::function<void()> before_write{};
   };
 
   // The frame as it is written, and its weight: whole where there is room for it, else its row and its events.

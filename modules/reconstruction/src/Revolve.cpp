@@ -31,7 +31,8 @@ std::vector<std::array<int, 4>> make_cells(int rings, int sectors) {
 
 void validate(const RevolveOptions& options) {
   const double sectors = 360.0 / options.step_deg;
-  if (!(options.step_deg > 0.0) || sectors < 3.0 || std::abs(sectors - std::round(sectors)) > 1e-6) {
+  constexpr double kLeastStep_deg = 0.1;
+  if (!(options.step_deg >= kLeastStep_deg) || sectors < 3.0 || std::abs(sectors - std::round(sectors)) > 1e-6) {
     throw UsageError("angular step " + std::to_string(options.step_deg) +
                      " degrees: give a divisor of 360 between 0.1 and 120, such as 10, 30 or 60");
   }

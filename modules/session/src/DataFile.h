@@ -3,8 +3,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "pellucida/session/SessionInfo.h"
 
@@ -18,8 +18,10 @@ std::string serialise(vtkPolyData* data);
 /// The content of a `.vtp` file with no point in it.
 std::string empty_poly_file();
 
-/// Reads a `.vti` or `.vtp` file. Throws InputError, one line, for a file that is missing, cut off or not of that kind.
-vtkSmartPointer<vtkImageData> read_image_file(const std::filesystem::path& file);
-vtkSmartPointer<vtkPolyData> read_poly_file(const std::filesystem::path& file);
+/// The data in the content of a `.vti` or `.vtp` file as `serialise` makes them, to the last bit. The content may be
+/// anybody's: sizes are held against each other and the file before memory is taken, ids against the points. Throws
+/// InputError with the reason alone, without a file's name.
+vtkSmartPointer<vtkImageData> image_from(std::string_view content);
+vtkSmartPointer<vtkPolyData> poly_from(std::string_view content);
 
 }  // namespace pellucida

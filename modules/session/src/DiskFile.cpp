@@ -1,13 +1,14 @@
 #include "DiskFile.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <system_error>
+
+#include "SessionLock.h"
 
 namespace pellucida {
 namespace {
@@ -25,49 +26,50 @@ int write_all(int descriptor, std::string_view content) {
 
 }  // namespace
 
-OutputError disk_error(const std::filesystem::path& path, int reason) {
-  std::string help = "choose another folder with --output";
-  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk with --output";
-  if (reason == EFBIG) help = "raise the file size limit, or choose another disk with --output";
-  if (reason == EACCES || reason == EPERM || reason == EROFS) help = "change its permission, or choose another folder";
-  return OutputError(path.string() + ": can't be written (" + std::generic_category().message(reason) + "); " + help);
-}
-
-void replace_file(const std::filesystem::path& file, std::string_view content) {
-  const std::string temporary = file.string() + kTemporarySuffix;
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) throw disk_error(file, errno);
-  int reason = write_all(descriptor, content);
-  // Some file systems report a full disk only here.
-  if (::close(descriptor) != 0 && reason == 0) reason = errno;
-  if (reason == 0 && std::rename(temporary.c_str(), file.c_str()) != 0) reason = errno;
-  if (reason != 0) {
-    ::unlink(temporary.c_str());
-    throw disk_error(file, reason);
-  }
-}
-
-std::string read_whole_file(const std::filesystem::path& file) {
-  std::error_code status;
-  if (std::filesystem::is_directory(file, status)) throw InputError(file.string() + ": a folder, not a file");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    const std::string reason = errno != 0 ? std::generic_category().message(errno) : "unknown reason";
+std::string read_whole_file(const std::filesystem::path& file, std::uint64_t most_bytes) {
+  // Without waiting for the other end of a pipe.
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY);
+  if (descriptor < 0) {
+    const std::string reason =
+        errno == ELOOP ? "a link, which is not followed" : std::generic_category().message(errno);
     throw InputError(file.string() + ": can't be read (" + reason + ")");
   }
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  struct stat status {};
+  std::string content;
+  std::string reason;
+  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    reason = "a folder, pipe or device, not a file";
+  } else if (static_cast<std::uint64_t>(status.st_size) > most_bytes) {
+    reason = std::to_string(status.st_size) + " bytes where at most " + std::to_string(most_bytes) + " are expected";
+  } else {
+    content.resize(static_cast<std::size_t>(status.st_size));
+    std::size_t done = 0;
+    while (done < content.size() && reason.empty()) {
+      const ssize_t count = ::read(descriptor, content.data() + done, content.size() - done);
+      if (count > 0) done += static_cast<std::size_t>(count);
+      if (count == 0) break;
+      if (count < 0 && errno != EINTR) reason = std::generic_category().message(errno);
+    }
+    content.resize(done);
+  }
+  ::close(descriptor);
+  if (!reason.empty()) throw InputError(file.string() + ": can't be read (" + reason + ")");
+  return content;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code reason;
-  std::filesystem::create_directories(folder, reason);
-  if (!reason && !std::filesystem::is_directory(folder)) reason = std::make_error_code(std::errc::not_a_directory);
-  if (reason) throw disk_error(folder, reason.value());
+bool is_present(const std::filesystem::path& file) {
+  std::error_code code;
+  const auto type = std::filesystem::symlink_status(file, code).type();
+  return type != std::filesystem::file_type::not_found && type != std::filesystem::file_type::none;
+}
+
+bool is_plain_file(const std::filesystem::path& file) {
+  std::error_code code;
+  return std::filesystem::symlink_status(file, code).type() == std::filesystem::file_type::regular;
 }
 
 AppendFile::AppendFile(const std::filesystem::path& file, std::string_view header) : file_(file) {
-  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
+  descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) throw disk_error(file_, errno);
   try {
     append(header);
@@ -79,6 +81,18 @@ AppendFile::AppendFile(const std::filesystem::path& file, std::string_view heade
 
 AppendFile::~AppendFile() {
   ::close(descriptor_);
+}
+
+void AppendFile::shrink_to(std::uint64_t byte_count) noexcept {
+  if (::ftruncate(descriptor_, static_cast<off_t>(byte_count)) == 0) byte_count_ = byte_count;
+}
+
+void AppendFile::lock() noexcept {
+  lock_file(descriptor_);
+}
+
+void AppendFile::unlock() noexcept {
+  ::flock(descriptor_, LOCK_UN);
 }
 
 void AppendFile::append(std::string_view line) {

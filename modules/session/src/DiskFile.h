@@ -4,25 +4,21 @@
 #include <string>
 #include <string_view>
 
-#include "pellucida/core/Error.h"
+#include "pellucida/core/OutputFile.h"
 
 namespace pellucida {
 
-/// The error for `path` that couldn't be written: the system's reason (an errno), and what helps against it.
-OutputError disk_error(const std::filesystem::path& path, int reason);
+/// A file of a session is no larger: an hour of rows is 40 MB.
+inline constexpr std::uint64_t kMostFileBytes = std::uint64_t{1} << 31U;
 
-/// What a file under construction is called until it is whole: its name with this behind it.
-inline constexpr const char* kTemporarySuffix = ".tmp";
+/// The content of a file that may come from a stranger: a regular file, no link, of at most `most_bytes`. Throws
+/// InputError with the reason, and without reading anything of what it refuses.
+std::string read_whole_file(const std::filesystem::path& file, std::uint64_t most_bytes = kMostFileBytes);
 
-/// Writes `content` beside `file` and renames it into place: under its name a file is whole or not there at all.
-/// Throws OutputError with the system's reason; the temporary file is then removed and an older `file` left as it was.
-void replace_file(const std::filesystem::path& file, std::string_view content);
-
-/// The whole content of a file. Throws InputError with the system's reason.
-std::string read_whole_file(const std::filesystem::path& file);
-
-/// Makes a folder with its parents. Throws OutputError with the system's reason.
-void make_folder(const std::filesystem::path& folder);
+/// Whether anything has this name, be it a link that leads nowhere.
+bool is_present(const std::filesystem::path& file);
+/// Whether this is a file itself: no link, folder, pipe or device.
+bool is_plain_file(const std::filesystem::path& file);
 
 /// A table that grows at its end, a line at a time, each handed to the system at once.
 class AppendFile {
@@ -35,6 +31,11 @@ class AppendFile {
 
   /// Adds `line` and a line end. Throws OutputError; what got onto the disk of this line is then taken back.
   void append(std::string_view line);
+  /// Takes back the end of the table, from `byte_count` on, as well as the system allows.
+  void shrink_to(std::uint64_t byte_count) noexcept;
+  /// Holds the session's lock until the file is closed or `unlock` (SessionLock.h).
+  void lock() noexcept;
+  void unlock() noexcept;
   std::uint64_t byte_count() const noexcept { return byte_count_; }
 
  private:

@@ -11,11 +11,11 @@
 #include <numeric>
 #include <optional>
 
-#include "CsvFile.h"
 #include "DiskFile.h"
 #include "SessionFolder.h"
 #include "SessionIndex.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/session/SessionReader.h"
@@ -99,13 +99,14 @@ std::vector<std::size_t> chosen_steps(const SessionReader& session, const std::s
 // The rows that could be read, as they stand; events in the order of time.
 template <class Row>
 void copy_table(const fs::path& target, std::string_view header, const SessionTable<Row>& table) {
-  CsvFile file(target, header);
-  for (const std::string& line : table.lines) file.add(line);
+  OutputFile file(target);
+  file.add(table.header_right ? std::string_view(table.header) : header);
+  for (const std::string_view line : table.lines) file.add(line);
   file.finish();
 }
 
 // Points in order round each closed contour; the closing repetition of the first point is left out.
-std::size_t add_contours(CsvFile& file, long frame, vtkPolyData* membranes) {
+std::size_t add_contours(OutputFile& file, long frame, vtkPolyData* membranes) {
   vtkDataArray* membrane = membranes->GetCellData()->GetArray(array_name::kMembrane);
   std::size_t count = 0;
   for (vtkIdType cell = 0; cell < membranes->GetNumberOfCells(); ++cell) {
@@ -126,7 +127,7 @@ std::size_t add_contours(CsvFile& file, long frame, vtkPolyData* membranes) {
 }
 
 // A surface's nodes with their forces; a cell stays empty where an array isn't there.
-std::size_t add_nodes(CsvFile& file, long frame, vtkPolyData* surface) {
+std::size_t add_nodes(OutputFile& file, long frame, vtkPolyData* surface) {
   vtkPointData* arrays = surface->GetPointData();
   const auto value = [&](const char* name, vtkIdType node, int component) {
     vtkDataArray* array = arrays->GetArray(name);
@@ -144,78 +145,132 @@ std::size_t add_nodes(CsvFile& file, long frame, vtkPolyData* surface) {
   return static_cast<std::size_t>(surface->GetNumberOfPoints());
 }
 
+// Does `take` with a file of a session; one that can't be read is left out, and said once for all of its kind.
+class Leniency {
+ public:
+  explicit Leniency(const char* what) : what_(what) {}
+
+  template <class Take>
+  void read(Take take) {
+    try {
+      take();
+    } catch (const InputError& error) {
+      if (++count_ == 1) first_ = error.what();
+    }
+  }
+
+  void report(std::vector<std::string>& notes) const {
+    if (count_ == 0) return;
+    notes.push_back("warning: " + std::to_string(count_) + ' ' + what_ +
+                    " left out, which can't be read, the first: " + first_ + "; run pellucida check on the session");
+  }
+
+ private:
+  const char* what_;
+  std::size_t count_ = 0;
+  std::string first_;
+};
+
 void write_contours(const SessionReader& session, const fs::path& output, const ExportOptions& options,
                     ExportReport& report) {
-  CsvFile file(output / "contours.csv", "frame,membrane,point,x_um,y_um");
+  OutputFile file(output / "contours.csv");
+  file.add("frame,membrane,point,x_um,y_um");
   const auto steps = steps_with(session, SessionPart::kMembranes);
+  Leniency lenient("file(s) of contours");
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    const auto membranes = session.load(steps[i], SessionPart::kMembranes);
-    report.contour_point_count += add_contours(file, session.steps()[steps[i]].frame_index, membranes.shallow_copy());
+    lenient.read([&] {
+      const auto membranes = session.load(steps[i], SessionPart::kMembranes);
+      report.contour_point_count += add_contours(file, session.steps()[steps[i]].frame_index, membranes.shallow_copy());
+    });
     if (options.progress) options.progress(i + 1, steps.size());
   }
   file.finish();
+  lenient.report(report.notes);
   if (steps.empty()) report.notes.emplace_back("no membrane was found in any frame: contours.csv has only its header");
   report.files.push_back(output / "contours.csv");
 }
 
 void write_nodes(const SessionReader& session, const fs::path& output, const std::vector<std::size_t>& steps,
                  ExportReport& report) {
-  CsvFile file(output / "nodes.csv", "frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN");
+  OutputFile file(output / "nodes.csv");
+  file.add("frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN");
+  Leniency lenient("surface(s)");
   for (const std::size_t step : steps) {
     const long frame = session.steps()[step].frame_index;
     if (!session.steps()[step].has(SessionPart::kSurface)) {
       report.notes.push_back("frame " + std::to_string(frame) + " has no surface: it is not in nodes.csv");
       continue;
     }
-    const auto surface = session.load(step, SessionPart::kSurface);
-    report.node_count += add_nodes(file, frame, surface.shallow_copy());
-    report.node_frames.push_back(frame);
+    lenient.read([&] {
+      const auto surface = session.load(step, SessionPart::kSurface);
+      report.node_count += add_nodes(file, frame, surface.shallow_copy());
+      report.node_frames.push_back(frame);
+    });
   }
   file.finish();
+  lenient.report(report.notes);
   if (steps.empty()) report.notes.emplace_back("no surface was made in any frame: nodes.csv has only its header");
   report.files.push_back(output / "nodes.csv");
 }
 
-// Head and numbers of an array's components: `force_N_x,force_N_y,force_N_z`.
-void add_columns(std::string& header, vtkDataArray* array) {
-  const int count = array->GetNumberOfComponents();
-  for (int i = 0; i < count; ++i) {
-    header += std::string(",") + array->GetName() + (count == 1 ? "" : std::string("_") + "xyz"[i % 3]);
+// The columns of the hand's table: `path,x_um,y_um,z_um` and an array's components, `force_N_x,force_N_y,force_N_z`.
+std::string hand_header(vtkPointData* arrays) {
+  std::string header = "path,x_um,y_um,z_um";
+  for (int a = 0; a < arrays->GetNumberOfArrays(); ++a) {
+    vtkDataArray* array = arrays->GetArray(a);
+    const int count = array->GetNumberOfComponents();
+    for (int i = 0; i < count; ++i) {
+      header += ',' + csv_cell(array->GetName()) + (count == 1 ? "" : std::string("_") + "xyz"[i % 3]);
+    }
   }
+  return header;
 }
 
-// The recording of the hand: a row for each tick and path (hand, tip), with all arrays of its points.
-void write_hand(const SessionReader& session, const fs::path& output, ExportReport& report) {
-  std::optional<CsvFile> file;
-  for (std::size_t block = 0; block < session.hand_block_count(); ++block) {
-    const auto paths = session.load_hand(block).shallow_copy();
-    vtkDataArray* kind = paths->GetCellData()->GetArray(array_name::kPath);
-    vtkPointData* arrays = paths->GetPointData();
-    if (!file) {
-      std::string header = "path,x_um,y_um,z_um";
-      for (int a = 0; a < arrays->GetNumberOfArrays(); ++a) add_columns(header, arrays->GetArray(a));
-      file.emplace(output / "haptics.csv", header);
-    }
-    for (vtkIdType line = 0; line < paths->GetNumberOfCells(); ++line) {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      paths->GetCellPoints(line, size, ids);
-      const std::string head = kind && kind->GetComponent(line, 0) == 0.0 ? "hand" : "tip";
-      for (vtkIdType i = 0; i < size; ++i) {
-        double point_um[3];
-        paths->GetPoint(ids[i], point_um);
-        std::string row = head;
-        for (const double coordinate_um : point_um) row += ',' + csv_number(coordinate_um);
-        for (int a = 0; a < arrays->GetNumberOfArrays(); ++a) {
-          vtkDataArray* array = arrays->GetArray(a);
-          for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-            row += ',' + csv_number(array->GetComponent(ids[i], c));
-        }
-        file->add(row);
-        ++report.hand_row_count;
+// A row for each tick and path (hand, tip), with all arrays of its points.
+std::size_t add_hand(OutputFile& file, vtkPolyData* paths) {
+  vtkDataArray* kind = paths->GetCellData()->GetArray(array_name::kPath);
+  vtkPointData* arrays = paths->GetPointData();
+  std::size_t row_count = 0;
+  for (vtkIdType line = 0; line < paths->GetNumberOfCells(); ++line) {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    paths->GetCellPoints(line, size, ids);
+    const std::string head = kind && kind->GetComponent(line, 0) == 0.0 ? "hand" : "tip";
+    for (vtkIdType i = 0; i < size; ++i) {
+      double point_um[3];
+      paths->GetPoint(ids[i], point_um);
+      std::string row = head;
+      for (const double coordinate_um : point_um) row += ',' + csv_number(coordinate_um);
+      for (int a = 0; a < arrays->GetNumberOfArrays(); ++a) {
+        vtkDataArray* array = arrays->GetArray(a);
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+          row += ',' + csv_number(array->GetComponent(ids[i], c));
       }
+      file.add(row);
+      ++row_count;
     }
   }
+  return row_count;
+}
+
+void write_hand(const SessionReader& session, const fs::path& output, ExportReport& report) {
+  std::optional<OutputFile> file;
+  std::string header;
+  Leniency lenient("block(s) of the hand");
+  for (std::size_t block = 0; block < session.hand_block_count(); ++block) {
+    lenient.read([&] {
+      const auto paths = session.load_hand(block).shallow_copy();
+      const std::string columns = hand_header(paths->GetPointData());
+      if (!file) {
+        header = columns;
+        file.emplace(output / "haptics.csv");
+        file->add(header);
+      }
+      if (columns != header) throw InputError("block " + std::to_string(block) + " has other arrays than the first");
+      report.hand_row_count += add_hand(*file, paths);
+    });
+  }
+  lenient.report(report.notes);
   if (!file) return;
   file->finish();
   report.files.push_back(output / "haptics.csv");
@@ -233,17 +288,25 @@ ExportReport export_session(const fs::path& session_folder, const fs::path& outp
                      ": is the session itself, whose tables would be overwritten; choose another --output");
   }
 
+  const bool checked = is_plain_file(session_folder / session_name::kChecksums);
   copy_table(output / session_name::kMeasurements, measurement_header(),
-             read_measurements(session_folder / session_name::kMeasurements));
+             read_measurements(session_folder / session_name::kMeasurements, checked));
   report.files.push_back(output / session_name::kMeasurements);
   copy_table(output / session_name::kEvents, session_name::kEventsHeader,
-             read_events(session_folder / session_name::kEvents));
+             read_events(session_folder / session_name::kEvents, checked));
   report.files.push_back(output / session_name::kEvents);
   write_contours(session, output, options, report);
   write_nodes(session, output, chosen, report);
   write_hand(session, output, report);
   if (session.hand_block_count() == 0) {
     report.notes.emplace_back("the session has no recording of the hand: no haptics.csv");
+  }
+  if (session.head_changed()) {
+    report.notes.emplace_back("warning: session.json was changed after it was written; check calibration and profile");
+  }
+  if (session.skipped_row_count() > 0) {
+    report.notes.push_back("warning: " + std::to_string(session.skipped_row_count()) +
+                           " row(s) left out, which can't be read or were changed; run pellucida check on the session");
   }
   if (!session.complete()) report.notes.emplace_back("the session was cut off: what it holds up to there was exported");
   return report;

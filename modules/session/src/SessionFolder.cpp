@@ -1,8 +1,10 @@
 #include "SessionFolder.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 
 namespace pellucida {
@@ -48,23 +50,65 @@ std::optional<long> hand_block_of(std::string_view file_name) {
   return number_of(session_name::kHaptics, ".vtp", file_name);
 }
 
-std::string make_pvd(const std::vector<SessionStep>& steps, bool frames) {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "<Collection>\n";
-  text.reserve(text.size() + steps.size() * 4 * 110);
-  for (const SessionStep& step : steps) {
-    const std::string time = csv_number(step.time_s);
-    for (const PartNames& names : kParts) {
-      const bool image = names.part == SessionPart::kFrame;
-      if (image && (!frames || !step.has(names.part))) continue;
-      const std::string file = step.has(names.part) ? part_file(names.part, step.frame_index) : session_name::kEmpty;
-      text += "<DataSet timestep=\"" + time + "\" part=\"" + std::to_string(static_cast<int>(names.part)) +
-              "\" name=\"" + names.folder + "\" file=\"" + file + "\"/>\n";
-    }
+std::string data_file(const DataName& name) {
+  return name.kind == kHandKind ? hand_file(name.number) : part_file(static_cast<SessionPart>(name.kind), name.number);
+}
+
+std::optional<DataName> data_name_of(std::string_view relative_file) {
+  const auto slash = relative_file.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const std::string_view folder = relative_file.substr(0, slash);
+  const std::string_view file = relative_file.substr(slash + 1);
+  std::optional<DataName> name;
+  for (const PartNames& names : kParts) {
+    if (folder != names.folder) continue;
+    if (const auto index = frame_index_of(names.part, file)) name = data_name(names.part, *index);
   }
-  return text + "</Collection>\n</VTKFile>\n";
+  if (folder == session_name::kHaptics) {
+    if (const auto block = hand_block_of(file)) name = DataName{kHandKind, *block};
+  }
+  // One name for one number: neither more zeros nor fewer.
+  if (name && data_file(*name) != relative_file) name.reset();
+  return name;
+}
+
+bool is_own_temporary(std::string_view relative_file) {
+  if (!relative_file.ends_with(kTemporarySuffix)) return false;
+  relative_file.remove_suffix(std::string_view(kTemporarySuffix).size());
+  const auto is_own = [](std::string_view name) {
+    return std::find(kOwnFiles.begin(), kOwnFiles.end(), name) != kOwnFiles.end() || data_name_of(name).has_value();
+  };
+  if (is_own(relative_file)) return true;
+  const auto dot = relative_file.rfind('.');
+  if (dot == std::string_view::npos) return false;
+  const std::string_view number = relative_file.substr(dot + 1);
+  const bool digits =
+      !number.empty() && std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return digits && is_own(relative_file.substr(0, dot));
+}
+
+const char* const kPvdStart =
+    "<?xml version=\"1.0\"?>\n"
+    "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+    "<Collection>\n";
+const char* const kPvdEnd = "</Collection>\n</VTKFile>\n";
+
+void append_pvd(const SessionStep& step, bool frames, std::string& text) {
+  const std::string time = csv_number(step.time_s);
+  for (const PartNames& names : kParts) {
+    const bool image = names.part == SessionPart::kFrame;
+    if (image && (!frames || !step.has(names.part))) continue;
+    const std::string file = step.has(names.part) ? part_file(names.part, step.frame_index) : session_name::kEmpty;
+    text += "<DataSet timestep=\"" + time + "\" part=\"" + std::to_string(static_cast<int>(names.part)) + "\" name=\"" +
+            names.folder + "\" file=\"" + file + "\"/>\n";
+  }
+}
+
+std::string make_pvd(const std::vector<SessionStep>& steps, bool frames) {
+  std::string text = kPvdStart;
+  text.reserve(text.size() + steps.size() * 4 * 110);
+  for (const SessionStep& step : steps) append_pvd(step, frames, text);
+  return text + kPvdEnd;
 }
 
 }  // namespace pellucida

@@ -1,10 +1,15 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "Checksum.h"
+#include "SessionFolder.h"
 #include "pellucida/core/Event.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/session/SessionInfo.h"
@@ -14,7 +19,7 @@ namespace pellucida {
 /// A line of a table that can't be used.
 struct BadLine {
   std::size_t number = 0;  ///< counted from 1, the header included
-  std::string text;
+  std::string_view text;   ///< in the table's text
   std::string reason;
 };
 
@@ -23,14 +28,68 @@ template <class Row>
 struct SessionTable {
   bool present = false;
   bool header_right = false;
-  std::vector<Row> rows;           ///< the lines that could be read
-  std::vector<std::string> lines;  ///< their text, without line end
-  std::vector<BadLine> bad;
+  bool checked = false;                     ///< its rows end with their checksums
+  std::string header;                       ///< without the checksum's column; empty where it isn't right
+  std::vector<Row> rows;                    ///< the lines that could be read
+  std::vector<std::string_view> lines;      ///< their text, without checksum and line end
+  std::vector<BadLine> bad;                 ///< the others, the first line too where it is neither header nor row
+  std::shared_ptr<const std::string> text;  ///< what `lines` and `bad` look at
 };
 
-SessionTable<Measurement> read_measurements(const std::filesystem::path& file);
+/// What `checksums.csv` says of a data file.
+struct FileChecksum {
+  DataName name;
+  std::uint64_t byte_count = 0;
+  std::uint32_t crc32 = 0;
+};
+
+/// Each throws InputError for a table that can't be read as a whole: a link, a pipe, a file too large, or one that has
+/// more unreadable lines than any session (another program's). `checked`: its rows must have their checksums whatever
+/// the header says.
+SessionTable<Measurement> read_measurements(const std::filesystem::path& file, bool checked = false);
 /// In the order of time, whatever the order of the lines.
-SessionTable<Event> read_events(const std::filesystem::path& file);
+SessionTable<Event> read_events(const std::filesystem::path& file, bool checked = false);
+/// In the order of the names.
+SessionTable<FileChecksum> read_checksums(const std::filesystem::path& file);
+/// What is known of a file; null where it has no row.
+const FileChecksum* find_checksum(const SessionTable<FileChecksum>& table, const DataName& name);
+/// A row of `checksums.csv`, without its own checksum.
+std::string to_csv(const FileChecksum& file);
+
+/// The header line a table should have: its own where it is right, else `header`; with the checksum's column where it
+/// has one.
+template <class Row>
+std::string table_header(const SessionTable<Row>& table, std::string_view header) {
+  return (table.header_right ? table.header : std::string(header)) +
+         (table.checked ? std::string(",") + kRowChecksum : std::string());
+}
+
+/// The text of a table with its whole rows, checksums added where the table has them.
+template <class Row>
+std::string table_text(const SessionTable<Row>& table, std::string_view header) {
+  std::string text = table_header(table, header) + '\n';
+  for (const std::string_view line : table.lines) {
+    text += table.checked ? signed_row(line) : std::string(line);
+    text += '\n';
+  }
+  return text;
+}
+
+/// The size of that text.
+template <class Row>
+std::uint64_t table_bytes(const SessionTable<Row>& table, std::string_view header) {
+  std::uint64_t count = table_header(table, header).size() + 1;
+  for (const std::string_view line : table.lines) count += line.size() + 1 + (table.checked ? kRowChecksumBytes : 0);
+  return count;
+}
+
+/// Whether the lines are in the order in which they were found.
+template <class Row>
+bool in_order(const SessionTable<Row>& table) {
+  return std::is_sorted(table.lines.begin(), table.lines.end(),
+                        [](std::string_view a, std::string_view b) { return a.data() < b.data(); });
+}
+
 /// Puts the lines of a whole table of events into the order of time. Throws OutputError.
 void sort_events(const std::filesystem::path& file);
 
@@ -38,11 +97,15 @@ void sort_events(const std::filesystem::path& file);
 /// with, or 1.
 std::uint64_t dropped_frame_count(const Event& event);
 
-/// What the folders of a session hold, by name only.
+/// What the folders of a session hold, by name and kind only. Links are never followed.
 struct SessionFiles {
   std::array<std::vector<long>, kSessionPartCount> frames;  ///< frame indices by SessionPart, ascending
   std::vector<long> hand_blocks;                            ///< of the recording of the hand, ascending
-  std::vector<std::filesystem::path> temporary;             ///< files that were never finished
+  std::vector<std::filesystem::path> temporary;             ///< own files that were never finished
+  std::vector<std::string> strange;                         ///< data files that are links, folders, pipes or devices
+  std::vector<std::string> links;                           ///< tables and folders that are
+
+  bool has_data() const noexcept;
 };
 SessionFiles list_files(const std::filesystem::path& session);
 

@@ -2,9 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "Checksum.h"
 #include "DiskFile.h"
 #include "SessionFolder.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Table.h"
 
 namespace pellucida {
 namespace {
@@ -87,6 +89,86 @@ SessionCounts counts_from(const Json& head) {
   return counts;
 }
 
+// The last key is the checksum of the text before it.
+constexpr const char* kChecksum = "crc32";
+const std::string kBeforeChecksum = std::string(",\n  \"") + kChecksum + "\": \"";
+const std::string kBehindChecksum = "\"\n}\n";
+
+std::string checked_text(const Json& json) {
+  // File names may hold any bytes; what isn't UTF-8 is replaced rather than refused.
+  std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  text.resize(text.size() - std::string_view("\n}").size());
+  return text + kBeforeChecksum + crc32_text(crc32_of(text)) + kBehindChecksum;
+}
+
+bool is_checksum_right(std::string_view text) {
+  const std::size_t at = text.rfind(kBeforeChecksum);
+  if (at == std::string_view::npos || !text.ends_with(kBehindChecksum)) return false;
+  const std::size_t start = at + kBeforeChecksum.size();
+  if (start + kBehindChecksum.size() > text.size()) return false;
+  const auto checksum = crc32_from(text.substr(start, text.size() - kBehindChecksum.size() - start));
+  return checksum && *checksum == crc32_of(text.substr(0, at));
+}
+
+// Nothing in a head is nested deeper than a profile's constants.
+constexpr int kDeepest = 64;
+constexpr std::uint64_t kMostHeadBytes = std::uint64_t{1} << 24U;
+
+bool is_deep(std::string_view text) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '{' || c == '[')) {
+      if (++depth > kDeepest) return true;
+    } else if (!quoted && (c == '}' || c == ']')) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+Json parse_head(const std::filesystem::path& file, const std::string& text) {
+  const std::string help = "; run pellucida check --repair on the session";
+  if (is_deep(text)) throw InputError(file.string() + ": nested too deep for the head of a session" + help);
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw InputError(file.string() + ": not JSON" + help);
+  return json;
+}
+
+// Which schema it is, before anything else is believed.
+void require_schema(const std::filesystem::path& file, const Json& json, bool changed) {
+  const auto version = json.find("schema_version");
+  if (version == json.end() || !version->is_number_integer()) {
+    throw InputError(file.string() + ": no head of a session (it has no schema_version)");
+  }
+  const auto number = version->get<std::int64_t>();
+  if (number == kSchemaVersion) return;
+  const std::string text =
+      "schema_version is " + std::to_string(number) + "; this program reads " + std::to_string(kSchemaVersion);
+  // A digit that was changed is damage, a later version is not.
+  if (changed || number < 1) throw InputError(file.string() + ": " + text);
+  throw LaterSchemaError(file.string() + ": " + text + "; use the version of Pellucida that wrote it, or a later one");
+}
+
+void require_possible(const std::filesystem::path& file, const SessionHead& head) {
+  const SourceInfo& source = head.info.source;
+  const auto require = [&](bool possible, const std::string& what, double value) {
+    if (!possible) throw InputError(file.string() + ": " + what + " is " + csv_number(value) + ", which can't be");
+  };
+  constexpr int kMostPixels = 1 << 20;
+  // 0 where it isn't known, as after a repair.
+  require(source.pixel_size_um >= 0.0 && source.pixel_size_um <= 1e4, "pixel_size_um", source.pixel_size_um);
+  require(source.frame_rate_hz >= 0.0 && source.frame_rate_hz <= 1e9, "frame_rate_hz", source.frame_rate_hz);
+  require(source.width_px >= 0 && source.width_px <= kMostPixels, "width_px", source.width_px);
+  require(source.height_px >= 0 && source.height_px <= kMostPixels, "height_px", source.height_px);
+  require(source.bit_depth == 8 || source.bit_depth == 16, "bit_depth", source.bit_depth);
+}
+
 }  // namespace
 
 std::string to_json(const SessionHead& head) {
@@ -109,15 +191,17 @@ std::string to_json(const SessionHead& head) {
   json["drop_policy"] = info.drop_policy;
   json["frames_kept"] = head.options.frames;
   json["counts"] = counts_json(head.counts);
-  // File names may hold any bytes; what isn't UTF-8 is replaced rather than refused.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return checked_text(json);
 }
 
 SessionHead read_session_json(const std::filesystem::path& file) {
-  const Json json = Json::parse(read_whole_file(file), nullptr, false);
-  if (!json.is_object()) throw InputError(file.string() + ": not JSON; run pellucida check --repair on the session");
+  const std::string text = read_whole_file(file, kMostHeadBytes);
+  const Json json = parse_head(file, text);
+  const bool checked = json.contains(kChecksum);
+  const bool changed = checked && !is_checksum_right(text);
+  require_schema(file, json, changed);
   try {
-    SessionHead head;
+    SessionHead head{.checked = checked, .changed = changed};
     SessionInfo& info = head.info;
     take(json, "created", head.created);
     take(json, "complete", head.complete);
@@ -136,11 +220,20 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     take(json, "clock_offsets_s", info.clock_offsets_s);
     take(json, "drop_policy", info.drop_policy);
     head.counts = counts_from(json);
+    require_possible(file, head);
     return head;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(file.string() + ": a value of a wrong type (" + error.what() +
                      "); run pellucida check --repair on the session");
   }
+}
+
+std::string repaired_json(const std::filesystem::path& file, const SessionCounts& counts) {
+  Json json = parse_head(file, read_whole_file(file, kMostHeadBytes));
+  json.erase(kChecksum);
+  json["recovered"] = true;
+  json["counts"] = counts_json(counts);
+  return checked_text(json);
 }
 
 }  // namespace pellucida

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "DataFile.h"
+#include "DiskFile.h"
+#include "PartReader.h"
 #include "SessionFolder.h"
 #include "SessionIndex.h"
 #include "SessionJson.h"
@@ -16,19 +17,23 @@ class SessionReader::Impl {
   explicit Impl(const std::filesystem::path& folder) : folder_(folder) {
     if (!std::filesystem::is_directory(folder_))
       throw InputError(folder_.string() + ": no such session folder; check the path");
-    if (!std::filesystem::exists(folder_ / session_name::kJson)) {
+    if (!is_present(folder_ / session_name::kJson)) {
       throw InputError(folder_.string() + ": no session here (session.json is missing); name a session's folder");
     }
     head_ = read_session_json(folder_ / session_name::kJson);
-    auto measurements = read_measurements(folder_ / session_name::kMeasurements);
+    checksums_ = read_checksums(folder_ / session_name::kChecksums);
+    auto measurements = read_measurements(folder_ / session_name::kMeasurements, checksums_.present);
     if (!measurements.present) {
       throw InputError(folder_.string() + ": measurements.csv is missing; the session can't be read without it");
     }
     measurements_ = std::move(measurements.rows);
-    events_ = read_events(folder_ / session_name::kEvents).rows;
+    auto events = read_events(folder_ / session_name::kEvents, checksums_.present);
+    events_ = std::move(events.rows);
+    skipped_row_count_ = measurements.bad.size() + events.bad.size();
     SessionFiles files = list_files(folder_);
     steps_ = make_steps(measurements_, files);
     hand_blocks_ = std::move(files.hand_blocks);
+    parts_ = std::make_unique<PartReader>(folder_, checksums_, head_.info.source);
   }
 
   Scene load(std::size_t index) const {
@@ -40,7 +45,7 @@ class SessionReader::Impl {
     scene.membranes = read_part(step, SessionPart::kMembranes);
     scene.tools = read_part(step, SessionPart::kTools);
     if (step.has(SessionPart::kFrame)) {
-      scene.frame = Frozen(read_image_file(folder_ / part_file(SessionPart::kFrame, step.frame_index)));
+      scene.frame = Frozen(parts_->read_image(step.frame_index));
     }
     // Events belong to the step they came with: from its time up to the next one's.
     const bool last = index + 1 == steps_.size();
@@ -57,7 +62,7 @@ class SessionReader::Impl {
 
   Frozen<vtkPolyData> read_part(const SessionStep& step, SessionPart part) const {
     if (!step.has(part)) return {};
-    return Frozen(read_poly_file(folder_ / part_file(part, step.frame_index)));
+    return Frozen(parts_->read_poly(data_name(part, step.frame_index)));
   }
 
   std::filesystem::path folder_;
@@ -66,6 +71,9 @@ class SessionReader::Impl {
   std::vector<Event> events_;
   std::vector<SessionStep> steps_;
   std::vector<long> hand_blocks_;
+  SessionTable<FileChecksum> checksums_;
+  std::unique_ptr<PartReader> parts_;
+  std::size_t skipped_row_count_ = 0;
 };
 
 SessionReader::SessionReader(const std::filesystem::path& folder) : impl_(std::make_unique<Impl>(folder)) {}
@@ -85,6 +93,12 @@ bool SessionReader::complete() const noexcept {
 const SessionCounts& SessionReader::stated_counts() const noexcept {
   return impl_->head_.counts;
 }
+bool SessionReader::head_changed() const noexcept {
+  return impl_->head_.changed;
+}
+std::size_t SessionReader::skipped_row_count() const noexcept {
+  return impl_->skipped_row_count_;
+}
 const std::vector<SessionStep>& SessionReader::steps() const noexcept {
   return impl_->steps_;
 }
@@ -98,7 +112,7 @@ std::size_t SessionReader::hand_block_count() const noexcept {
   return impl_->hand_blocks_.size();
 }
 Frozen<vtkPolyData> SessionReader::load_hand(std::size_t block) const {
-  return Frozen(read_poly_file(impl_->folder_ / hand_file(impl_->hand_blocks_.at(block))));
+  return Frozen(impl_->parts_->read_poly({kHandKind, impl_->hand_blocks_.at(block)}));
 }
 Scene SessionReader::load(std::size_t step) const {
   return impl_->load(step);

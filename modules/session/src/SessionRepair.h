@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "SessionIndex.h"
@@ -14,8 +15,9 @@ struct SessionFindings {
   bool head_readable = false;
   SessionTable<Measurement> measurements;
   SessionTable<Event> events;
+  SessionTable<FileChecksum> checksums;
   SessionFiles files;
-  std::vector<std::filesystem::path> unreadable;  ///< data files that can't be read or carry a wrong stamp
+  std::vector<std::string> unreadable;  ///< data files that can't be read, or are not what their checksum or stamp says
   bool pvd_right = false;
   double pixel_size_um = 0.0;  ///< of the first image that could be read; 0 for none
 };

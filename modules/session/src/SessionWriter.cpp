@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "Checksum.h"
 #include "DataFile.h"
 #include "DiskFile.h"
 #include "DiskSync.h"
@@ -42,11 +43,12 @@ std::string now_utc() {
 // Refuses to touch a folder that holds a session, or any part of one.
 std::filesystem::path new_session_folder(const std::filesystem::path& folder) {
   make_folder(folder);
-  std::vector<std::string> own{session_name::kJson,   session_name::kPvd,     session_name::kMeasurements,
-                               session_name::kEvents, session_name::kHaptics, session_name::kEmpty};
+  std::vector<std::string> own{session_name::kJson,     session_name::kPvd,     session_name::kMeasurements,
+                               session_name::kEvents,   session_name::kHaptics, session_name::kEmpty,
+                               session_name::kChecksums};
   for (const PartNames& names : kParts) own.emplace_back(names.folder);
   for (const std::string& name : own) {
-    if (std::filesystem::exists(folder / name)) {
+    if (is_present(folder / name)) {
       throw UsageError(folder.string() + ": already holds a session (" + name +
                        "), which is never overwritten; choose another folder");
     }
@@ -75,8 +77,10 @@ class SessionWriter::Impl {
       if (names.part != SessionPart::kFrame || options.frames) make_folder(folder_ / names.folder);
     }
     replace_file(folder_ / session_name::kEmpty, empty_poly_file());
-    measurements_ = std::make_unique<AppendFile>(folder_ / session_name::kMeasurements, measurement_header());
-    events_ = std::make_unique<AppendFile>(folder_ / session_name::kEvents, session_name::kEventsHeader);
+    checksums_ = make_table(session_name::kChecksums, session_name::kChecksumsHeader);
+    measurements_ = make_table(session_name::kMeasurements, measurement_header());
+    measurements_->lock();
+    events_ = make_table(session_name::kEvents, session_name::kEventsHeader);
     write_pvd();
     sync_ = std::make_unique<DiskSync>(folder_);
   }
@@ -94,14 +98,18 @@ class SessionWriter::Impl {
     SessionStep step{.frame_index = row.frame, .time_s = row.time_s};
     SessionCounts counts = head_.counts;
     step_byte_count_ = 0;
+    step_checksums_.clear();
+    const std::uint64_t checksum_bytes = checksums_->byte_count();
     try {
       write_part(step, SessionPart::kSurface, scene.surface, counts, packing);
       write_part(step, SessionPart::kMembranes, scene.membranes, counts, packing);
       write_part(step, SessionPart::kTools, scene.tools, counts, packing);
       if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame, counts, packing);
-      measurements_->append(to_csv(row));
+      if (!step_checksums_.empty()) checksums_->append(step_checksums_);
+      measurements_->append(signed_row(to_csv(row)));
     } catch (...) {
       remove_files(step);
+      if (checksums_->byte_count() != checksum_bytes) checksums_->shrink_to(checksum_bytes);
       throw;
     }
     steps_.push_back(step);
@@ -126,6 +134,7 @@ class SessionWriter::Impl {
     stamp(copy, time_s, number);
     const std::string content = serialise(copy.Get());
     replace_file(folder_ / hand_file(number), content);
+    checksums_->append(checksum_row({kHandKind, number}, content));
     ++head_.counts.hand_block_count;
     file_byte_count_ += content.size();
     refresh();
@@ -150,6 +159,7 @@ class SessionWriter::Impl {
       head_.complete = false;
       throw;
     }
+    measurements_->unlock();
     closed_ = true;
   }
 
@@ -164,6 +174,15 @@ class SessionWriter::Impl {
   void require_open() const {
     if (closed_) throw Error(ExitCode::kOurFault, folder_.string() + ": the session is closed; nothing can be added");
     sync_->rethrow();
+  }
+
+  // Every table's rows end with their checksums.
+  std::unique_ptr<AppendFile> make_table(const char* name, std::string_view header) const {
+    return std::make_unique<AppendFile>(folder_ / name, std::string(header) + ',' + kRowChecksum);
+  }
+
+  static std::string checksum_row(const DataName& name, std::string_view content) {
+    return signed_row(to_csv(FileChecksum{.name = name, .byte_count = content.size(), .crc32 = crc32_of(content)}));
   }
 
   template <class T>
@@ -181,6 +200,8 @@ class SessionWriter::Impl {
     }
     cost_.packing_s += Seconds(std::chrono::steady_clock::now() - start).count();
     replace_file(folder_ / part_file(part, step.frame_index), content);
+    if (!step_checksums_.empty()) step_checksums_ += '\n';
+    step_checksums_ += checksum_row(data_name(part, step.frame_index), content);
     step.present[static_cast<std::size_t>(part)] = true;
     ++counts.file_count[static_cast<std::size_t>(part)];
     step_byte_count_ += content.size();
@@ -194,7 +215,7 @@ class SessionWriter::Impl {
   }
 
   void append_event(const Event& event) {
-    events_->append(csv_number(event.time_s) + ',' + csv_cell(event.kind) + ',' + csv_cell(event.detail));
+    events_->append(signed_row(csv_number(event.time_s) + ',' + csv_cell(event.kind) + ',' + csv_cell(event.detail)));
     ++head_.counts.event_count;
     head_.counts.dropped_count += dropped_frame_count(event);
     events_in_order_ = events_in_order_ && event.time_s >= last_event_s_;
@@ -234,6 +255,8 @@ class SessionWriter::Impl {
   std::vector<SessionStep> steps_;
   std::uint64_t file_byte_count_ = 0;
   std::uint64_t step_byte_count_ = 0;
+  std::string step_checksums_;  // rows of one step, without the last line end
+  std::unique_ptr<AppendFile> checksums_;
   std::unique_ptr<AppendFile> measurements_;
   std::unique_ptr<AppendFile> events_;
   bool events_in_order_ = true;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <vector>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core_vtk/SceneData.h"
 
@@ -150,6 +150,13 @@ class FolderWriter : public FrameWriter {
     std::error_code error;
     fs::create_directories(output, error);
     if (error || !fs::is_directory(output)) fail(output);
+    // Among the images of an earlier run, which may be more, these would not be a run of their own.
+    for (const auto& entry : fs::directory_iterator(output, error)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with("frame_") || !name.ends_with(".png")) continue;
+      throw UsageError("--output " + output.string() + ": already holds images (" + name +
+                       "), among which these would be lost; choose another folder, or empty it");
+    }
   }
 
   void write(const Frame& frame) override {
@@ -157,10 +164,8 @@ class FolderWriter : public FrameWriter {
     std::snprintf(name, sizeof name, "frame_%06ld.png", frame.frame_index);
     // Encoded here and written by the stream: libpng would print its own line about a full disk.
     std::vector<unsigned char> bytes;
-    std::ofstream file(output_ / name, std::ios::binary);
-    if (!cv::imencode(".png", pixels_of(frame), bytes) ||
-        !file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())).flush())
-      fail(output_ / name);
+    if (!cv::imencode(".png", pixels_of(frame), bytes)) fail(output_ / name);
+    replace_file(output_ / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
 
   void close() override {}

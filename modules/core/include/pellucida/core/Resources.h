@@ -17,7 +17,8 @@ std::filesystem::path resource_folder();
 std::filesystem::path resource_folder(const char* named, const std::filesystem::path& program);
 
 /// The file `folder/name.extension` of the resources, or `name` itself when it names an existing file.
-/// Throws InputError that lists the names known in that folder.
+/// Otherwise throws an error that lists the names known in that folder: UsageError for a bare name, InputError for a
+/// file (anything with a dot or a slash) that isn't there.
 std::filesystem::path find_resource(std::string_view folder, std::string_view name, std::string_view extension);
 
 /// Names (without extension) of the resources in a folder, sorted.

@@ -11,7 +11,8 @@
 namespace pellucida {
 
 /// Reads a session folder, closed or interrupted. Opening reads the head, the two tables and the names of the files;
-/// the data files are read one step at a time. Lines of the tables that can't be read are skipped (`check_session`
+/// the data files are read one step at a time, each held against its checksum and its meaning; a session's files may be
+/// anybody's. Lines of the tables that can't be read are skipped (`check_session`
 /// names them). One thread at a time; the scenes returned may be used on any thread.
 class SessionReader {
  public:
@@ -25,6 +26,11 @@ class SessionReader {
   const SessionInfo& info() const noexcept;
   /// True when the session was closed; false after a crash, repaired or not, and while it is still being written.
   bool complete() const noexcept;
+  /// True when `session.json` was changed after it was written: its calibration and profile may not be those of the
+  /// run.
+  bool head_changed() const noexcept;
+  /// Lines of the two tables that were skipped because they can't be read or were changed.
+  std::size_t skipped_row_count() const noexcept;
   /// The counts `session.json` states.
   const SessionCounts& stated_counts() const noexcept;
 

@@ -15,8 +15,9 @@ namespace pellucida {
 /// - no extension: a folder of PNG, `frame_000000.png` and on, lossless, 8 or 16 bit.
 class FrameWriter {
  public:
-  /// Opens `output` for frames as `info` says. A folder is made if need be; PNG there of the same names are
-  /// overwritten. Throws UsageError (unknown extension; 16 bit into a video), OutputError (not writable, no encoder).
+  /// Opens `output` for frames as `info` says. A folder is made if need be. Throws UsageError (unknown
+  /// extension; 16 bit into a video; a folder that holds images of an earlier run), OutputError (not writable, no
+  /// encoder).
   static std::unique_ptr<FrameWriter> open(const std::filesystem::path& output, const SourceInfo& info);
   virtual ~FrameWriter() = default;
 
