@@ -8,6 +8,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/pipeline/RunProvenance.h"
+#include "pellucida/reconstruction/Revolve.h"
 #include "pellucida/session/SessionSource.h"
 #include "pellucida/session/SessionWriter.h"
 #include "pellucida/session/Sha256.h"

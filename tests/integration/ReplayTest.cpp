@@ -82,7 +82,8 @@ TEST_F(Replay, SeveralModuliAreSeveralSessionsAndOneTable) {
 TEST_F(Replay, ASessionIsMeasuredLikeAVideo) {
   const Outcome analyzed = run("analyze " + session() + " --output " + at("analyzed"), "analyzed");
   ASSERT_EQ(analyzed.exit_code, 0) << analyzed.err;
-  const auto recorded = lines_of(session() + "/measurements.csv"), again = lines_of(at("analyzed") + "/measurements.csv");
+  const auto recorded = lines_of(session() + "/measurements.csv"),
+             again = lines_of(at("analyzed") + "/measurements.csv");
   ASSERT_EQ(recorded.size(), again.size());
   const auto header = split_csv(recorded[0]);
   for (std::size_t i = 1; i < recorded.size(); ++i) {
@@ -106,8 +107,8 @@ TEST_F(Replay, PlaysAndSaysHowWellItKeptTheTime) {
 
 TEST_F(Replay, StepsForwardsAndBack) {
   test::put(folder_ / "keys", "\n\nb\n\n\nx\nq\n");
-  const std::string command = "'" PELLUCIDA_PROGRAM "' replay " + session() + " --step <" + at("keys") + " >" +
-                              at("steps") + " 2>/dev/null";
+  const std::string command =
+      "'" PELLUCIDA_PROGRAM "' replay " + session() + " --step <" + at("keys") + " >" + at("steps") + " 2>/dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0);
   const auto lines = lines_of(at("steps"));
   ASSERT_EQ(lines.size(), 6U);

@@ -89,7 +89,10 @@ TEST(Scenario, TextThatIsNoJsonIsAnInputError) {
   EXPECT_NE(message_of<InputError>("{").find("is no JSON"), std::string::npos);
   EXPECT_NE(message_of<InputError>("{\"seed\": 1e999}").find("too large"), std::string::npos);
   EXPECT_NE(message_of<InputError>("[]").find("no JSON object"), std::string::npos);
-  EXPECT_THROW(load_scenario("no-such-scenario"), InputError);
+}
+
+TEST(Scenario, AnUnknownNameIsWrongUsage) {
+  EXPECT_THROW(load_scenario("no-such-scenario"), UsageError);
 }
 
 TEST(Scenario, EmptyFileIsAnInputError) {

@@ -44,9 +44,7 @@ class SessionReader::Impl {
     scene.surface = read_part(step, SessionPart::kSurface);
     scene.membranes = read_part(step, SessionPart::kMembranes);
     scene.tools = read_part(step, SessionPart::kTools);
-    if (step.has(SessionPart::kFrame)) {
-      scene.frame = Frozen(parts_->read_image(step.frame_index));
-    }
+    if (auto image = read_image(step)) scene.frame = Frozen(std::move(image));
     // Events belong to the step they came with: from its time up to the next one's.
     const bool last = index + 1 == steps_.size();
     std::copy_if(events_.begin(), events_.end(), std::back_inserter(scene.events), [&](const Event& event) {
@@ -58,6 +56,10 @@ class SessionReader::Impl {
   const SessionStep& step_at(std::size_t index) const {
     if (index < steps_.size()) return steps_[index];
     throw std::out_of_range("step " + std::to_string(index) + " of a session of " + std::to_string(steps_.size()));
+  }
+
+  vtkSmartPointer<vtkImageData> read_image(const SessionStep& step) const {
+    return step.has(SessionPart::kFrame) ? parts_->read_image(step.frame_index) : nullptr;
   }
 
   Frozen<vtkPolyData> read_part(const SessionStep& step, SessionPart part) const {
@@ -121,6 +123,10 @@ Scene SessionReader::load(std::size_t step) const {
 Frozen<vtkPolyData> SessionReader::load(std::size_t step, SessionPart part) const {
   if (part == SessionPart::kFrame) throw std::invalid_argument("an image is no surface, membrane or tool");
   return impl_->read_part(impl_->step_at(step), part);
+}
+
+vtkSmartPointer<vtkImageData> SessionReader::read_image(std::size_t step) const {
+  return impl_->read_image(impl_->step_at(step));
 }
 
 }  // namespace pellucida

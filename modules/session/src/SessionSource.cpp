@@ -182,7 +182,7 @@ class SessionSource::Impl {
     }
     try {
       const auto file = reader_.folder() / part_file(SessionPart::kFrame, step.frame_index);
-      auto image = read_image_file(file);
+      auto image = reader_.read_image(index);
       require_usable(image, step, file);
       return image;
     } catch (const InputError& error) {

@@ -50,6 +50,9 @@ class SessionReader {
   /// InputError when a file can't be read, std::out_of_range for a step that isn't there.
   Scene load(std::size_t step) const;
 
+  /// A step's image alone, a new object; null when the step lacks it. Errors as above.
+  vtkSmartPointer<vtkImageData> read_image(std::size_t step) const;
+
   /// One part alone: the surface, the membranes or the tools; an empty handle when the step lacks it. Errors as above.
   Frozen<vtkPolyData> load(std::size_t step, SessionPart part) const;
 
