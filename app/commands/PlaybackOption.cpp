@@ -1,25 +1,33 @@
 #include "commands/PlaybackOption.h"
 
+#include "commands/FieldOption.h"
 #include "commands/Versions.h"
+#include "pellucida/core/FieldTable.h"
 #include "pellucida/pipeline/RunProvenance.h"
 #include "pellucida/session/SessionReader.h"
 
 namespace pellucida {
+namespace {
+
+constexpr double kMostCount = 1e9;  // frames to leave out, loops
+
+}  // namespace
 
 void add_range_options(CLI::App& command, PlaybackOptions& playback) {
-  command.add_option("--from", playback.from_s, "of a session: first time, s (default: its beginning)");
-  command.add_option("--to", playback.to_s, "of a session: last time, s (default: its end)");
+  command.add_option("--from", playback.from_s, "of a session: first time, s (default: its beginning)")
+      ->check(number_in({}));
+  command.add_option("--to", playback.to_s, "of a session: last time, s (default: its end)")->check(number_in({}));
   command.add_option("--every", playback.every, "of a session: each so many-th frame")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in({1.0, kMostCount}))
       ->capture_default_str();
 }
 
 void add_showing_options(CLI::App& command, PlaybackOptions& playback, double& speed_ratio) {
   command.add_option("--speed", speed_ratio, "of a recording: times its own speed, 0.01 to 100")
-      ->check(CLI::Range(0.01, 100.0))
+      ->check(number_in({0.01, 100.0}))
       ->capture_default_str();
   command.add_option("--loop", playback.loop_count, "of a session: how often; 0: without an end")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_in({0.0, kMostCount}))
       ->capture_default_str();
   command.add_flag("--backwards", playback.backwards,
                    "of a session: from the last frame to the first, as a film in reverse");

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -13,11 +12,13 @@
 
 #include "commands/CommandLine.h"
 #include "commands/DetectionOption.h"
+#include "commands/Interrupt.h"
 #include "commands/PlaybackOption.h"
 #include "commands/Progress.h"
 #include "commands/ReplayPlay.h"
 #include "commands/ReplayVariants.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/pipeline/Counterfactual.h"
 #include "pellucida/pipeline/RunProvenance.h"
 
@@ -78,11 +79,10 @@ void print_table(const CounterfactualResult& result) {
 }
 
 void write_changes(const CounterfactualResult& result, const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  stream << change_header() << '\n';
-  for (const VariantResult& variant : result.variants) stream << to_csv(variant.name, variant.changes) << '\n';
-  stream.close();
-  if (!stream) throw OutputError(file.string() + ": can't be written; check the folder and the space on the disk");
+  OutputFile output(file, OutputFile::Link::kReplace);
+  output.add(change_header());
+  for (const VariantResult& variant : result.variants) output.add(to_csv(variant.name, variant.changes));
+  output.finish();
 }
 
 void measure_again(const CLI::App& command, const ReplayArguments& arguments, const PipelineOptions& pipeline) {
@@ -107,7 +107,9 @@ void measure_again(const CLI::App& command, const ReplayArguments& arguments, co
 
   CounterfactualResult result;
   {
+    const InterruptScope interrupt;
     Progress progress("replay, frame");
+    options.stopped = [] { return interrupted() != 0; };
     options.progress = [&](long done, std::optional<long> all) { progress.update(done, all); };
     result = run_counterfactual(arguments.session, options, variants);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -56,7 +57,7 @@ Variation parse_variation(const std::string& text) {
   for (const std::string& cell : split_csv(text.substr(sign + 1))) {
     double value = 0.0;
     const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (code != std::errc() || end != cell.data() + cell.size()) {
+    if (code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
       throw UsageError("--vary " + text + ": \"" + cell + "\" is not a number");
     }
     variation.values.push_back(value);

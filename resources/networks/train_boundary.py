@@ -13,48 +13,26 @@ COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the ou
 sample ZERO. Its four planes: grey values (median 0, mean deviation 1), the normal's x and y, and how many pixels a
 sample takes (SPACING_OF of train and program alike).
 """
-import argparse
-import csv
 import glob
 import os
-import time
 
 import cv2
 import numpy as np
 import torch
 from torch import nn
 
-from train_scene import Block, normalised
+from training import UNetwork, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
 
 NORMALS, WRAP, COLUMNS, ZERO, RADIUS_SAMPLES = 128, 16, 96, 58, 160
-REDUCING_BLUR = 0.42   # before samples further apart than a pixel, in samples
 LABEL_SIGMA = 1.0      # of the label's spot, samples
 TIGHT = 0.5            # share of the loss for the mean of the spot
 
 
-class BoundaryNetwork(nn.Module):
-    """A U of four levels; input (n, 4, NORMALS + 2 WRAP, COLUMNS), output (n, 2, NORMALS + 2 WRAP, COLUMNS): logits of
-    the outer and the inner boundary's place on each normal."""
-
-    def __init__(self, widths=(12, 24, 40, 56)):
-        super().__init__()
-        self.stem = nn.Sequential(nn.Conv2d(4, widths[0], (3, 7), (1, 2), (1, 3), bias=False), nn.BatchNorm2d(widths[0]),
-                                  nn.ReLU())
-        self.first = Block(widths[0], widths[0])
-        self.down = nn.ModuleList(
-            nn.Sequential(Block(a, b, stride=2), Block(b, b)) for a, b in zip(widths, widths[1:]))
-        self.up = nn.ModuleList(Block(a + b, a) for a, b in reversed(list(zip(widths, widths[1:]))))
-        self.out = nn.ConvTranspose2d(widths[0], 2, (1, 4), (1, 2), (0, 1))
-
-    def forward(self, x):
-        x = self.first(self.stem(x))
-        kept = [x]
-        for down in self.down:
-            x = down(x)
-            kept.append(x)
-        for up, skip in zip(self.up, kept[-2::-1]):
-            x = up(torch.cat([nn.functional.interpolate(x, scale_factor=2.0, mode="nearest"), skip], 1))
-        return self.out(x)
+def boundary_network(widths=(12, 24, 40, 56)):
+    """Input (n, 4, NORMALS + 2 WRAP, COLUMNS), output (n, 2, NORMALS + 2 WRAP, COLUMNS): logits of the outer and the inner
+    boundary's place on each normal."""
+    stem = nn.Sequential(nn.Conv2d(4, widths[0], (3, 7), (1, 2), (1, 3), bias=False), nn.BatchNorm2d(widths[0]), nn.ReLU())
+    return UNetwork(stem, widths, nn.ConvTranspose2d(widths[0], 2, (1, 4), (1, 2), (0, 1)))
 
 
 def evenly(points, count):
@@ -161,41 +139,17 @@ def strip_of(image, outer, inner, random):
     low, high = np.maximum(low, 0), np.minimum(high, image.shape[::-1])
     if np.any(high - low < 16):
         return None
-    part = np.ascontiguousarray(image[low[1]:high[1], low[0]:high[0]]).astype(np.float32)
-    if random.random() < 0.2:
-        part = 255 - part
-    if random.random() < 0.3:
-        part = 255 * (np.clip(part, 0, 255) / 255) ** np.exp(random.uniform(-0.5, 0.5)).astype(np.float32)
-    if random.random() < 0.3:
-        part = cv2.GaussianBlur(part, (0, 0), random.uniform(0.3, 1.0))
-    if random.random() < 0.5:
-        part = part + cv2.randn(np.empty_like(part), 0, random.uniform(0, 5))
-    if spacing > 1:
-        part = cv2.GaussianBlur(part, (0, 0), REDUCING_BLUR * spacing)
+    part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
     offsets = (np.arange(COLUMNS) - ZERO) * spacing
     wrapped = np.arange(-WRAP, NORMALS + WRAP) % NORMALS
     points, normals, truth = points[:, wrapped], normals[:, wrapped], truth[:, wrapped]
     x = (points[0] - low[0])[:, None] + normals[0][:, None] * offsets
     y = (points[1] - low[1])[:, None] + normals[1][:, None] * offsets
-    grey = cv2.remap(part, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    grey = sampled(part, x, y)
     plane = np.ones_like(grey)
     strip = np.stack([normalised(grey), plane * normals[0][:, None], plane * normals[1][:, None],
                       plane * spacing_of(spacing)])
     return strip.astype(np.float32), truth.astype(np.float32)
-
-
-def spacing_of(spacing_px):
-    return float(np.clip(np.log2(spacing_px), -3, 3)) / 2
-
-
-def batch(samples, random, count):
-    drawn = []
-    while len(drawn) < count:
-        one = samples.draw(random)
-        if one is not None and np.isfinite(one[1][0]).mean() > 0.6:
-            drawn.append(one)
-    xs, ts = zip(*drawn)
-    return torch.from_numpy(np.stack(xs)), torch.from_numpy(np.stack(ts))
 
 
 def loss_of(logits, truth):
@@ -215,53 +169,18 @@ def loss_of(logits, truth):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("samples")
-    parser.add_argument("output")
-    parser.add_argument("--minutes", type=float, default=45)
-    parser.add_argument("--start", help="weights to go on from (.pt)")
-    parser.add_argument("--rate", type=float, default=4e-3)
-    options = parser.parse_args()
-    torch.set_num_threads(1)
-    torch.manual_seed(1)
-    cv2.setNumThreads(1)
-    cv2.setRNGSeed(1)
+    options = arguments_of(__doc__, 80)
     random = np.random.default_rng(1)
     samples = Samples(options.samples)
-    network = BoundaryNetwork()
-    print(f"{len(samples.items)} samples, {sum(p.numel() for p in network.parameters())} parameters", flush=True)
-    if options.start:
-        network.load_state_dict(torch.load(options.start))
-    optimiser = torch.optim.AdamW(network.parameters(), lr=options.rate, weight_decay=1e-4)
-    begin, step, mean, offs = time.time(), 0, None, []
-    while True:
-        share = (time.time() - begin) / (60 * options.minutes)
-        if share >= 1:
-            break
-        for group in optimiser.param_groups:
-            group["lr"] = options.rate * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
-        strips, truth = batch(samples, random, 8)
+    network = boundary_network()
+
+    def loss_of_batch():
+        strips, truth = draw_batch(lambda: samples.draw(random), lambda one: np.isfinite(one[1][0]).mean() > 0.6, 8)
         loss, off = loss_of(network(strips), truth)
-        optimiser.zero_grad()
-        loss.backward()
-        nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-        optimiser.step()
-        offs.append(off.median().item())
-        mean = loss.item() if mean is None else 0.98 * mean + 0.02 * loss.item()
-        step += 1
-        if step % 100 == 0:
-            samples.load()
-            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}  median off {np.mean(offs[-100:]):.2f} samples"
-                  f"  {len(samples.items)} pictures", flush=True)
-            torch.save(network.state_dict(), options.output[:-5] + ".pt")
-    export(network, options.output)
+        return loss, off.median().item()
 
-
-def export(network, path):
-    network.eval()
-    torch.save(network.state_dict(), path[:-5] + ".pt")
-    torch.onnx.export(network, torch.zeros(1, 4, NORMALS + 2 * WRAP, COLUMNS), path, opset_version=11,
-                      input_names=["strip"], output_names=["boundaries"])
+    train(network, options, samples, loss_of_batch)
+    export(network, options.output, (1, 4, NORMALS + 2 * WRAP, COLUMNS), "strip", "boundaries")
 
 
 if __name__ == "__main__":

@@ -9,16 +9,14 @@ Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn
 the validation families stay unseen. The picture is scaled so that the cell covers 14 to 190 network pixels, turned,
 mirrored, its grey values stretched, bent and inverted: nothing of polarity or brightness is left to learn.
 """
-import argparse
-import csv
-import glob
 import os
-import time
 
 import cv2
 import numpy as np
 import torch
 from torch import nn
+
+from training import Block, UNetwork, arguments_of, draw_batch, export, normalised, rows_of, train
 
 CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
 SIDE = 192             # of a training picture, network pixels
@@ -27,41 +25,9 @@ TIP_SIGMA = 1.5        # of the tip's heat spot, output pixels
 CLASS_WEIGHTS = [0.5, 2.0, 1.0, 2.5, 1.0, 1.0]
 
 
-class Block(nn.Sequential):
-    def __init__(self, inputs, outputs, stride=1, size=3):
-        super().__init__(nn.Conv2d(inputs, outputs, size, stride, size // 2, bias=False), nn.BatchNorm2d(outputs),
-                         nn.ReLU())
-
-
-class SceneNetwork(nn.Module):
-    """A U of five levels; input (n, 1, h, w), h and w multiples of 32; output (n, 7, h/2, w/2): logits of the six
-    classes, then of the tip."""
-
-    def __init__(self, widths=(12, 20, 32, 48, 64)):
-        super().__init__()
-        self.stem = Block(1, widths[0], stride=2, size=5)
-        self.first = Block(widths[0], widths[0])
-        self.down = nn.ModuleList(
-            nn.Sequential(Block(a, b, stride=2), Block(b, b)) for a, b in zip(widths, widths[1:]))
-        self.up = nn.ModuleList(Block(a + b, a) for a, b in reversed(list(zip(widths, widths[1:]))))
-        self.out = nn.Conv2d(widths[0], CLASSES + 1, 1)
-
-    def forward(self, x):
-        x = self.first(self.stem(x))
-        kept = [x]
-        for down in self.down:
-            x = down(x)
-            kept.append(x)
-        for up, skip in zip(self.up, kept[-2::-1]):
-            x = up(torch.cat([nn.functional.interpolate(x, scale_factor=2.0, mode="nearest"), skip], 1))
-        return self.out(x)
-
-
-def normalised(picture):
-    """Zero median, unit spread (mean absolute deviation), as the program does before it asks the network."""
-    x = picture.astype(np.float32)
-    x -= np.median(x)
-    return np.clip(x / (np.abs(x).mean() + 1e-3), -6, 6)
+def scene_network(widths=(12, 20, 32, 48, 64)):
+    """Input (n, 1, h, w), h and w multiples of 32; output (n, 7, h/2, w/2): logits of the six classes, then of the tip."""
+    return UNetwork(Block(1, widths[0], stride=2, size=5), widths, nn.Conv2d(widths[0], CLASSES + 1, 1))
 
 
 class Samples:
@@ -72,12 +38,10 @@ class Samples:
         self.load()
 
     def load(self):
-        for path in sorted(glob.glob(os.path.join(self.folder, "samples*.csv"))):
-            with open(path) as file:
-                for row in csv.DictReader(file):
-                    if row["frame"] is not None and row["file"] not in self.known:
-                        self.known.add(row["file"])
-                        self.items.append(self.read(row))
+        for row in rows_of(self.folder):
+            if row["file"] not in self.known:
+                self.known.add(row["file"])
+                self.items.append(self.read(row))
 
     def read(self, row):
         path = os.path.join(self.folder, row["file"])
@@ -132,11 +96,6 @@ class Samples:
         return normalised(x), y[::2, ::2].astype(np.int64), heat
 
 
-def batch(samples, random, count):
-    xs, ys, hs = zip(*(samples.draw(random) for _ in range(count)))
-    return torch.from_numpy(np.stack(xs)[:, None]), torch.from_numpy(np.stack(ys)), torch.from_numpy(np.stack(hs))
-
-
 def loss_of(out, labels, heat, weights):
     logits = out[:, :CLASSES]
     crossed = nn.functional.cross_entropy(logits, labels, weight=weights)
@@ -149,55 +108,21 @@ def loss_of(out, labels, heat, weights):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("samples")
-    parser.add_argument("output")
-    parser.add_argument("--minutes", type=float, default=60)
-    parser.add_argument("--start", help="weights to go on from (.pt)")
-    parser.add_argument("--threads", type=int, default=1)
-    options = parser.parse_args()
-    torch.set_num_threads(options.threads)
-    torch.manual_seed(1)
-    cv2.setNumThreads(1)
+    options = arguments_of(__doc__, 60)
     random = np.random.default_rng(1)
     samples = Samples(options.samples)
-    print(f"{len(samples.items)} samples", flush=True)
-    network = SceneNetwork()
-    print(f"{sum(p.numel() for p in network.parameters())} parameters", flush=True)
-    if options.start:
-        network.load_state_dict(torch.load(options.start))
-    optimiser = torch.optim.AdamW(network.parameters(), lr=4e-3, weight_decay=1e-4)
+    network = scene_network()
     weights = torch.tensor(CLASS_WEIGHTS)
-    begin, step, mean = time.time(), 0, None
-    while True:
-        share = (time.time() - begin) / (60 * options.minutes)
-        if share >= 1:
-            break
-        for group in optimiser.param_groups:
-            group["lr"] = 4e-3 * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
-        loss = loss_of(*(lambda x, y, h: (network(x), y, h))(*batch(samples, random, 12)), weights)
-        optimiser.zero_grad()
-        loss.backward()
-        nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-        optimiser.step()
-        mean = loss.item() if mean is None else 0.98 * mean + 0.02 * loss.item()
-        step += 1
-        if step % 200 == 0:
-            samples.load()
-        if step % 50 == 0:
-            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}  {len(samples.items)} samples", flush=True)
-            torch.save(network.state_dict(), options.output[:-5] + ".pt")
-    export(network, options.output)
 
+    def loss_of_batch():
+        pictures, labels, heat = draw_batch(lambda: samples.draw(random), lambda one: True, 12)
+        return loss_of(network(pictures[:, None]), labels, heat, weights), float("nan")
 
-def export(network, path):
-    """Weighted classes are more probable than they are: the weights' logarithms come off the last layer."""
-    network.eval()
-    torch.save(network.state_dict(), path[:-5] + ".pt")
+    train(network, options, samples, loss_of_batch)
+    # Weighted classes are more probable than they are: the weights' logarithms come off the last layer.
     with torch.no_grad():
-        network.out.bias[:CLASSES] -= torch.log(torch.tensor(CLASS_WEIGHTS))
-    torch.onnx.export(network, torch.zeros(1, 1, SIDE, 256), path, opset_version=11, input_names=["picture"],
-                      output_names=["scene"])
+        network.out.bias[:CLASSES] -= torch.log(weights)
+    export(network, options.output, (1, 1, SIDE, 256), "picture", "scene")
 
 
 if __name__ == "__main__":

@@ -10,32 +10,24 @@ The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_O
 them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes.
 """
-import argparse
-import csv
-import glob
 import os
-import time
 
 import cv2
 import numpy as np
 import torch
 from torch import nn
 
-from train_boundary import BoundaryNetwork, REDUCING_BLUR, spacing_of
-from train_scene import normalised
+from training import UNetwork, arguments_of, draw_batch, export, normalised, rows_of, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
 WIDTH_SAMPLES, LEAST_PX, MOST_PX = 5.0, 0.5, 3.0
 LABEL_SIGMA = 1.0
 
 
-class TipNetwork(BoundaryNetwork):
+def tip_network(widths=(12, 24, 40, 56)):
     """Input (n, 2, HEIGHT, WIDTH), output (n, 1, HEIGHT, WIDTH): logits of the tip's place."""
-
-    def __init__(self, widths=(12, 24, 40, 56)):
-        super().__init__(widths)
-        self.stem = nn.Sequential(nn.Conv2d(2, widths[0], 5, 2, 2, bias=False), nn.BatchNorm2d(widths[0]), nn.ReLU())
-        self.out = nn.ConvTranspose2d(widths[0], 1, 4, 2, 1)
+    stem = nn.Sequential(nn.Conv2d(2, widths[0], 5, 2, 2, bias=False), nn.BatchNorm2d(widths[0]), nn.ReLU())
+    return UNetwork(stem, widths, nn.ConvTranspose2d(widths[0], 1, 4, 2, 1))
 
 
 class Samples:
@@ -46,12 +38,10 @@ class Samples:
         self.load()
 
     def load(self):
-        for path in sorted(glob.glob(os.path.join(self.folder, "samples*.csv"))):
-            with open(path) as file:
-                for row in csv.DictReader(file):
-                    if row["frame"] is not None and row["file"] not in self.known:
-                        self.known.add(row["file"])
-                        self.read(row)
+        for row in rows_of(self.folder):
+            if row["file"] not in self.known:
+                self.known.add(row["file"])
+                self.read(row)
 
     def read(self, row):
         tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
@@ -92,32 +82,11 @@ class Samples:
         high = np.minimum(np.ceil(at).astype(int) + reach, image.shape[::-1])
         if np.any(high - low < 8):
             return None
-        part = np.ascontiguousarray(image[low[1]:high[1], low[0]:high[0]]).astype(np.float32)
-        if random.random() < 0.2:
-            part = 255 - part
-        if random.random() < 0.3:
-            part = 255 * (np.clip(part, 0, 255) / 255) ** np.float32(np.exp(random.uniform(-0.5, 0.5)))
-        if random.random() < 0.3:
-            part = cv2.GaussianBlur(part, (0, 0), random.uniform(0.3, 1.0))
-        if random.random() < 0.5:
-            part = part + cv2.randn(np.empty_like(part), 0, random.uniform(0, 5))
-        if spacing > 1:
-            part = cv2.GaussianBlur(part, (0, 0), REDUCING_BLUR * spacing)
+        part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
         u, v = np.meshgrid(np.arange(WIDTH) - AHEAD_OF, np.arange(HEIGHT) - (HEIGHT - 1) / 2)
         x, y = ((at - low)[k] + spacing * (u * way[k] + v * across[k]) for k in (0, 1))
-        grey = cv2.remap(part, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
-                         borderMode=cv2.BORDER_REPLICATE)
-        return np.stack([normalised(grey), np.full_like(grey, spacing_of(spacing))]), truth.astype(np.float32)
-
-
-def batch(samples, random, count):
-    drawn = []
-    while len(drawn) < count:
-        one = samples.draw(random)
-        if one is not None and 0 <= one[1][0] < WIDTH and 0 <= one[1][1] < HEIGHT:
-            drawn.append(one)
-    xs, ts = zip(*drawn)
-    return torch.from_numpy(np.stack(xs).astype(np.float32)), torch.from_numpy(np.stack(ts))
+        grey = normalised(sampled(part, x, y))
+        return np.stack([grey, np.full_like(grey, spacing_of(spacing))]).astype(np.float32), truth.astype(np.float32)
 
 
 def loss_of(logits, truth):
@@ -134,48 +103,18 @@ def loss_of(logits, truth):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("samples")
-    parser.add_argument("output")
-    parser.add_argument("--minutes", type=float, default=30)
-    parser.add_argument("--start", help="weights to go on from (.pt)")
-    parser.add_argument("--rate", type=float, default=4e-3)
-    options = parser.parse_args()
-    torch.set_num_threads(1)
-    torch.manual_seed(1)
-    cv2.setNumThreads(1)
-    cv2.setRNGSeed(1)
+    options = arguments_of(__doc__, 30)
     random = np.random.default_rng(1)
     samples = Samples(options.samples)
-    network = TipNetwork()
-    print(f"{len(samples.items)} samples, {sum(p.numel() for p in network.parameters())} parameters", flush=True)
-    if options.start:
-        network.load_state_dict(torch.load(options.start))
-    optimiser = torch.optim.AdamW(network.parameters(), lr=options.rate, weight_decay=1e-4)
-    begin, step, mean, offs = time.time(), 0, None, []
-    while True:
-        share = (time.time() - begin) / (60 * options.minutes)
-        if share >= 1:
-            break
-        for group in optimiser.param_groups:
-            group["lr"] = options.rate * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
-        patches, truth = batch(samples, random, 16)
+    network = tip_network()
+
+    def loss_of_batch():
+        patches, truth = draw_batch(lambda: samples.draw(random), lambda one: np.all((one[1] >= 0) & (one[1] < (WIDTH, HEIGHT))), 16)
         loss, off = loss_of(network(patches), truth)
-        optimiser.zero_grad()
-        loss.backward()
-        nn.utils.clip_grad_norm_(network.parameters(), 1.0)
-        optimiser.step()
-        offs.append(off.median().item())
-        mean = loss.item() if mean is None else 0.98 * mean + 0.02 * loss.item()
-        step += 1
-        if step % 100 == 0:
-            print(f"step {step}  {time.time() - begin:.0f} s  loss {mean:.3f}  median off {np.mean(offs[-100:]):.2f} samples",
-                  flush=True)
-            torch.save(network.state_dict(), options.output[:-5] + ".pt")
-    network.eval()
-    torch.save(network.state_dict(), options.output[:-5] + ".pt")
-    torch.onnx.export(network, torch.zeros(1, 2, HEIGHT, WIDTH), options.output, opset_version=11,
-                      input_names=["patch"], output_names=["tip"])
+        return loss, off.median().item()
+
+    train(network, options, samples, loss_of_batch)
+    export(network, options.output, (1, 2, HEIGHT, WIDTH), "patch", "tip")
 
 
 if __name__ == "__main__":

@@ -109,8 +109,8 @@ TEST_P(LiveAgainstReplay, HasTheSameNumbers) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Scenarios, LiveAgainstReplay, testing::Values("default", "puncture", "configuration-3"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& scenario) {
+                           std::string name = scenario.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
@@ -162,6 +162,19 @@ TEST_F(Counterfactual, VariantsDoNotDisturbEachOther) {
   run_counterfactual(recorded(), options,
                      {with_modulus(0.7, "first"), with_modulus(1.3, "beside"), with_modulus(2.1, "third")});
   expect_equal_rows(at("alone"), at("beside"));
+}
+
+TEST_F(Counterfactual, AStopClosesTheSessionsWhole) {
+  auto options = again(recorded(), Rerun::kMechanics);
+  int asked_count = 0;
+  options.stopped = [&] { return ++asked_count > 5; };
+  run_counterfactual(recorded(), options, {with_modulus(1.3, "stopped")});
+  const SessionReader session(at("stopped"));
+  EXPECT_EQ(session.steps().size(), 5U);
+  EXPECT_EQ(check_session(at("stopped"), false).problem_count, 0U);
+  const auto& events = session.events();
+  EXPECT_TRUE(
+      std::any_of(events.begin(), events.end(), [](const Event& event) { return event.kind == event_kind::kStopped; }));
 }
 
 TEST_F(Counterfactual, TheFieldsAreThoseOfBothAndTheirDifference) {

@@ -11,17 +11,6 @@ namespace {
 
 using namespace test;
 
-// Finds the damage, mends it, and finds none any more.
-void expect_mended(const fs::path& session, const std::string& problem) {
-  const SessionReport found = check_session(session, false);
-  EXPECT_FALSE(found.fine());
-  EXPECT_TRUE(mentions(found.problems, problem)) << testing::PrintToString(found.problems);
-  EXPECT_TRUE(found.repairs.empty());
-  EXPECT_TRUE(check_session(session, true).repaired);
-  const SessionReport after = check_session(session, false);
-  EXPECT_TRUE(after.fine()) << testing::PrintToString(after.problems);
-}
-
 class SessionCheck : public testing::Test {
  protected:
   void SetUp() override { write_session(session(), 5); }

@@ -25,14 +25,6 @@ class SessionHostile : public testing::Test {
   fs::path session() const { return folder_ / "s"; }
   fs::path outside() const { return folder_ / "outside"; }
 
-  void expect_mended(const std::string& problem) const {
-    const SessionReport found = check_session(session(), false);
-    EXPECT_TRUE(mentions(found.problems, problem)) << testing::PrintToString(found.problems);
-    EXPECT_TRUE(check_session(session(), true).repaired);
-    const SessionReport after = check_session(session(), false);
-    EXPECT_TRUE(after.fine()) << testing::PrintToString(after.problems);
-  }
-
   // Every part but the header line.
   void behead(const char* table) const {
     const std::string text = text_of(session() / table);
@@ -47,7 +39,7 @@ TEST_F(SessionHostile, NoRowIsTakenForALostHeader) {
   behead("measurements.csv");
   behead("events.csv");
   EXPECT_EQ(SessionReader(session()).steps().size(), 3U);
-  expect_mended("measurements.csv:1: the header");
+  expect_mended(session(), "measurements.csv:1: the header");
   EXPECT_EQ(SessionReader(session()).steps().size(), 3U);
   EXPECT_EQ(SessionReader(session()).events().size(), 1U);
   EXPECT_TRUE(lines_of(session() / "measurements.csv")[0].starts_with("frame,time_s"));
@@ -58,7 +50,7 @@ TEST_F(SessionHostile, NoRowIsTakenForALostHeaderInAnOlderSessionEither) {
   remove_checksums(session());
   behead("measurements.csv");
   behead("events.csv");
-  expect_mended("events.csv:1: the header");
+  expect_mended(session(), "events.csv:1: the header");
   EXPECT_EQ(SessionReader(session()).steps().size(), 3U);
   EXPECT_EQ(SessionReader(session()).events().size(), 1U);
 }
@@ -66,7 +58,7 @@ TEST_F(SessionHostile, NoRowIsTakenForALostHeaderInAnOlderSessionEither) {
 TEST_F(SessionHostile, ADamagedHeaderIsKept) {
   std::string text = text_of(session() / "measurements.csv");
   put(session() / "measurements.csv", text.replace(2, 1, "X"));
-  expect_mended("measurements.csv:1: the header");
+  expect_mended(session(), "measurements.csv:1: the header");
   EXPECT_TRUE(mentions(lines_of(session() / "damaged/lines.txt"), "measurements.csv:1: frXme"));
 }
 
@@ -77,7 +69,7 @@ TEST_F(SessionHostile, OthersTemporaryFilesStay) {
   EXPECT_TRUE(check_session(session(), false).fine());
   put(session() / "session.json.tmp", "half");
   put(session() / "frames/frame_00000007.vti.3.tmp", "half");
-  expect_mended("2 unfinished temporary file(s)");
+  expect_mended(session(), "2 unfinished temporary file(s)");
   EXPECT_FALSE(fs::exists(session() / "session.json.tmp"));
   for (const char* name : {"notes.tmp", "surface/mine.tmp", "session.json.tmp.tmp", "surface/surface_1.vtp.tmp"}) {
     EXPECT_EQ(text_of(session() / name), "mine") << name;
@@ -145,7 +137,7 @@ TEST_F(SessionHostile, OfALinkedPartOnlyTheLinkIsMoved) {
   const char* name = "surface/surface_00000001.vtp";
   fs::rename(session() / name, outside() / "theirs.vtp");
   fs::create_symlink(outside() / "theirs.vtp", session() / name);
-  expect_mended(std::string(name) + ": no file but a link");
+  expect_mended(session(), std::string(name) + ": no file but a link");
   EXPECT_TRUE(fs::is_symlink(session() / "damaged/surface_00000001.vtp"));
   EXPECT_FALSE(fs::is_symlink(outside() / "theirs.vtp"));
 }
@@ -169,7 +161,7 @@ TEST_F(SessionHostile, TheWriterFollowsNoLinkEither) {
 TEST_F(SessionHostile, PipesAreRefusedAndNotWaitedFor) {
   fs::remove(session() / "surface/surface_00000001.vtp");
   ASSERT_EQ(mkfifo((session() / "surface/surface_00000001.vtp").c_str(), 0600), 0);
-  expect_mended("surface/surface_00000001.vtp: no file but a link, folder, pipe");
+  expect_mended(session(), "surface/surface_00000001.vtp: no file but a link, folder, pipe");
   fs::remove(session() / "session.json");
   ASSERT_EQ(mkfifo((session() / "session.json").c_str(), 0600), 0);
   EXPECT_FALSE(check_session(session(), false).fine());
@@ -236,7 +228,7 @@ TEST_F(SessionHostile, APartThatAsksForTheWorldIsNamed) {
   const ExportReport exported = export_session(session(), outside() / "x", {.frames = "0,1,2"});
   EXPECT_EQ(exported.node_frames, (std::vector<long>{0, 2}));
   EXPECT_TRUE(mentions(exported.notes, "1 surface(s) left out")) << testing::PrintToString(exported.notes);
-  expect_mended("surface/surface_00000001.vtp");
+  expect_mended(session(), "surface/surface_00000001.vtp");
 }
 
 // Without checksums, whatever a bit is changed to is read or refused, and nothing else.

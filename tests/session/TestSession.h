@@ -19,6 +19,7 @@
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionInfo.h"
 #include "pellucida/session/SessionWriter.h"
 #include "support/Files.h"
@@ -38,6 +39,17 @@ inline std::vector<std::string> lines_of(const fs::path& file) {
 inline bool mentions(const std::vector<std::string>& lines, const std::string& part) {
   return std::any_of(lines.begin(), lines.end(),
                      [&](const auto& line) { return line.find(part) != std::string::npos; });
+}
+
+/// The problem is found, a repair mends the session, and nothing is found after it.
+inline void expect_mended(const fs::path& session, const std::string& problem) {
+  const SessionReport found = check_session(session, false);
+  EXPECT_FALSE(found.fine());
+  EXPECT_TRUE(mentions(found.problems, problem)) << testing::PrintToString(found.problems);
+  EXPECT_TRUE(found.repairs.empty());
+  EXPECT_TRUE(check_session(session, true).repaired);
+  const SessionReport after = check_session(session, false);
+  EXPECT_TRUE(after.fine()) << testing::PrintToString(after.problems);
 }
 
 /// The lines of a table without the checksums at their ends.

@@ -146,7 +146,7 @@ CounterfactualResult run_counterfactual(const std::filesystem::path& session, co
   try {
     long done = 0;
     bool going_on = true;
-    while (going_on) {
+    while (going_on && !(options.stopped && options.stopped())) {
       auto frame = frames.next();
       if (!frame) break;
       shapes.add_to(*frame);

@@ -33,8 +33,7 @@ std::size_t recording_memory_bytes();
 class Recorder {
  public:
   /// Throws OutputError or UsageError as SessionWriter does. `clock` must outlive the recorder. `before_write` is
-  /// called on the writer's thread before each frame is written, and may stand still as a disk may; it is there for
-  /// tests.
+  /// called on the writer's thread before each frame is written: a test blocks there as a slow disk would.
   Recorder(const std::filesystem::path& folder, const SessionInfo& info, const Clock& clock,
            std::size_t memory_bytes = recording_memory_bytes(), std::function<void()> before_write = {});
   ~Recorder();

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "Chain.h"
 #include "SceneDifference.h"
-#include "pellucida/core/Error.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/pipeline/RunProvenance.h"
 
@@ -60,13 +59,6 @@ bool is_of_the_recording(const Event& event) {
   constexpr std::array kKinds{event_kind::kLimit,  event_kind::kUnmeasured, event_kind::kDropped, event_kind::kGap,
                               event_kind::kPaused, event_kind::kResumed,    event_kind::kStarted, event_kind::kStopped};
   return std::any_of(kKinds.begin(), kKinds.end(), [&](const char* kind) { return event.kind == kind; });
-}
-
-void write_table(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  stream.close();
-  if (!stream) throw OutputError(file.string() + ": can't be written; check the folder and the space on the disk");
 }
 
 }  // namespace
@@ -120,15 +112,19 @@ void VariantRun::take(const RecordedFrame& frame) {
     log_.add_fields(largest.contour_um, largest.displacement_um, largest.node_force_uN);
   }
   writer_.write(scene);
+  last_time_s_ = scene.measurement.time_s;
 }
 
 VariantResult VariantRun::finish(const SessionReader& session) {
-  write_table(variant_.folder / "differences.csv", ChangeLog::table_header() + '\n' + log_.table());
+  replace_file(variant_.folder / "differences.csv", ChangeLog::table_header() + '\n' + log_.table());
   constexpr double kEver_s = std::numeric_limits<double>::infinity();
   const double from_s = options_.playback.from_s.value_or(-kEver_s);
   const double to_s = options_.playback.to_s.value_or(kEver_s);
   for (const Event& event : session.events()) {
     if (is_of_the_recording(event) && event.time_s >= from_s && event.time_s <= to_s) writer_.event(event);
+  }
+  if (options_.stopped && options_.stopped()) {
+    writer_.event({last_time_s_, event_kind::kStopped, "the replay was stopped before its end"});
   }
   if (options_.pipeline.palpation) {
     writer_.set_palpation(palpation_json(*options_.pipeline.palpation, mechanics_.scale(),

@@ -33,6 +33,7 @@ class VariantRun {
   const bool has_recorded_shape_;
   SessionWriter writer_;
   ChangeLog log_;
+  double last_time_s_ = 0.0;
 };
 
 }  // namespace pellucida

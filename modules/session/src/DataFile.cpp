@@ -1,6 +1,5 @@
 #include "DataFile.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -18,6 +17,7 @@
 #include <map>
 
 #include "DataHeader.h"
+#include "Silence.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
 
@@ -67,11 +67,7 @@ class ArrayReader {
  public:
   explicit ArrayReader(const DataHeader& header)
       : header_(header), decompressor_(make_decompressor(header.compressor)) {
-    if (!decompressor_) return;
-    // What it says of damaged data is said once, by us.
-    silent_->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-    decompressor_->AddObserver(vtkCommand::ErrorEvent, silent_);
-    decompressor_->AddObserver(vtkCommand::WarningEvent, silent_);
+    if (decompressor_) silence(*decompressor_);
   }
 
   vtkSmartPointer<vtkDataArray> read(const ArrayHeader& array) const {
@@ -98,7 +94,6 @@ class ArrayReader {
  private:
   const DataHeader& header_;
   vtkSmartPointer<vtkDataCompressor> decompressor_;
-  vtkNew<vtkCallbackCommand> silent_;
 };
 
 // The lines or faces of one kind, their ids all below `point_count`.

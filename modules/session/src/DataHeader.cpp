@@ -1,6 +1,5 @@
 #include "DataHeader.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkType.h>
@@ -11,6 +10,7 @@
 #include <cstring>
 #include <map>
 
+#include "Silence.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
@@ -278,10 +278,7 @@ DataHeader read_data_header(std::string_view content) {
   head += "</AppendedData></VTKFile>";
 
   vtkNew<HeaderParser> parser;
-  vtkNew<vtkCallbackCommand> silent;
-  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  parser->AddObserver(vtkCommand::ErrorEvent, silent);
-  parser->AddObserver(vtkCommand::WarningEvent, silent);
+  silence(*parser);
   const bool parsed = parser->Parse(head.c_str(), static_cast<unsigned>(head.size())) != 0;
   if (!parser->fault.empty()) throw InputError(parser->fault);
   if (!parsed) refuse("its head is not XML");

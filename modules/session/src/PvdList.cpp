@@ -1,6 +1,5 @@
 #include "PvdList.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkXMLParser.h>
@@ -12,6 +11,7 @@
 
 #include "DiskFile.h"
 #include "SessionFolder.h"
+#include "Silence.h"
 #include "pellucida/core/Table.h"
 
 namespace pellucida {
@@ -94,10 +94,7 @@ PvdDifference compare_pvd(const std::filesystem::path& file, const std::vector<S
   if (text.find("</VTKFile>") == std::string::npos || text.find("<!") != std::string::npos) return difference;
   if (text.size() > std::numeric_limits<unsigned>::max()) return difference;
   vtkNew<PvdParser> parser;
-  vtkNew<vtkCallbackCommand> silent;
-  silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  parser->AddObserver(vtkCommand::ErrorEvent, silent);
-  parser->AddObserver(vtkCommand::WarningEvent, silent);
+  silence(*parser);
   parser->entries.reserve(std::min(text.size() / kLeastEntryBytes, 4 * steps.size()));
   if (parser->Parse(text.c_str(), static_cast<unsigned>(text.size())) == 0) return difference;
   difference.readable = true;

@@ -78,7 +78,7 @@ inline constexpr std::array<const char*, 6> kOwnFiles{session_name::kJson,      
 bool is_own_temporary(std::string_view relative_file);
 
 /// The text of `session.pvd` before its entries, the entries of one step, and the text behind them. With `frames`, the
-/// images are listed too. Every step lists the same parts: `empty.vtp` stands for a missing one.
+/// images are listed too. Every step lists the same parts: `empty.vtp` takes the place of a missing one.
 extern const char* const kPvdStart;
 extern const char* const kPvdEnd;
 void append_pvd(const SessionStep& step, bool frames, std::string& text);

@@ -13,6 +13,7 @@ namespace {
 // the outline's radius.
 constexpr int kNormals = 128, kWrap = 16, kRows = kNormals + 2 * kWrap, kColumns = 96, kZero = 58;
 constexpr double kRadiusSamples = 160.0;
+
 }  // namespace
 
 class BoundaryNetwork::Impl {

@@ -64,7 +64,7 @@ std::optional<Eigen::Vector2d> GlobalShiftEstimator::update(const FrameSampler& 
     const cv::Point2d shift = cv::phaseCorrelate(before_.clone(), now_.clone(), window_, &response);
     const Eigen::Vector2d jump = kThinning * Eigen::Vector2d(shift.x, shift.y);
     const bool possible = response > kLeastResponse && jump.norm() > kLeastJump_px && jump.norm() < 0.25 * image.width;
-    // A step of the camera's exposure or a flicker changes as much, and no jump explains it.
+    // A membrane that springs back changes as much, and no jump of the whole picture explains it.
     const cv::Point whole(cvRound(shift.x), cvRound(shift.y));
     if (possible && change_after(before_, now_, whole, static_cast<float>(brighter)) < kExplained * change) return jump;
   }

@@ -42,7 +42,6 @@ class TipNetwork::Impl {
     TipReading reading;
     reading.tip = axis.at((kSupposed - u.mean) * spacing_px, (v.mean - kMiddle) * spacing_px);
     reading.along_sigma_px = u.spread * spacing_px;
-    reading.across_sigma_px = v.spread * spacing_px;
     const int row = static_cast<int>(std::lround(v.mean)), column = static_cast<int>(std::lround(u.mean));
     const int top = std::max(0, row - kNear), left = std::max(0, column - kNear);
     const int height = std::min(kAcross, row + kNear + 1) - top, width = std::min(kAlong, column + kNear + 1) - left;

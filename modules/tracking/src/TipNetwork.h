@@ -11,7 +11,6 @@ namespace pellucida {
 struct TipReading {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();  ///< px
   double along_sigma_px = 0.0;                    ///< as spread as the network's answer is, along the needle
-  double across_sigma_px = 0.0;                   ///< and across
   double share = 0.0;                             ///< 0..1: of the answer, near its highest place
 };
 

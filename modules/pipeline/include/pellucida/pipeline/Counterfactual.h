@@ -35,6 +35,8 @@ struct CounterfactualOptions {
   int job_count = 2;         ///< variants at work at the same time, >= 1
   std::string command_line;
   std::function<void(long done, std::optional<long> all)> progress;  ///< after each frame; may be empty
+  /// Asked before each frame and at the end, on several threads; true: the sessions end there, whole. May be empty.
+  std::function<bool()> stopped;
 };
 
 /// Result of one variant.
