@@ -9,44 +9,21 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "ReplayTools.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/core_vtk/ObservationData.h"
 #include "pellucida/pipeline/BatchRun.h"
-#include "pellucida/pipeline/LiveRun.h"
-#include "pellucida/pipeline/RunProvenance.h"
 #include "pellucida/session/SessionCheck.h"
+#include "pellucida/session/SessionSource.h"
 #include "pellucida/session/SessionWriter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "support/DocsPage.h"
-#include "support/WaitUntil.h"
 
 namespace pellucida {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a row read back may differ by from the number it was written from: forces are below 10 uN.
-constexpr double kNineDigits = 1e-8;
-
-/// A push of a second and a half: the shipped scenario, quicker.
-Scenario quick_scenario(const char* name) {
-  Scenario scenario = load_scenario(name);
-  scenario.motion.approach_speed_um_per_s = 120.0;
-  scenario.motion.indentation_speed_um_per_s = 60.0;
-  scenario.motion.hold_s = 0.1;
-  return scenario;
-}
-
-/// Recorded by a live run, three times as fast as the cell was pushed: frames are overtaken at every step.
-void record_live(const Scenario& scenario, const fs::path& folder) {
-  LiveRun run(std::make_unique<VirtualMicroscope>(scenario), {}, 3.0);
-  run.start_recording(folder);
-  run.start();
-  ASSERT_TRUE(test::wait_until([&] { return run.status().finished; }));
-  run.stop_recording();
-  ASSERT_FALSE(run.status().fault) << *run.status().fault;
-}
 
 /// Every frame measured.
 void record_batch(const Scenario& scenario, const fs::path& folder, bool frames = true) {
@@ -61,59 +38,6 @@ void record_batch(const Scenario& scenario, const fs::path& folder, bool frames 
   run_batch(microscope, {}, [&](const Scene& scene) { writer.write(scene); });
   writer.close();
 }
-
-CounterfactualOptions again(const fs::path& session, Rerun rerun) {
-  CounterfactualOptions options;
-  options.rerun = rerun;
-  options.pipeline = recorded_options(SessionReader(session).info());
-  return options;
-}
-
-ReplayVariant same(const fs::path& session, const fs::path& folder) {
-  return {.name = "same",
-          .profile = profile_of(recorded_options(SessionReader(session).info())),
-          .changes_json = {},
-          .folder = folder};
-}
-
-void expect_equal_rows(const fs::path& session, const fs::path& replay) {
-  const SessionReader recorded(session), replayed(replay);
-  ASSERT_EQ(recorded.measurements().size(), replayed.measurements().size());
-  for (std::size_t i = 0; i < recorded.measurements().size(); ++i) {
-    Measurement one = recorded.measurements()[i], other = replayed.measurements()[i];
-    one.frame_age_ms = other.frame_age_ms = Measurement::kNotMeasured;
-    EXPECT_EQ(to_csv(one), to_csv(other));
-  }
-}
-
-class LiveAgainstReplay : public testing::TestWithParam<const char*> {};
-
-// Whatever the live run had time for: the replay gives the same bits, from the images and from the contours.
-TEST_P(LiveAgainstReplay, HasTheSameNumbers) {
-  const TemporaryFolder folder;
-  record_live(quick_scenario(GetParam()), folder / "live");
-  for (const auto& [name, rerun] : {std::pair{"tracking", Rerun::kTracking}, {"mechanics", Rerun::kMechanics}}) {
-    const auto result =
-        run_counterfactual(folder / "live", again(folder / "live", rerun), {same(folder / "live", folder / name)});
-    const ChangeFigures& changes = result.variants.front().changes;
-    EXPECT_EQ(changes.equal_row_count, changes.frame_count) << name;
-    EXPECT_GT(changes.force_count, 0) << name;
-    EXPECT_GT(changes.peak_force_uN, 0.0) << name;
-    EXPECT_LT(changes.force_rms_uN, kNineDigits) << name;
-    EXPECT_EQ(changes.largest_contour_um, 0.0) << name;
-    EXPECT_EQ(changes.largest_node_force_uN, 0.0) << name;
-    EXPECT_EQ(result.absent_count, 0);
-    EXPECT_EQ(result.frames_before_recording, 0);
-    expect_equal_rows(folder / "live", folder / name);
-    EXPECT_EQ(check_session(folder / name, false).problem_count, 0U);
-  }
-}
-INSTANTIATE_TEST_SUITE_P(Scenarios, LiveAgainstReplay, testing::Values("default", "puncture", "configuration-3"),
-                         [](const auto& scenario) {
-                           std::string name = scenario.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
 
 // One recording for the tests below.
 class Counterfactual : public testing::Test {
