@@ -15,6 +15,7 @@
 #include "pellucida/core/Table.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/membrane/Indenter.h"
+#include "pellucida/membrane/MembraneGeometry.h"
 
 namespace pellucida {
 namespace {
@@ -24,7 +25,7 @@ struct ForceArguments {
   int configuration = 1;
   double max_indentation_um = 0.0;  // 0: the profile's puncture
   double step_um = 1.0;
-  std::optional<double> angle_deg, offset_um, tip_radius_um;
+  std::optional<double> angle_deg, offset_um, radius_um, thickness_um, tip_radius_um, holder_radius_um;
   std::optional<double> speed_um_per_s, hold_s;
   std::string output;
 };
@@ -55,28 +56,53 @@ std::vector<Row> relax(const std::vector<Row>& elastic, const CellProfile& profi
   return rows;
 }
 
+/// The profile's geometry with what the command line says otherwise.
+MembraneGeometry geometry_for(const ForceArguments& arguments, const CellProfile& profile) {
+  MembraneGeometry geometry = geometry_of(profile);
+  geometry.mid_radius_um = arguments.radius_um.value_or(geometry.mid_radius_um);
+  geometry.thickness_um = arguments.thickness_um.value_or(geometry.thickness_um);
+  geometry.tip_radius_um = arguments.tip_radius_um.value_or(geometry.tip_radius_um);
+  geometry.holder_radius_um = arguments.holder_radius_um.value_or(geometry.holder_radius_um);
+  const struct {
+    const char* option;
+    double value_um, most_ratio;
+  } lengths[] = {{"--thickness-um", geometry.thickness_um, 0.5},
+                 {"--tip-radius-um", geometry.tip_radius_um, 0.5},
+                 {"--holder-radius-um", geometry.holder_radius_um, 0.95}};
+  for (const auto& length : lengths) {
+    if (length.value_um <= length.most_ratio * geometry.mid_radius_um) continue;
+    throw UsageError(std::string(length.option) + ": " + csv_number(length.value_um) +
+                     " um is too much for a cell of " + csv_number(geometry.mid_radius_um) + " um; give at most " +
+                     csv_number(length.most_ratio * geometry.mid_radius_um) + " um");
+  }
+  const bool other =
+      arguments.radius_um || arguments.thickness_um || arguments.tip_radius_um || arguments.holder_radius_um;
+  if (other && profile.geometry_terms.empty()) {
+    std::cerr << "warning: profile " << profile.name
+              << " holds for its own geometry alone; make one with pellucida identify --geometry-cells\n";
+  } else if (is_beyond_range(profile, geometry)) {
+    std::cerr << "warning: this geometry is beyond those that profile " << profile.name << " was identified for\n";
+  }
+  return geometry;
+}
+
 void write_force_curve(const ForceArguments& arguments) {
   require_apart(arguments.output, arguments.profile, "--output");
-  CellProfile profile = load_profile(arguments.profile);
-  if (arguments.tip_radius_um) {
-    if (*arguments.tip_radius_um > 0.5 * profile.mid_radius_um) {
-      throw UsageError("--tip-radius-um: give at most half of the cell's radius, " +
-                       csv_number(0.5 * profile.mid_radius_um) + " um");
-    }
-    profile.tip_radius_um = *arguments.tip_radius_um;
-  }
+  const CellProfile profile = load_profile(arguments.profile);
+  const MembraneGeometry geometry = geometry_for(arguments, profile);
   if (arguments.speed_um_per_s && profile.relaxation_arms.empty()) {
     throw UsageError("--speed-um-per-s: profile " + profile.name +
                      " has no relaxation; give it one with pellucida identify --relaxation");
   }
+  const CellProfile cell = adapted_to(profile, geometry);
   const bool own_setup = arguments.angle_deg || arguments.offset_um;
-  const MembraneSetup setup =
-      own_setup ? setup_for_needle(profile, arguments.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
-                                   arguments.offset_um.value_or(0.0))
-                : setup_for_configuration(profile, arguments.configuration);
+  const MembraneSetup setup = own_setup
+                                  ? setup_for_needle(cell, arguments.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
+                                                     arguments.offset_um.value_or(0.0))
+                                  : setup_for_configuration(cell, arguments.configuration);
   const double deepest_um =
       arguments.max_indentation_um != 0.0 ? arguments.max_indentation_um : profile.puncture_indentation_um;
-  const auto curve = force_curve(profile, setup, deepest_um, arguments.step_um);
+  const auto curve = force_curve(profile, geometry, setup, deepest_um, arguments.step_um);
 
   // As far as the model goes.
   std::vector<Row> rows;
@@ -132,10 +158,14 @@ void add_force_command(CLI::App& app) {
                    "configuration")
       ->check(number_in({-1e4, 1e4}))
       ->excludes("--configuration");
-  command
-      ->add_option("--tip-radius-um", arguments->tip_radius_um,
-                   "another tip, um; the profile's constants stay, which costs accuracy (docs/method.md, 3.6)")
-      ->check(number_in(above(0.0, 1e9)));
+  const auto length = [&](const char* option, std::optional<double>& value, const char* help) {
+    command->add_option(option, value, help)->check(number_in(above(0.0, 1e4)));
+  };
+  length("--radius-um", arguments->radius_um, "of the zona's middle surface, um (default: the profile's)");
+  length("--thickness-um", arguments->thickness_um, "of the zona, um (default: the profile's)");
+  length("--tip-radius-um", arguments->tip_radius_um, "of the needle, um (default: the profile's)");
+  length("--holder-radius-um", arguments->holder_radius_um,
+         "of the holding pipette, outer, um (default: the profile's)");
   command
       ->add_option("--max-indentation-um", arguments->max_indentation_um,
                    "deepest point, um (default: the profile's puncture)")

@@ -70,6 +70,14 @@ void add_identify_command(CLI::App& app) {
                    "factor on the finite elements' size: 1.4 is quicker and 3 to 8 % stiffer")
       ->check(number_in({0.5, 2.0}))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--geometry-cells", a->geometry_cells,
+          "cells of other geometries to compute, 60 or more (200: about two minutes on two cores), so that the "
+          "profile also holds for another thickness, tip and holder; 0: for its own alone, or as --from has it "
+          "with --keep-constants")
+      ->check(CLI::Range(0, 100000))
+      ->capture_default_str();
   command->add_option("--jobs", a->threads, "threads (default: one a core)")->check(CLI::Range(1, 256));
   command->add_flag("--no-picture", a->no_picture, "draw no picture");
   command->callback([a] { run_identify(*a); });

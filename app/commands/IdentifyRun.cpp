@@ -14,6 +14,7 @@
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core/Version.h"
+#include "pellucida/identification/GeometrySurvey.h"
 #include "pellucida/identification/Identification.h"
 
 namespace pellucida {
@@ -140,6 +141,18 @@ void check_outputs(const IdentifyArguments& arguments, const fs::path& picture) 
   { OutputFile probe(arguments.output); }
 }
 
+/// How the force differs at other geometries.
+void survey(const IdentifyArguments& arguments, CellProfile& profile) {
+  Progress progress("other geometries: %");
+  survey_geometry(profile, {arguments.geometry_cells, arguments.threads},
+                  [&](double share) { progress.update(static_cast<long>(100.0 * share), 100); });
+  set_source(profile, "geometry_terms",
+             "least squares to the solid of revolution (modules/fem) on " + std::to_string(arguments.geometry_cells) +
+                 " geometries, over the springs there");
+  std::printf("other geometries: %d cells, the force of those left out of the fit within %.1f %% (RMS)\n",
+              profile.geometry_range.cell_count, 100.0 * profile.geometry_range.spread_ratio);
+}
+
 void write_profile(const CellProfile& profile, const fs::path& file) {
   OutputFile output(file);
   output.add(to_json(profile));
@@ -192,6 +205,7 @@ void run_identify(const IdentifyArguments& arguments) {
     });
   }
   set_relaxation(arguments, arms, result.profile);
+  if (arguments.geometry_cells > 0) survey(arguments, result.profile);
   name_sources(arguments, result.profile);
   write_profile(result.profile, output);
 

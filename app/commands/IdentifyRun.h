@@ -14,6 +14,7 @@ struct IdentifyArguments {
   std::optional<double> scale_uncertainty_percent, max_indentation_um, anchor_ramp_s;
   std::string measured_curve, relaxation;
   double edge_length_ratio = 1.0;
+  int geometry_cells = 0;  // computed for the correction by geometry; 0: none
   int threads = 0;
   bool keep_constants = false;
   bool no_picture = false;

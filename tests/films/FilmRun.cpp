@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/CellProfile.h"
+#include "pellucida/membrane/Indenter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pellucida/tracking/MembraneTracker.h"
 
@@ -41,14 +43,48 @@ bool FilmRun::is_confident_and_wrong(const FrameError& error) const {
   return has_cell ? error.outer_px > 2.0 || error.tip_px > 3.0 : sees_cell;
 }
 
+namespace {
+
+VirtualMicroscope microscope_of(const RandomFilm& film) {
+  if (film.drawing) return VirtualMicroscope(film.scenario);
+  return VirtualMicroscope(film.scenario, film.look);
+}
+
+FilmSizes sizes_of(const Observation& o) {
+  return {o.rest_outer_radius_um, o.rest_inner_radius_um > 0 ? o.rest_outer_radius_um - o.rest_inner_radius_um : 0.0,
+          o.needle ? o.needle->tip_radius_um : 0.0, o.holder ? o.holder->outer_radius_um : 0.0};
+}
+
+// The force by the profile's thickness, tip and holder.
+class ProfileForce {
+ public:
+  explicit ProfileForce(const CellProfile& profile) : profile_(profile) {}
+  double at(const Observation& o, double depth_um) {
+    const double radius_um = o.rest_outer_radius_um - 0.5 * profile_.thickness_um;
+    if (!indenter_ || std::abs(radius_um / indenter_->model().setup().mid_radius_um - 1.0) > 0.004)
+      indenter_.emplace(profile_, MembraneSetup{radius_um, profile_.thickness_um});
+    return depth_um > 0.0 ? indenter_->advance_to(depth_um).push_force_uN : 0.0;
+  }
+
+ private:
+  CellProfile profile_;
+  std::optional<Indenter> indenter_;
+};
+
+}  // namespace
+
 FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   using Clock = std::chrono::steady_clock;
   FilmRun run;
   run.film = film;
   run.has_cell = film.scenario.cell.in_view;
-  VirtualMicroscope microscope(film.scenario, film.look);
+  VirtualMicroscope microscope = microscope_of(film);
   MembraneTracker tracker(options);
-  const CellProfile profile = load_profile(film.scenario.cell.reference);
+  const bool shipped = std::filesystem::path(film.scenario.cell.reference).has_parent_path() == false;
+  const CellProfile profile = load_profile(shipped ? film.scenario.cell.reference : "mouse-oocyte");
+  std::optional<ProfileForce> by_profile;
+  if (!shipped) by_profile.emplace(profile);
+  double profile_squares = 0.0;
   ForceObserver observer(profile, {}), of_truth(profile, {});
   std::vector<double> frame_ms;
   double force_squares = 0.0, peak_uN = 0.0, worst_badness = -1.0;
@@ -80,6 +116,13 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
     const bool measured = std::isfinite(estimate.contact_force_uN);
     const double force_uN = measured ? estimate.contact_force_uN : 0.0;
     force_squares += std::pow(force_uN - truth.contact_force_uN, 2);
+    if (by_profile) {
+      const double other_uN =
+          measured && seen.outer ? by_profile->at(seen, contact ? std::max(0.0, estimate.depth_um) : 0.0) : 0.0;
+      profile_squares += std::pow(other_uN - truth.contact_force_uN, 2);
+    }
+    if (seen.state == CellState::kFree) run.seen_sizes = sizes_of(seen);
+    if (truth.observation.outer) run.true_sizes = sizes_of(truth.observation);
     const double expected_uN = of_truth.process(truth.observation).contact_force_uN;
     if (std::isfinite(expected_uN)) {
       tracking_squares += std::pow(force_uN - expected_uN, 2);
@@ -102,6 +145,9 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   run.badness /= static_cast<double>(std::max<std::size_t>(1, run.errors.size()));
   if (peak_uN > 0)
     run.force_rms_percent = 100.0 * std::sqrt(force_squares / static_cast<double>(run.errors.size())) / peak_uN;
+  if (peak_uN > 0 && by_profile)
+    run.profile_force_rms_percent =
+        100.0 * std::sqrt(profile_squares / static_cast<double>(run.errors.size())) / peak_uN;
   if (peak_of_truth_uN > 0)
     run.tracking_force_rms_percent =
         100.0 * std::sqrt(tracking_squares / static_cast<double>(run.errors.size())) / peak_of_truth_uN;
@@ -110,7 +156,7 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
 }
 
 void draw_worst(const FilmRun& run, const std::string& file) {
-  VirtualMicroscope microscope(run.film.scenario, run.film.look);
+  VirtualMicroscope microscope = microscope_of(run.film);
   for (long k = 0; k < run.worst.frame_index; ++k)
     run.film.look.camera.interlaced ? void(microscope.next()) : void(microscope.skip());
   const std::optional<Frame> frame = microscope.next();

@@ -16,6 +16,11 @@ struct FilmPicture {
   Observation seen, truth;
 };
 
+/// Lengths of cell and tools, um: as seen in the last frame before contact, and true; 0: not seen.
+struct FilmSizes {
+  double radius_um = 0.0, thickness_um = 0.0, tip_radius_um = 0.0, holder_radius_um = 0.0;
+};
+
 /// A random film through the tracker and the force observer.
 struct FilmRun {
   RandomFilm film;
@@ -31,6 +36,9 @@ struct FilmRun {
   /// Of the largest force that the true observations give: RMS difference of what was seen from that, so the tracker's
   /// share of the error alone; -1: never in contact.
   double tracking_force_rms_percent = -1.0;
+  /// The same as `force_rms_percent` of the profile's own thickness, tip and holder on the cell's radius.
+  double profile_force_rms_percent = -1.0;
+  FilmSizes seen_sizes, true_sizes;
   int covered_count = 0;  ///< frames in contact with the true force in the 95 % interval
   double median_frame_ms = 0.0;
   FilmPicture worst;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -139,7 +140,19 @@ Split split_of(const std::string& word) {
   throw UsageError("families are 'tuning' or 'validation', not '" + word + "'");
 }
 
-RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px) {
+std::vector<std::string> specimens_in(const std::string& folder) {
+  constexpr std::string_view kEnding = "-geometry.json";
+  std::vector<std::string> specimens;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string file = entry.path().string();
+    if (file.ends_with(kEnding)) specimens.push_back(file.substr(0, file.size() - kEnding.size()));
+  }
+  if (specimens.empty()) throw UsageError(folder + " holds no finite-element tables (*-geometry.json)");
+  std::sort(specimens.begin(), specimens.end());
+  return specimens;
+}
+
+RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px, const std::vector<std::string>& specimens) {
   Dice dice(seed * 2 + (split == Split::kValidation ? 1 : 0));
   RandomFilm film;
   film.seed = seed;
@@ -167,6 +180,11 @@ RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px) {
   s.tools.configuration = 1 + static_cast<int>(dice.index(4));
   s.tools.holder_angle_deg = dice.between(0, 360);
   s.tools.mirrored = dice.chance(0.5);
+  if (!specimens.empty()) {
+    s.cell.reference = specimens[dice.index(specimens.size())];
+    s.tools.configuration = 1;
+    s.tools.needle_tip_radius_um = 0.0;  // as the mechanics has it
+  }
   s.tools.needle_shaft_radius_um = std::max(s.tools.needle_shaft_radius_um, s.tools.needle_tip_radius_um + 0.5);
   const double radius_um = dice.between(35, 65);
   s.cell.size_scale = radius_um / CellReference::load(s.cell.reference, s.tools.configuration).outer_radius_um();

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "pellucida/microscopy/Look.h"
 #include "pellucida/simulation/Scenario.h"
@@ -22,11 +23,19 @@ struct RandomFilm {
   std::string contrast;  ///< "bright field", "relief", "phase", or "none" where no cell is in view
   Scenario scenario;
   Look look;
+  bool drawing = false;  ///< plain bright field instead of the look
 };
 
 /// The film of a seed: a family of the split, then all that families.json says, then geometry and motion: a cell of 35
 /// to 65 um radius, 60 to 500 px across in a picture of at most `widest_px` columns, 0.2 to 2 um a pixel, needle from
 /// any side; 30 to 60 frames. The same seed is the same film. Throws InputError for a damaged file of families.
-RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px = 2048);
+///
+/// With `specimens` (names or paths of finite-element tables) the cell is one of those, needle and holder as wide as
+/// its mechanics has them, opposite each other; without, the needle is drawn at random and the forces don't fit it.
+RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px = 2048,
+                     const std::vector<std::string>& specimens = {});
+
+/// The tables NAME-geometry.json in a folder, as specimens; sorted. Throws UsageError where there are none.
+std::vector<std::string> specimens_in(const std::string& folder);
 
 }  // namespace pellucida::test

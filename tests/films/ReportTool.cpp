@@ -1,11 +1,14 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--detection lines|scene] [--quality live|high] [--csv FILE] [--worst FOLDER] [--frames]
+//               [--specimens FOLDER] [--drawing] [--detection lines|scene] [--quality live|high] [--csv FILE] [--worst
+//               FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
-// the true force. --film: that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of
-// the ten worst films, truth green, found red. --frames: also a line a frame.
+// the true force (which fits the picture with --specimens alone: finite-element tables, tests/specimens; a further line
+// then says how the profile's own thickness, tip and holder would have done). --drawing: plain bright field. --film:
+// that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of the ten worst films,
+// truth green, found red. --frames: also a line a frame.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -30,7 +33,8 @@ struct Choice {
   std::uint64_t first = 1, count = 60;
   int jobs = 1, widest_px = 2048;
   std::string csv, worst;
-  bool frames = false;
+  std::vector<std::string> specimens;
+  bool frames = false, drawing = false;
   TrackerOptions tracker;
 };
 
@@ -59,6 +63,8 @@ Choice read_arguments(int count, char** arguments) {
       choice.widest_px = std::stoi(value());
     } else if (word == "--csv") {
       choice.csv = value();
+    } else if (word == "--specimens") {
+      choice.specimens = test::specimens_in(value());
     } else if (word == "--worst") {
       choice.worst = value();
     } else if (word == "--detection") {
@@ -69,6 +75,8 @@ Choice read_arguments(int count, char** arguments) {
       const std::string quality = value();
       if (quality != "live" && quality != "high") throw UsageError("--quality is live or high");
       if (quality == "high") choice.tracker.quality = TrackerOptions::Quality::kHigh;
+    } else if (word == "--drawing") {
+      choice.drawing = true;
     } else if (word == "--frames") {
       choice.frames = true;
     } else {
@@ -151,12 +159,26 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
       quantile_text(force, 0.95, 1).c_str(), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));
 }
 
+// Whole force of the geometry that was seen, beside that of the profile's own.
+void print_by_profile(const std::vector<FilmRun>& runs) {
+  std::vector<double> seen, own;
+  for (const FilmRun& run : runs) {
+    if (run.profile_force_rms_percent < 0) continue;
+    seen.push_back(run.force_rms_percent);
+    own.push_back(run.profile_force_rms_percent);
+  }
+  std::printf(
+      "force RMS, %% of peak, %zu films: by the geometry seen %.1f (95 %%: %.1f), by the profile's own %.1f (%.1f)\n",
+      seen.size(), quantile(seen, 0.5), quantile(seen, 0.95), quantile(own, 0.5), quantile(own, 0.95));
+}
+
 void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,family,contrast,width_px,height_px,pixel_size_um,cell_diameter_px,frames,found,contact,false_punctures,"
          "punctures,puncture_delay,outer_median_px,outer_p95_px,inner_median_px,tip_found,tip_median_px,tip_p95_px,"
          "confident_and_wrong,tracking_force_rms_percent,force_rms_percent,covered,median_frame_ms,worst_frame,"
-         "badness\n";
+         "badness,specimen,profile_force_rms_percent,radius_um,thickness_um,tip_radius_um,holder_radius_um,"
+         "true_radius_um,true_thickness_um,true_tip_radius_um,true_holder_radius_um\n";
   for (const FilmRun& run : runs) {
     std::vector<double> outer, inner, tip;
     collect(run.errors, &FrameError::outer_px, outer);
@@ -171,7 +193,13 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
         << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size() << ',' << quantile(tip, 0.5) << ','
         << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ',' << run.tracking_force_rms_percent << ','
         << run.force_rms_percent << ',' << run.covered_count << ',' << run.median_frame_ms << ','
-        << run.worst.frame_index << ',' << run.badness << '\n';
+        << run.worst.frame_index << ',' << run.badness << ','
+        << std::filesystem::path(run.film.scenario.cell.reference).filename().string() << ','
+        << run.profile_force_rms_percent;
+    for (const test::FilmSizes* sizes : {&run.seen_sizes, &run.true_sizes})
+      out << ',' << sizes->radius_um << ',' << sizes->thickness_um << ',' << sizes->tip_radius_um << ','
+          << sizes->holder_radius_um;
+    out << '\n';
   }
   if (!out.flush()) throw OutputError(file + " can't be written");
 }
@@ -211,7 +239,9 @@ void report(const Choice& choice) {
   const auto work = [&] {
     for (std::size_t k; !failed && (k = next++) < runs.size();) {
       try {
-        runs[k] = test::run_film(test::draw_film(choice.split, choice.first + k, choice.widest_px), choice.tracker);
+        test::RandomFilm film = test::draw_film(choice.split, choice.first + k, choice.widest_px, choice.specimens);
+        film.drawing = choice.drawing;
+        runs[k] = test::run_film(film, choice.tracker);
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
       }
@@ -234,6 +264,7 @@ void report(const Choice& choice) {
   print_head();
   for (const auto& [contrast, some] : by_contrast) print_row(contrast, some);
   print_row("ALL", all);
+  if (!choice.specimens.empty()) print_by_profile(runs);
   if (!choice.csv.empty()) write_csv(choice.csv, runs);
   if (!choice.worst.empty()) draw_worst_ten(choice.worst, runs);
 }

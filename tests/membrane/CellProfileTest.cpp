@@ -85,10 +85,14 @@ TEST(ShippedProfiles, KeysAreOnThePage) {
   ProfileReference reference;
   ProfileError error;
   RelaxationArm arm;
+  GeometryRange range;
+  GeometryTerm term;
   const std::string page = markdown(fields_of(profile)) + "\n### with relaxation_arms\n\n" +
                            markdown(relaxation_fields_of(profile)) + "\n### relaxation_arms, an entry\n\n" +
-                           markdown(fields_of(arm)) + "\n### references, an entry\n\n" +
-                           markdown(fields_of(reference)) + "\n### errors, an entry\n\n" + markdown(fields_of(error));
+                           markdown(fields_of(arm)) + "\n### with geometry_terms\n\n" + markdown(fields_of(range)) +
+                           "\n### geometry_terms, an entry\n\n" + markdown(fields_of(term)) +
+                           "\n### references, an entry\n\n" + markdown(fields_of(reference)) +
+                           "\n### errors, an entry\n\n" + markdown(fields_of(error));
   EXPECT_TRUE(docs_section_is("profiles.md", "## Keys", page));
 }
 
@@ -111,6 +115,9 @@ TEST_F(CellProfileFile, EveryNumberIsChecked) {
                                                                       {"/contact/tip_radius_um", 0},
                                                                       {"/msd/tip/hinge_ratio", -1},
                                                                       {"/mesh/frequency", 0},
+                                                                      {"/geometry_range/tip_from_ratio", 0.9},
+                                                                      {"/geometry_range/spread_ratio", -1},
+                                                                      {"/geometry_terms/0/tip", 4},
                                                                       {"/schema", "other"},
                                                                       {"/schema_version", 99},
                                                                       {"/errors", 3}};

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/simulation/Truth.h"
 #include "pellucida/simulation/VirtualSpecimen.h"
 #include "simulation/SectionChecks.h"
 #include "simulation/TestScenes.h"
@@ -107,7 +110,7 @@ TEST_P(EveryReference, HolderAndCellDoNotOverlap) {
   const double angle = reference_.holder_angle_rad();
   const Eigen::Vector2d to_holder(std::sin(angle), -std::cos(angle));
   // The rim as the microscope draws it: glass 5 um in radius that touches the resting membrane.
-  const double sine = CellReference::kHolderRingRadius_um / 50, reach = reference_.outer_radius_um() + 5;
+  const double reach = reference_.outer_radius_um() + 5, sine = reference_.geometry().holder_ring_um / reach;
   for (double depth = 0; depth <= reference_.max_indentation_um(); depth += 1) {
     const auto section = reference_.section(depth);
     for (double side : {1.0, -1.0}) {
@@ -127,6 +130,51 @@ INSTANTIATE_TEST_SUITE_P(Cells, EveryReference,
                          [](const auto& which) {
                            return std::string(which.param.cell).substr(6) + std::to_string(which.param.configuration);
                          });
+
+TEST(ReferenceGeometry, IsOfTheTablesAndFaultsAreNamed) {
+  const ReferenceGeometry oocyte = load_reference_geometry("mouse-oocyte");
+  EXPECT_EQ(oocyte.outer_radius_um(), 52.5);
+  EXPECT_EQ(oocyte.inner_radius_um(), 47.5);
+  EXPECT_THROW(load_reference_geometry("mouse-ocyte"), UsageError);
+  const auto folder = std::filesystem::temp_directory_path() / "pellucida-reference-geometry";
+  std::filesystem::create_directories(folder);
+  const auto fault = [&](const std::string& text) -> std::string {
+    std::ofstream(folder / "cell-geometry.json") << text;
+    try {
+      load_reference_geometry((folder / "cell").string());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(fault(R"({"thickness_um": 5})").find("middle_radius_um"), std::string::npos);
+  EXPECT_NE(fault(R"({"middle_radius_um": 50, "thickness_um": -5, "tip_radius_um": 5, "holder_ring_um": 17,
+                      "holder_half_width_um": 5, "young_modulus_kPa": 100})")
+                .find("thickness_um is -5"),
+            std::string::npos);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(CellReference, ToolsAreDrawnAsWideAsTheMechanicsHasThem) {
+  Scenario scenario;
+  scenario.cell.reference = "specimen-18";
+  scenario.cell.size_scale = 0.9;
+  const ReferenceGeometry geometry = load_reference_geometry("specimen-18");
+  EXPECT_NEAR(with_tools_drawn(scenario).tools.needle_tip_radius_um, 0.9 * geometry.tip_radius_um, 1e-12);
+  const HolderRim rim = holder_rim(VirtualSpecimen(scenario));
+  EXPECT_NEAR(rim.ring_radius_um + rim.wall_radius_um, 0.9 * (geometry.holder_ring_um + geometry.holder_half_width_um),
+              1e-12);
+  scenario.tools.needle_tip_radius_um = 1.5;  // as it is given
+  EXPECT_EQ(with_tools_drawn(scenario).tools.needle_tip_radius_um, 1.5);
+}
+
+TEST(CellReference, ASpecimenWithoutATableOfOffsetsHoldsOnItsAxis) {
+  Scenario scenario;
+  scenario.cell.reference = "specimen-3";
+  const VirtualSpecimen specimen(scenario);
+  EXPECT_TRUE(specimen.force().at(specimen.force().tip_at(0.0, 20.0)).in_range);
+  EXPECT_FALSE(specimen.force().at(specimen.force().tip_at(3.0, 20.0)).in_range);
+}
 
 TEST(CellReference, MeasuredPunctureForces) {
   EXPECT_NEAR(CellReference::load("mouse-oocyte", 1).force_uN(44), 7.5, 1e-9);

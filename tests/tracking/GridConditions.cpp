@@ -29,6 +29,7 @@ class GridBuilder {
                 .retraction_speed_um_per_s = 0.0,
                 .smoothing_s = 0.2};
     s.cell.center_x_um = 290.0;
+    s.tools.needle_tip_radius_um = 1.5;  // finer than the finite elements': the tracker alone is measured here
     return s;
   }
 

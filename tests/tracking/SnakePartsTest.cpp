@@ -130,7 +130,8 @@ bool learn(EdgeTemplate& look, const Edge& edge, EdgeKind kind) {
 class EdgeTemplateBias : public testing::TestWithParam<std::pair<Edge, EdgeKind>> {};
 
 TEST_P(EdgeTemplateBias, PlaceIsSubPixelWhateverStandsBesideTheLineAndHoweverBrightItIs) {
-  const auto& [edge, kind] = GetParam();
+  const Edge& edge = GetParam().first;
+  const EdgeKind& kind = GetParam().second;
   EdgeTemplate look;
   ASSERT_TRUE(learn(look, edge, kind));
   std::vector<float> profile(kTaps + 2 * kReach);

@@ -11,6 +11,7 @@
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/fem/SolidReference.h"
+#include "pellucida/membrane/MembraneGeometry.h"
 
 namespace pellucida {
 namespace {
@@ -22,26 +23,11 @@ constexpr double kLeastReach = 1.06;
 /// Connectors must bear strains beyond the largest of the reference's middle surface, and never less than these.
 constexpr double kStrainReserve = 1.2, kLeastStrain = 0.5;
 
-/// The mesh is even where the tip's radius is a tenth of the cell's, and finer at the needle for a sharper tip; a finer
-/// mesh there is a coarser one at the holder.
-constexpr double kEvenRadius_ratio = 0.1, kSteepestGrading = 1.8;
-
 /// The force at the point nearest to a depth.
 double force_near_uN(const ReferenceCurve& curve, double depth_um) {
   Eigen::Index nearest = 0;
   (curve.depth_um.array() - depth_um).abs().minCoeff(&nearest);
   return curve.force_uN[nearest];
-}
-
-/// The regions reach beyond the tool by about the length over which bending dies out, sqrt(R h).
-void set_regions(CellProfile& cell) {
-  const double outer_um = cell.mid_radius_um + 0.5 * cell.thickness_um;
-  const double bending_rad = std::sqrt(cell.thickness_um / cell.mid_radius_um);
-  const double tip_rad = 2.0 * std::asin(std::min(1.0, 0.5 * cell.tip_radius_um / outer_um));
-  const double holder_rad = std::asin(std::min(1.0, (cell.holder_ring_um + cell.holder_half_width_um) / outer_um));
-  const auto rounded = [](double angle) { return std::min(1.5, 1e-3 * std::round(1e3 * angle)); };
-  cell.tip_angle_rad = rounded(tip_rad + 0.8 * bending_rad);
-  cell.holder_angle_rad = rounded(holder_rad + 1.13 * bending_rad);
 }
 
 void check(const IdentificationRequest& request) {
@@ -145,9 +131,9 @@ Identification identify(const IdentificationRequest& request,
   profile.effective_young_modulus_kPa = profile.young_modulus_kPa;
   profile.references.clear();
   profile.errors.clear();
+  profile.geometry_terms.clear();  // they belong to the constants
+  profile.geometry_range = {};
   set_regions(profile);
-  profile.mesh_grading =
-      std::clamp(kEvenRadius_ratio * profile.mid_radius_um / profile.tip_radius_um, 1.0, kSteepestGrading);
   if (!(profile.body.k2_ratio > 0.0)) set_starting_constants(profile);
 
   // The reference.

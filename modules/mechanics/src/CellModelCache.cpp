@@ -10,6 +10,8 @@ namespace {
 
 /// The model is built anew when the tracked rest radius moved by more than this share,
 constexpr double kRebuildRatio = 0.004;
+/// out of contact the thickness by this, a tool's radius by this (each moves the force by about a per cent),
+constexpr double kThicknessStep = 0.01, kToolStep = 0.03;
 /// or the needle's offset by this; a holder that turned by so much is followed.
 constexpr double kOffsetStep_um = 0.75;
 constexpr double kHolderTurn_rad = 0.002;
@@ -21,20 +23,23 @@ constexpr double kSlopeStep_um = 0.5;
 }  // namespace
 
 bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
-  thickness_um_ = o.rest_outer_radius_um - o.rest_inner_radius_um;
-  thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um && thickness_um_ > 0.0);
-  if (thickness_assumed_) thickness_um_ = profile_.thickness_um;
-  const double mid_radius_um = o.rest_outer_radius_um - 0.5 * thickness_um_;
-
-  // The thickness of the force scale is the profile's: a measured one is too coarse for it (the force goes with h^1.2).
-  const bool fits = indenter_ && std::abs(mid_radius_um / model().setup().mid_radius_um - 1.0) < kRebuildRatio &&
-                    std::abs(placement.offset_um() - offset_um_) < kOffsetStep_um;
+  geometry_.update(o);
+  const MembraneGeometry& seen = geometry_.geometry();
+  const auto holds = [&](double MembraneGeometry::*length, double ratio) {
+    return std::abs(seen.*length / (built_.*length) - 1.0) < ratio;
+  };
+  bool fits = indenter_ && holds(&MembraneGeometry::mid_radius_um, kRebuildRatio) &&
+              std::abs(placement.offset_um() - offset_um_) < kOffsetStep_um;
+  if (fits && o.state == CellState::kFree) {
+    fits = holds(&MembraneGeometry::thickness_um, kThicknessStep) &&
+           holds(&MembraneGeometry::tip_radius_um, kToolStep) && holds(&MembraneGeometry::holder_radius_um, kToolStep);
+  }
   if (!fits) {
-    const MembraneSetup setup{mid_radius_um, profile_.thickness_um, placement.push(), placement.holder()};
-    indenter_ = std::make_unique<Indenter>(profile_, setup);
+    built_ = seen;
+    indenter_ = std::make_unique<Indenter>(profile_, built_, placement.push(), placement.holder());
     rest_stiffness_uN_per_um_ = indenter_->advance_to(0.0).stiffness_uN_per_um;
     offset_um_ = placement.offset_um();
-    outer_radius_um_ = mid_radius_um + 0.5 * thickness_um_;
+    outer_radius_um_ = built_.mid_radius_um + 0.5 * built_.thickness_um;
   } else if (model().setup().holder.dot(placement.holder()) < std::cos(kHolderTurn_rad)) {
     indenter_->set_holder(placement.holder());
   }

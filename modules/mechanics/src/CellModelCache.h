@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "CellPlacement.h"
+#include "GeometryEstimate.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
 #include "pellucida/membrane/CellProfile.h"
@@ -14,12 +15,15 @@ namespace pellucida {
 /// The membrane model of the cell that is seen: of its size, pushed and held as it is. One thread at a time.
 class CellModelCache {
  public:
-  explicit CellModelCache(const CellProfile& profile) : profile_(profile) {}
+  explicit CellModelCache(const CellProfile& profile) : profile_(profile), geometry_(profile) {}
 
-  /// Takes over size, needle and holder. The model is built anew, at rest, where the size or the needle's offset have
-  /// changed; then true. Precondition: a rest radius above 0.
+  /// Takes over sizes, needle and holder. The model is built anew, at rest, where a size or the needle's offset have
+  /// changed; then true. In contact thickness and tools stay what they were. Precondition: a rest radius above 0.
   bool fit(const Observation& observation, const CellPlacement& placement);
-  void forget() { indenter_.reset(); }
+  void forget() {
+    indenter_.reset();
+    geometry_.forget();
+  }
   bool exists() const noexcept { return indenter_ != nullptr; }
 
   // All further ones: only where it exists.
@@ -33,8 +37,7 @@ class CellModelCache {
   /// At rest.
   IndentationState release();
 
-  double thickness_um() const noexcept { return thickness_um_; }  ///< as tracked, or the profile's
-  bool thickness_assumed() const noexcept { return thickness_assumed_; }
+  const GeometryEstimate& geometry() const noexcept { return geometry_; }
   double outer_radius_um() const noexcept { return outer_radius_um_; }
   double offset_um() const noexcept { return offset_um_; }  ///< of the needle, as the model has it
   double rest_stiffness_uN_per_um() const noexcept { return rest_stiffness_uN_per_um_; }
@@ -50,8 +53,9 @@ class CellModelCache {
   const CellProfile& profile_;
   std::unique_ptr<Indenter> indenter_;
   bool start_anew_ = false;
-  double thickness_um_ = 0.0, outer_radius_um_ = 0.0, offset_um_ = 0.0;
-  bool thickness_assumed_ = false;
+  GeometryEstimate geometry_;
+  MembraneGeometry built_;  // the model's
+  double outer_radius_um_ = 0.0, offset_um_ = 0.0;
   double rest_stiffness_uN_per_um_ = 0.0;
 };
 

@@ -8,9 +8,6 @@ namespace {
 
 /// A needle whose line moved by more than this since the contact began has slipped.
 constexpr double kSlip_um = 4.0;
-/// A resting radius is known to this, um, by a tracker; the force goes with its power -1.9 (method, finite elements).
-constexpr double kRadiusSigma_um = 0.2;
-constexpr double kRadiusPower = 1.9;
 /// What a contour may differ from the model by, um, beside its noise: at rest, and more for each um of depth (the
 /// virtual microscope's cells; see the module's README).
 constexpr double kUsualMismatch_um = 0.2;
@@ -34,10 +31,8 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
   errors.depth_uN = stiffness_uN_per_um * estimate.depth_sigma_um;
   errors.relaxation_uN = in.force.sigma_uN;
   errors.scale_ratio = in.scale.relative_sigma;
-  const double radius_sigma_um =
-      std::hypot(kRadiusSigma_um, estimate.thickness_assumed ? 0.25 * in.cell.thickness_um() : 0.0);
-  errors.geometry_ratio = std::hypot(kRadiusPower * radius_sigma_um / in.cell.model().setup().mid_radius_um,
-                                     estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
+  errors.geometry_ratio =
+      std::hypot(in.cell.geometry().force_sigma_ratio(), estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
   add_model_errors(in.profile, in.model_force_uN, in.cell.rest_stiffness_uN_per_um(), errors);
   errors.model_uN *= in.scale.ratio * in.force.ratio;
 

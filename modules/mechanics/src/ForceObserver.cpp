@@ -123,7 +123,7 @@ class ForceObserver::Impl {
       auditor_.set_model(cell_.model().rest());
       palpated_ = false;
     }
-    estimate.thickness_assumed = cell_.thickness_assumed();
+    estimate.thickness_assumed = cell_.geometry().thickness_assumed();
     if (palpation_ && !palpated_) palpate();
   }
 
@@ -238,7 +238,7 @@ class ForceObserver::Impl {
 
   void audit(const Observation& o, ForceEstimate& estimate) {
     estimate.shape = auditor_.audit(o, cell_.indenter().positions_um(), estimate.rotation_WC, estimate.center_um,
-                                    cell_.thickness_um());
+                                    cell_.geometry().thickness_um());
   }
 
   CellProfile profile_;

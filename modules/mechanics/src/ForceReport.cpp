@@ -51,7 +51,7 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
     fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force}, estimate);
   }
   const double scale = frame.scale.ratio * force.ratio;
-  fill_nodes(cell.indenter(), scale, frame.contact, estimate);
+  fill_nodes(cell.indenter(), scale * cell.indenter().force_ratio(), frame.contact, estimate);
 
   // The outer surface encloses what it did at rest, but for the little the liquid gives.
   estimate.volume_um3 =

@@ -47,6 +47,21 @@ void read_sources(const Json& root, const std::string& where, CellProfile& profi
   }
 }
 
+void read_geometry_range(const Json& root, const std::string& where, CellProfile& profile) {
+  GeometryRange& range = profile.geometry_range;
+  read_checked(root, fields_of(range), where);
+  const struct {
+    const char* key;
+    double from, to;
+  } pairs[] = {{"thickness", range.thickness_from_ratio, range.thickness_to_ratio},
+               {"tip", range.tip_from_ratio, range.tip_to_ratio},
+               {"holder", range.holder_from_ratio, range.holder_to_ratio}};
+  for (const auto& pair : pairs) {
+    if (pair.from < pair.to) continue;
+    throw InputError(where + ": geometry_range." + pair.key + "_from_ratio must be below " + pair.key + "_to_ratio");
+  }
+}
+
 // What no field can tell by itself.
 void check_together(const CellProfile& p, const std::string& where) {
   const struct {
@@ -81,6 +96,8 @@ CellProfile profile_from(const Json& root, const std::string& where) {
 
   // What older profiles don't have.
   read_list(root, "references", where, p.references);
+  read_list(root, "geometry_terms", where, p.geometry_terms);
+  if (!p.geometry_terms.empty()) read_geometry_range(root, where, p);
   read_list(root, "relaxation_arms", where, p.relaxation_arms);
   if (!root.contains("relaxation_arms")) return p;
   try {
@@ -117,6 +134,10 @@ std::string to_json(const CellProfile& profile) {
   write_fields(fields_of(p), root);
   root["references"] = list_json(p.references);
   root["errors"] = list_json(p.errors);
+  if (!p.geometry_terms.empty()) {
+    write_fields(fields_of(p.geometry_range), root);
+    root["geometry_terms"] = list_json(p.geometry_terms);
+  }
   if (!p.relaxation_arms.empty()) {
     root["relaxation_arms"] = list_json(p.relaxation_arms);
     write_fields(relaxation_fields_of(p), root);

@@ -110,6 +110,32 @@ constexpr Field<Reference> kReference[] = {
     {"to_um", "um", &Reference::to_um, {0, 1e4}, "deepest point", kRequired},
 };
 
+using Range = GeometryRange;
+constexpr FieldRange kOverRadius = above(0, 2);
+constexpr Field<Range> kGeometryRange[] = {
+    {"thickness_from_ratio", "", &Range::thickness_from_ratio, kOverRadius, "thinnest zona over the radius", kRequired},
+    {"thickness_to_ratio", "", &Range::thickness_to_ratio, kOverRadius, "thickest", kRequired},
+    {"tip_from_ratio", "", &Range::tip_from_ratio, kOverRadius, "finest tip's radius over the cell's", kRequired},
+    {"tip_to_ratio", "", &Range::tip_to_ratio, kOverRadius, "bluntest", kRequired},
+    {"holder_from_ratio", "", &Range::holder_from_ratio, kOverRadius, "smallest holder's radius over the cell's",
+     kRequired},
+    {"holder_to_ratio", "", &Range::holder_to_ratio, kOverRadius, "widest", kRequired},
+    {"depth_to_ratio", "", &Range::depth_to_ratio, kOverRadius, "deepest indentation over the radius", kRequired},
+    {"cell_count", "", &Range::cell_count, {1, 1e6}, "cells that were computed", kRequired},
+    {"spread_ratio", "", &Range::spread_ratio, kRatio,
+     "RMS difference of the force's logarithm on cells left out of the fit", kRequired},
+};
+
+using Term = GeometryTerm;
+constexpr FieldRange kPower{0, 3};
+constexpr Field<Term> kGeometryTerm[] = {
+    {"thickness", "", &Term::thickness, kPower, "power of ln (h/R over the profile's)", kRequired},
+    {"tip", "", &Term::tip, kPower, "power of ln (a/R over the profile's)", kRequired},
+    {"holder", "", &Term::holder, kPower, "power of ln (holder's radius/R over the profile's)", kRequired},
+    {"depth", "", &Term::depth, kPower, "power of depth/R", kRequired},
+    {"coefficient", "", &Term::coefficient, {-1e3, 1e3}, "in ln of the factor on the springs' force", kRequired},
+};
+
 constexpr Field<ProfileError> kError[] = {
     {"configuration", "", &ProfileError::configuration, kConfiguration, "of needle and holder", kRequired},
     {"reference", "", &ProfileError::reference, {}, "what the model was compared with", kRequired},
@@ -139,6 +165,14 @@ FieldList fields_of(CellProfile& p) {
 
 FieldList relaxation_fields_of(CellProfile& p) {
   return FieldList().add("", profile_tables::kRelaxation, p);
+}
+
+FieldList fields_of(GeometryRange& range) {
+  return FieldList().add("geometry_range", profile_tables::kGeometryRange, range);
+}
+
+FieldList fields_of(GeometryTerm& term) {
+  return FieldList().add("", profile_tables::kGeometryTerm, term);
 }
 
 FieldList fields_of(ProfileReference& reference) {

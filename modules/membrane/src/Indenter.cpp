@@ -26,6 +26,19 @@ Indenter::Indenter(const CellProfile& profile, const MembraneSetup& setup)
   reset();
 }
 
+Indenter::Indenter(const CellProfile& profile, const MembraneGeometry& geometry, const Eigen::Vector3d& push,
+                   const Eigen::Vector3d& holder)
+    : kind_(profile),
+      geometry_(geometry),
+      model_(adapted_to(profile, geometry), {geometry.mid_radius_um, geometry.thickness_um, push, holder}),
+      solver_(model_.energy()) {
+  reset();
+}
+
+GeometryFactor Indenter::factor_at(double depth_um) const noexcept {
+  return kind_ ? geometry_factor(*kind_, geometry_, depth_um) : GeometryFactor{};
+}
+
 void Indenter::observe(std::vector<NormalObservationTerm::Observed> observed) {
   if (!observes_) model_.energy().add_term(observation_);
   observes_ = true;
@@ -131,10 +144,16 @@ IndentationState Indenter::read_out(const SolveReport& report) const {
   state.tip_force_uN = model_.tip().force_uN(x_um_);
   state.holder_force_uN = model_.holder().force_uN(x_um_);
   state.push_force_uN = state.tip_force_uN.dot(model_.setup().push);
-  state.stiffness_uN_per_um = stiffness_uN_per_um_;
+  const GeometryFactor factor = factor_at(depth_um_);
+  state.stiffness_uN_per_um = factor.ratio * stiffness_uN_per_um_ + factor.slope_per_um * state.push_force_uN;
   state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0;  // no -0
   state.volume_um3 = model_.volume().volume_um3(x_um_);
   state.report = report;
+  if (!kind_) return state;
+  state.tip_force_uN *= factor.ratio;
+  state.holder_force_uN *= factor.ratio;
+  state.push_force_uN *= factor.ratio;
+  state.pressure_Pa *= factor.ratio;
   return state;
 }
 
@@ -143,19 +162,34 @@ std::vector<IndentationState> force_curve(const CellProfile& profile, int config
   return force_curve(profile, setup_for_configuration(profile, configuration), max_indentation_um, step_um);
 }
 
-std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
-                                          double max_indentation_um, double step_um) {
+namespace {
+
+std::vector<IndentationState> curve_of(Indenter& indenter, double max_indentation_um, double step_um) {
+  const double deepest_um = 1.4 * indenter.model().setup().mid_radius_um;
   if (!(step_um > 0.0)) throw UsageError("step: it must be above 0 um");
-  if (!(max_indentation_um > 0.0) || max_indentation_um > 1.4 * profile.mid_radius_um) {
+  if (!(max_indentation_um > 0.0) || max_indentation_um > deepest_um) {
     throw UsageError("maximum indentation: it must be above 0 and at most 1.4 radii of the cell, " +
-                     std::to_string(1.4 * profile.mid_radius_um) + " um");
+                     std::to_string(deepest_um) + " um");
   }
-  Indenter indenter(profile, setup);
   std::vector<IndentationState> curve;
   const int steps = static_cast<int>(std::floor(max_indentation_um / step_um + 1e-9));
   for (int k = 0; k <= steps; ++k) curve.push_back(indenter.advance_to(k * step_um));
   if (max_indentation_um - steps * step_um > 1e-9) curve.push_back(indenter.advance_to(max_indentation_um));
   return curve;
+}
+
+}  // namespace
+
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
+                                          double max_indentation_um, double step_um) {
+  Indenter indenter(profile, setup);
+  return curve_of(indenter, max_indentation_um, step_um);
+}
+
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneGeometry& geometry,
+                                          const MembraneSetup& setup, double max_indentation_um, double step_um) {
+  Indenter indenter(profile, geometry, setup.push, setup.holder);
+  return curve_of(indenter, max_indentation_um, step_um);
 }
 
 }  // namespace pellucida

@@ -12,8 +12,6 @@
 namespace pellucida {
 namespace {
 
-constexpr double kMiddleRadius_um = 50.0;
-constexpr double kHalfThickness_um = 2.5;
 constexpr int kPointCount = 400;
 constexpr double kOffset_um = 10.0;  // of the needle in configuration 4
 
@@ -109,9 +107,9 @@ void mirror_half(const Eigen::VectorXd& angle, const Eigen::VectorXd& r, const E
 }  // namespace
 
 CellReference CellReference::load(std::string_view cell, int configuration) {
-  const std::string stem = std::string(cell) + "-" + std::to_string(configuration);
-  const auto folder = resource_folder() / "reference";
-  if (!std::filesystem::exists(folder / (stem + "-profile.csv"))) {
+  const ReferencePlace place = find_reference(cell);
+  const std::string stem = "-" + std::to_string(configuration);
+  if (!std::filesystem::exists(place.file(stem + "-profile.csv"))) {
     std::string known;
     for (const auto& name : list_resources("reference", ".csv"))
       if (name.ends_with("-profile")) known += (known.empty() ? "" : ", ") + name.substr(0, name.size() - 8);
@@ -120,17 +118,17 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   }
 
   CellReference reference;
-  reference.outer_radius_um_ = kMiddleRadius_um + kHalfThickness_um;
-  reference.inner_radius_um_ = kMiddleRadius_um - kHalfThickness_um;
+  reference.geometry_ = load_reference_geometry(cell);
+  const double middle_um = reference.geometry_.middle_radius_um, half_um = 0.5 * reference.geometry_.thickness_um;
   // Configuration 4 is configuration 1 with the needle moved sideways.
   reference.holder_angle_rad_ = configuration == 4 ? 0.0 : (configuration - 1) * std::numbers::pi / 4;
   reference.offset_um_ = configuration == 4 ? kOffset_um : 0.0;
-  const double apex_rad = std::asin(reference.offset_um_ / reference.outer_radius_um_);
+  const double apex_rad = std::asin(reference.offset_um_ / reference.outer_radius_um());
   reference.angle_rad_ = material_angles(apex_rad);
   const Eigen::Index n = reference.angle_rad_.size();
 
   // Force and pressure against depth.
-  const Table force = Table::read(folder / (stem + "-force.csv"));
+  const Table force = Table::read(place.file(stem + "-force.csv"));
   reference.force_depth_um_ = force.column("indentation_um");
   reference.force_uN_ = force.column("force_uN");
   reference.pressure_Pa_ = 1e3 * force.column("pressure_kPa");
@@ -141,7 +139,7 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   reference.lateral_slope_ = monotone_slopes(reference.force_depth_um_, reference.lateral_uN_);
 
   // Shapes: the shell gives the middle surface, the solid both faces as half-profiles.
-  const Table profile = Table::read(folder / (stem + "-profile.csv"));
+  const Table profile = Table::read(place.file(stem + "-profile.csv"));
   const bool solid = profile.has("outer_r_um");
   const Eigen::VectorXd angle = profile.column("theta0_rad");
   const auto steps = steps_of(profile.column("indentation_um"));
@@ -157,16 +155,15 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
     if (solid) {
       Eigen::VectorXd a, x, z;
       mirror_half(step_angle, rows("outer_r_um"), rows("outer_z_um"), a, x, z);
-      outer = smooth_surface(a, x, z, reference.outer_radius_um_, reference.outer_radius_um_ - step.depth_um,
+      outer = smooth_surface(a, x, z, reference.outer_radius_um(), reference.outer_radius_um() - step.depth_um,
                              reference.angle_rad_);
       mirror_half(step_angle, rows("inner_r_um"), rows("inner_z_um"), a, x, z);
-      inner = smooth_surface(a, x, z, reference.inner_radius_um_, rows("inner_z_um")(0), reference.angle_rad_);
+      inner = smooth_surface(a, x, z, reference.inner_radius_um(), rows("inner_z_um")(0), reference.angle_rad_);
     } else {
-      const Contour_um middle =
-          smooth_surface(step_angle, rows("x_mid_um"), rows("z_mid_um"), kMiddleRadius_um,
-                         kMiddleRadius_um * std::cos(apex_rad) - step.depth_um, reference.angle_rad_);
-      outer = offset_contour(middle, kHalfThickness_um);
-      inner = offset_contour(middle, -kHalfThickness_um);
+      const Contour_um middle = smooth_surface(step_angle, rows("x_mid_um"), rows("z_mid_um"), middle_um,
+                                               middle_um * std::cos(apex_rad) - step.depth_um, reference.angle_rad_);
+      outer = offset_contour(middle, half_um);
+      inner = offset_contour(middle, -half_um);
     }
     Eigen::VectorXd shape(4 * n);
     shape << outer.row(0).transpose(), outer.row(1).transpose(), inner.row(0).transpose(), inner.row(1).transpose();
@@ -224,7 +221,7 @@ double CellReference::pressure_Pa(double indentation_um) const {
 }
 
 double CellReference::apex_z_um() const noexcept {
-  return outer_radius_um_ * std::cos(angle_rad_(angle_rad_.size() / 2));
+  return outer_radius_um() * std::cos(angle_rad_(angle_rad_.size() / 2));
 }
 
 double CellReference::max_indentation_um() const noexcept {

@@ -27,7 +27,8 @@ constexpr Field<Image> kImage[] = {
 
 using Cell = Scenario::Cell;
 constexpr Field<Cell> kCell[] = {
-    {"reference", "", &Cell::reference, kNone, "the finite-element curves: `mouse-oocyte` or `mouse-embryo`"},
+    {"reference", "", &Cell::reference, kNone,
+     "the finite-element curves: `mouse-oocyte`, `mouse-embryo`, or others' tables by their path without the ending"},
     {"center_x_um", "um", &Cell::center_x_um, kPlace_um, "rest centre of the cell, to the right"},
     {"center_y_um", "um", &Cell::center_y_um, kPlace_um, "rest centre of the cell, down"},
     {"size_scale", "", &Cell::size_scale, {0.3, 3}, "factor on all lengths of the specimen; forces go with its square"},
@@ -46,13 +47,18 @@ constexpr Field<Tools> kTools[] = {
     {"holder_angle_deg", "degrees", &Tools::holder_angle_deg, kDegrees,
      "from the cell's centre to the holder; turns the whole scene"},
     {"mirrored", "", &Tools::mirrored, kNone, "the needle is on the other side of the holder's axis (2 to 4)"},
-    {"needle_tip_radius_um", "um", &Tools::needle_tip_radius_um, {0.5, 5}, "of the needle's end"},
+    {"needle_tip_radius_um",
+     "um",
+     &Tools::needle_tip_radius_um,
+     {0, 20},
+     "of the needle's end as it is drawn; 0: of the finite elements' tip. Another one than theirs doesn't fit the "
+     "forces"},
     {"needle_taper_deg", "degrees", &Tools::needle_taper_deg, {0.5, 6}, "half-angle of the needle's cone at the tip"},
     {"needle_shaft_radius_um",
      "um",
      &Tools::needle_shaft_radius_um,
-     {1, 12},
-     "what the cone widens to; no less than the tip's radius"},
+     {1, 30},
+     "what the cone widens to; no less than a tip's radius that is given, and a fifth more than the finite elements'"},
 };
 
 using Motion = Scenario::Motion;

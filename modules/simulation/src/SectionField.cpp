@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace pellucida {
 namespace {
@@ -23,7 +24,8 @@ void add_displacement(Contour_um& sum, const Contour_um& contour, const Eigen::V
 
 SectionField::SectionField(std::string_view cell, int configuration)
     : reference_(CellReference::load(cell, configuration)) {
-  if (configuration == 1) other_ = CellReference::load(cell, 4);
+  const bool has_offset = std::filesystem::exists(find_reference(cell).file("-4-profile.csv"));
+  if (configuration == 1 && has_offset) other_ = CellReference::load(cell, 4);
   if (configuration == 4) other_ = CellReference::load(cell, 1);
 }
 

@@ -7,7 +7,6 @@
 
 #include "Interpolation.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/simulation/CellReference.h"
 
@@ -22,15 +21,26 @@ SpecimenForce SpecimenForce::load(std::string_view cell, int configuration, cons
   field.symmetric_ = reference.holder_angle_rad() == 0.0;
 
   // The needle through the centre, and beside it; configuration 4 is configuration 1 with the needle moved.
-  const std::string stem = std::string(cell) + "-" + std::to_string(configuration == 4 ? 1 : configuration);
-  const auto folder = resource_folder() / "reference";
-  const Table middle = Table::read(folder / (stem + "-force.csv")),
-              beside = Table::read(folder / (stem + "-field.csv"));
+  const std::string stem = "-" + std::to_string(configuration == 4 ? 1 : configuration);
+  const ReferencePlace place = find_reference(cell);
+  const Table middle = Table::read(place.file(stem + "-force.csv"));
+  // Without a table of offsets the needle has to stay on the cell's axis.
+  const std::filesystem::path field_file = place.file(stem + "-field.csv");
+  const bool has_field = std::filesystem::exists(field_file);
+  Eigen::VectorXd offset, depth, force;
+  if (has_field) {
+    const Table beside = Table::read(field_file);
+    offset = beside.column("offset_um");
+    depth = beside.column("indentation_um");
+    force = beside.column("force_uN");
+  } else {
+    field.max_offset_um_ = kOnAxis_um;
+  }
 
   auto fill = [&](Curve& curve, const std::vector<double>& depth_um, const std::vector<double>& force_uN) {
     const auto n = static_cast<Eigen::Index>(depth_um.size());
     if (n < 3 || n > kMaxKnots)
-      throw InputError(stem + "-field.csv: " + std::to_string(n) + " depths at an offset; 3 to 64 are allowed");
+      throw InputError(field_file.string() + ": " + std::to_string(n) + " depths at an offset; 3 to 64 are allowed");
     const Eigen::VectorXd depth = Eigen::Map<const Eigen::VectorXd>(depth_um.data(), n);
     const Eigen::VectorXd force = Eigen::Map<const Eigen::VectorXd>(force_uN.data(), n);
     const Eigen::VectorXd slope = monotone_slopes(depth, force);
@@ -47,13 +57,11 @@ SpecimenForce SpecimenForce::load(std::string_view cell, int configuration, cons
           curve.energy[k - 1] + h * (force(i) + force(i - 1)) / 2 + h * h * (slope(i - 1) - slope(i)) / 12;
     }
   };
-  const Eigen::VectorXd offset = beside.column("offset_um"), depth = beside.column("indentation_um"),
-                        force = beside.column("force_uN");
   for (int c = 0; c < kCurves; ++c) {
     Curve& curve = field.curves_[static_cast<std::size_t>(c)];
     double wanted_um = kOffsetStep_um * (c - kCurves / 2);
     std::vector<double> depths, forces;
-    if (wanted_um == 0.0) {
+    if (wanted_um == 0.0 || !has_field) {
       const Eigen::VectorXd d = middle.column("indentation_um"), f = middle.column("force_uN");
       depths.assign(d.data(), d.data() + d.size());
       forces.assign(f.data(), f.data() + f.size());
@@ -109,7 +117,7 @@ SpecimenReply SpecimenForce::at(const PlainVector3& tip_um) const noexcept {
     reply.depth_um = std::min(reply.depth_um, 0.0);
     return reply;
   }
-  reply.in_range = away <= kMaxOffset_um && depth <= max_depth_um_;
+  reply.in_range = away <= max_offset_um_ && depth <= max_depth_um_;
 
   // Energy, force along and stiffness at the five offsets, joined by cubics with the slopes of their neighbours.
   const double place = symmetric_ ? away : s;

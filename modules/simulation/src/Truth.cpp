@@ -126,6 +126,15 @@ Truth without_cell(const Truth& truth) {
 
 }  // namespace
 
+Scenario with_tools_drawn(const Scenario& scenario) {
+  Scenario drawn = scenario;
+  if (drawn.tools.needle_tip_radius_um > 0.0) return drawn;
+  const double tip_um = scenario.cell.size_scale * load_reference_geometry(scenario.cell.reference).tip_radius_um;
+  drawn.tools.needle_tip_radius_um = tip_um;
+  drawn.tools.needle_shaft_radius_um = std::max(drawn.tools.needle_shaft_radius_um, 1.2 * tip_um);
+  return drawn;
+}
+
 double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept {
   const double r = tools.needle_tip_radius_um;
   if (back_um < r) return std::sqrt(std::max(0.0, r * r - (r - back_um) * (r - back_um)));
@@ -136,15 +145,14 @@ double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexce
 }
 
 HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept {
-  // The wall is as thick as the ring that holds the shell in the finite elements (12.5 to 22.5 um).
+  // The glass is as wide as the ring that holds the cell in the finite elements (12.5 to 22.5 um on the mouse oocyte).
   const double scale = specimen.size_scale();
-  const double middle_radius = (specimen.outer_radius_um() + specimen.inner_radius_um()) / 2;
-  const double sine = scale * CellReference::kHolderRingRadius_um / middle_radius;
+  const ReferenceGeometry& geometry = specimen.reference().geometry();
   HolderRim rim;
-  rim.wall_radius_um = 5.0 * scale;
+  rim.wall_radius_um = scale * geometry.holder_half_width_um;
+  rim.ring_radius_um = scale * geometry.holder_ring_um;
   const double reach = specimen.outer_radius_um() + rim.wall_radius_um;
-  rim.ring_radius_um = reach * sine;
-  rim.distance_um = reach * std::sqrt(1 - sine * sine);
+  rim.distance_um = std::sqrt(reach * reach - rim.ring_radius_um * rim.ring_radius_um);
   return rim;
 }
 

@@ -15,15 +15,15 @@ class VirtualMicroscope::Impl {
  public:
   Impl(const Scenario& scenario, std::shared_ptr<NeedleDrive> needle, Pace pace,
        const std::optional<Look>& look = std::nullopt)
-      : scenario_(scenario),
+      : scenario_(with_tools_drawn(scenario)),
         specimen_(scenario),
         needle_(needle ? std::move(needle) : std::make_shared<ScriptedNeedle>(scenario, specimen_)) {
     if (look)
-      optical_.emplace(scenario, *look, specimen_);
+      optical_.emplace(scenario_, *look, specimen_);
     else if (scenario.look != kDrawing)
-      optical_.emplace(scenario, load_look(scenario.look), specimen_);
+      optical_.emplace(scenario_, load_look(scenario.look), specimen_);
     else
-      drawing_.emplace(scenario, specimen_);
+      drawing_.emplace(scenario_, specimen_);
     const auto& image = scenario_.image;
     const std::optional<double> duration_s = image.duration_s > 0 ? image.duration_s : needle_->duration_s();
     info_.name = "virtual:" + scenario_.name;

@@ -37,6 +37,26 @@ struct ProfileReference {
   double to_um = 0.0;
 };
 
+/// One term of the correction for another geometry, see `geometry_factor`: powers of the logarithms of thickness, tip
+/// and holder over the profile's (each over the radius) and of the depth over the radius; 0 to 3.
+struct GeometryTerm {
+  int thickness = 0;
+  int tip = 0;
+  int holder = 0;
+  int depth = 0;
+  double coefficient = 0.0;
+};
+
+/// The geometries that those terms were fitted to, over the cell's radius, and what they leave.
+struct GeometryRange {
+  double thickness_from_ratio = 0.0, thickness_to_ratio = 0.0;
+  double tip_from_ratio = 0.0, tip_to_ratio = 0.0;
+  double holder_from_ratio = 0.0, holder_to_ratio = 0.0;
+  double depth_to_ratio = 0.0;
+  int cell_count = 0;
+  double spread_ratio = 0.0;  ///< RMS difference of ln force on cells left out of the fit
+};
+
 /// Everything that turns a shape into a force for one kind of cell; no such number is hidden in code. Loaded from
 /// JSON. Meaning, unit and range of each number: docs/profiles.md.
 struct CellProfile {
@@ -81,6 +101,10 @@ struct CellProfile {
   std::vector<ProfileReference> references;  ///< empty if the profile's author did not record them
   std::vector<ProfileError> errors;
 
+  /// Cells of another thickness, under other tools; empty: not identified, the force is the springs'.
+  std::vector<GeometryTerm> geometry_terms;
+  GeometryRange geometry_range;
+
   /// How the force falls while the needle rests; empty: unknown, and taken as no decay. The effective modulus is that
   /// of the push it was measured in, of `relaxation_anchor_ramp_s` from rest (0: a sudden one), during which the arms
   /// were already relaxing: a sudden push takes `relaxation_elastic_ratio` >= 1 times the force. 1 without arms.
@@ -107,7 +131,11 @@ CellProfile parse_profile(std::string_view text, const std::string& where);
 FieldList fields_of(CellProfile& profile);
 FieldList relaxation_fields_of(CellProfile& profile);
 
+/// Those of a profile with geometry terms.
+FieldList fields_of(GeometryRange& range);
+
 /// The keys of one entry of its lists.
+FieldList fields_of(GeometryTerm& term);
 FieldList fields_of(ProfileReference& reference);
 FieldList fields_of(ProfileError& error);
 FieldList fields_of(RelaxationArm& arm);

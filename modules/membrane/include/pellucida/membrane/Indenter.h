@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pellucida/membrane/EquilibriumSolver.h"
+#include "pellucida/membrane/MembraneGeometry.h"
 #include "pellucida/membrane/MembraneModel.h"
 #include "pellucida/membrane/NormalObservationTerm.h"
 
@@ -36,11 +37,18 @@ struct SolvedShape {
 /// along the tangent and its curvature; long distances in steps).
 class Indenter {
  public:
+  /// The profile's own geometry: thickness and radius aside, which `setup` gives, its tools, its regions, its mesh.
   Indenter(const CellProfile& profile, const MembraneSetup& setup);
+  /// A cell of the profile's kind and of `geometry`, pushed and held as given: forces carry the factor of that geometry
+  /// (`geometry_factor`), also at the profile's own, where it is 1.
+  Indenter(const CellProfile& profile, const MembraneGeometry& geometry, const Eigen::Vector3d& push,
+           const Eigen::Vector3d& holder);
 
   const MembraneModel& model() const noexcept { return model_; }
   /// Present positions of the nodes, um (3 x n), frame C.
   const Eigen::Matrix3Xd& positions_um() const noexcept { return x_um_; }
+  /// What the forces of springs and hinges are multiplied by at the present depth; states have it in them.
+  double force_ratio() const noexcept { return factor_at(depth_um_).ratio; }
   /// Motion of the nodes per micrometre of depth (3 x n).
   const Eigen::Matrix3Xd& depth_tangent() const noexcept { return tangent_; }
 
@@ -66,7 +74,10 @@ class Indenter {
  private:
   SolveReport step_to(double depth_um);
   IndentationState read_out(const SolveReport& report) const;
+  GeometryFactor factor_at(double depth_um) const noexcept;
 
+  std::optional<CellProfile> kind_;  // of a cell of another geometry, and that geometry
+  MembraneGeometry geometry_;
   MembraneModel model_;
   NormalObservationTerm observation_;
   bool observes_ = false;
@@ -87,6 +98,9 @@ class Indenter {
 /// isn't above 0 (or a depth that would pass through the cell).
 std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneSetup& setup,
                                           double max_indentation_um, double step_um);
+/// The same for a cell of the profile's kind and of `geometry`.
+std::vector<IndentationState> force_curve(const CellProfile& profile, const MembraneGeometry& geometry,
+                                          const MembraneSetup& setup, double max_indentation_um, double step_um);
 /// The same in one of the paper's configurations. Throws UsageError also for a number outside 1..4.
 std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
                                           double step_um);

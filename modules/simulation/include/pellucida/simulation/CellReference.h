@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pellucida/core/Observation.h"
+#include "pellucida/simulation/ReferenceGeometry.h"
 
 namespace pellucida {
 
@@ -17,9 +18,10 @@ namespace pellucida {
 /// rest), rising; the middle one, n / 2, is the outer apex, where the needle touches.
 class CellReference {
  public:
-  /// `cell` "mouse-oocyte" or "mouse-embryo"; `configuration` 1 (holder opposite the needle), 2 (45 degrees off), 3
-  /// (90), 4 (as 1, the needle 10 um beside the holder's axis and parallel to it). Throws UsageError when there is no
-  /// such reference, InputError when a file is damaged.
+  /// `cell` a shipped one (`reference_cells`) or the path of others' tables without their ending (`films/specimen-7`
+  /// for `films/specimen-7-1-force.csv`); `configuration` 1 (holder opposite the needle), 2 (45 degrees off), 3 (90), 4
+  /// (as 1, the needle 10 um beside the holder's axis and parallel to it). Throws UsageError when there is no such
+  /// reference, InputError when a file is damaged.
   static CellReference load(std::string_view cell, int configuration);
 
   struct Section {
@@ -35,20 +37,22 @@ class CellReference {
   double lateral_force_uN(double indentation_um) const;
   double pressure_Pa(double indentation_um) const;
 
-  const Eigen::VectorXd& angle_rad() const noexcept { return angle_rad_; }  ///< (n) a turn about the apex's
-  double outer_radius_um() const noexcept { return outer_radius_um_; }      ///< at rest
-  double inner_radius_um() const noexcept { return inner_radius_um_; }      ///< at rest
-  double max_indentation_um() const noexcept;                               ///< the last step
+  const Eigen::VectorXd& angle_rad() const noexcept { return angle_rad_; }         ///< (n) a turn about the apex's
+  double outer_radius_um() const noexcept { return geometry_.outer_radius_um(); }  ///< at rest
+  double inner_radius_um() const noexcept {
+    return geometry_.middle_radius_um - 0.5 * geometry_.thickness_um;
+  }                                            ///< at rest
+  double max_indentation_um() const noexcept;  ///< the last step
   double holder_angle_rad() const noexcept { return holder_angle_rad_; }
   double offset_um() const noexcept { return offset_um_; }  ///< of the needle's line from the centre
   double apex_z_um() const noexcept;                        ///< where that line meets the outer membrane at rest
-  /// The holding ring's mean radius on the middle surface, um.
-  static constexpr double kHolderRingRadius_um = 17.5;
+  const ReferenceGeometry& geometry() const noexcept { return geometry_; }
 
  private:
   CellReference() = default;
 
-  double outer_radius_um_ = 0.0, inner_radius_um_ = 0.0, holder_angle_rad_ = 0.0, offset_um_ = 0.0;
+  ReferenceGeometry geometry_;
+  double holder_angle_rad_ = 0.0, offset_um_ = 0.0;
   Eigen::VectorXd angle_rad_;
   Eigen::VectorXd force_depth_um_, force_uN_, force_slope_, pressure_Pa_, pressure_slope_, lateral_uN_, lateral_slope_;
   Eigen::VectorXd depth_um_;                  // (s) steps of the profile
@@ -56,7 +60,7 @@ class CellReference {
   std::vector<Eigen::VectorXd> shape_slope_;  // (s) derivatives by depth
 };
 
-/// Names of the cells with a reference.
+/// Names of the shipped cells with a reference in all configurations.
 std::vector<std::string> reference_cells();
 
 }  // namespace pellucida

@@ -44,7 +44,7 @@ struct Scenario {
 
     double holder_angle_deg = 180.0;
     bool mirrored = false;
-    double needle_tip_radius_um = 1.5;
+    double needle_tip_radius_um = 0.0;
     double needle_taper_deg = 3.0;
     double needle_shaft_radius_um = 6.0;
   } tools;

@@ -48,7 +48,9 @@ class SpecimenForce {
     PlainVector3 across;     ///< unit, at right angles to it in the image plane
     double size_scale = 1.0;
   };
-  /// Reads the tables of a cell in a configuration. Throws as CellReference::load.
+  /// Reads the tables of a cell in a configuration. Without a table of offsets, as of specimens that were computed on
+  /// their axis only, the centre's curve counts beside it too, and a tip 1 um off is out of range. Throws as
+  /// CellReference::load.
   static SpecimenForce load(std::string_view cell, int configuration, const Frame& frame);
 
   /// The intact membrane's response. Any thread, real-time safe.
@@ -57,7 +59,7 @@ class SpecimenForce {
   /// A position given as (offset, depth) in the image plane, frame W: the tip `depth_um` past the resting membrane.
   PlainVector3 tip_at(double offset_um, double depth_um) const noexcept;
   /// Largest offset within the tables, um.
-  double max_offset_um() const noexcept { return frame_.size_scale * kMaxOffset_um; }
+  double max_offset_um() const noexcept { return frame_.size_scale * max_offset_um_; }
   double max_indentation_um() const noexcept { return frame_.size_scale * max_depth_um_; }
   const Frame& frame() const noexcept { return frame_; }
   /// The same cell elsewhere, without reading its tables again.
@@ -68,7 +70,7 @@ class SpecimenForce {
   }
 
  private:
-  static constexpr double kMaxOffset_um = 20.0, kGone_um = 45.0, kOffsetStep_um = 10.0;
+  static constexpr double kMaxOffset_um = 20.0, kOnAxis_um = 1.0, kGone_um = 45.0, kOffsetStep_um = 10.0;
   static constexpr int kMaxKnots = 64, kCurves = 5;
 
   // Force by depth at one offset, as a monotone cubic, and its integral at the knots.
@@ -82,7 +84,7 @@ class SpecimenForce {
   static Value value_of(const Curve& curve, double depth_um) noexcept;
 
   Frame frame_;
-  double radius_um_ = 52.5, max_depth_um_ = 0.0;
+  double radius_um_ = 52.5, max_depth_um_ = 0.0, max_offset_um_ = kMaxOffset_um;
   bool symmetric_ = true;                // about the needle's axis
   std::array<Curve, kCurves> curves_{};  // at -20, -10, 0, 10, 20 um
 };

@@ -36,6 +36,10 @@ struct Truth {
 Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, const SpecimenState& state,
                  const StagePose& stage, double time_s, long frame_index);
 
+/// The scenario with the needle as wide as the finite elements have it, where its own `tools.needle_tip_radius_um` is
+/// 0; its shaft is then at least a fifth wider. Throws as load_reference_geometry.
+Scenario with_tools_drawn(const Scenario& scenario);
+
 /// The needle's half-width `back_um` behind its tip (>= 0): a round tip, then a cone that eases into the shaft.
 double needle_half_width_um(const Scenario::Tools& tools, double back_um) noexcept;
 

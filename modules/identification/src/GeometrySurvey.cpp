@@ -1,0 +1,161 @@
+#include "pellucida/identification/GeometrySurvey.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "Workers.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/fem/SolidReference.h"
+#include "pellucida/membrane/Indenter.h"
+#include "pellucida/membrane/MembraneGeometry.h"
+
+namespace pellucida {
+namespace {
+
+/// Over the radius: a zona of 2.5 to 20 um on a cell of 50 um, tips of 0.4 to 12, holders of 7.5 to 40 um.
+constexpr double kThickness[] = {0.045, 0.40}, kTip[] = {0.008, 0.25}, kHolder[] = {0.15, 0.80};
+constexpr double kDepthStep = 0.04, kDeepest = 1.0;
+/// Longer elements than the default: at finer ones the surface beside a fine tip creases and no equilibrium is found.
+constexpr double kEdgeLength_ratio = 1.6;
+constexpr int kHighestSum = 3, kHighestDepthPower = 3, kFolds = 8, kFewest = 60;
+
+/// Member `index` of Halton's sequence in a base, 0 to 1.
+double halton(int index, int base) {
+  double share = 1.0, value = 0.0;
+  for (int i = index; i > 0; i /= base) {
+    share /= base;
+    value += share * (i % base);
+  }
+  return value;
+}
+
+double evenly_in_log(double place, const double (&range)[2]) {
+  return range[0] * std::pow(range[1] / range[0], place);
+}
+
+MembraneGeometry drawn(int index, double radius_um) {
+  return {radius_um, radius_um * evenly_in_log(halton(index, 2), kThickness),
+          radius_um * evenly_in_log(halton(index, 3), kTip), radius_um * evenly_in_log(halton(index, 5), kHolder)};
+}
+
+/// ln (solid / springs) at each depth step from the first on, as far as both reach.
+std::vector<double> log_ratios(const CellProfile& profile, const MembraneGeometry& geometry,
+                               const std::stop_token& cancel) {
+  ShellSpecimen specimen;
+  specimen.mid_radius_um = geometry.mid_radius_um;
+  specimen.thickness_um = geometry.thickness_um;
+  specimen.young_modulus_kPa = profile.effective_young_modulus_kPa;
+  specimen.poisson_ratio = profile.poisson_ratio;
+  specimen.bulk_modulus_ratio = profile.volume_stiffness_ratio;
+  const CellProfile cell = adapted_to(profile, geometry);
+  ShellContact contact;
+  contact.tip_radius_um = geometry.tip_radius_um;  // not as wide as the springs' mesh needs it
+  contact.tip_bond_per_um = profile.tip_bond_per_um * profile.tip_radius_um / geometry.tip_radius_um;
+  contact.holder_ring_um = cell.holder_ring_um;
+  contact.holder_half_width_um = cell.holder_half_width_um;
+  contact.holder_bond_per_um = cell.holder_bond_per_um;
+  const double step_um = kDepthStep * geometry.mid_radius_um, deepest_um = kDeepest * geometry.mid_radius_um;
+  SolidReference solid(specimen, contact, {.edge_length_ratio = kEdgeLength_ratio});
+  const SolidCurve reference = solid.run(deepest_um, step_um, {}, cancel);
+  CellProfile bare = profile;
+  bare.geometry_terms.clear();
+  const MembraneSetup setup{geometry.mid_radius_um, geometry.thickness_um};
+  const auto springs = force_curve(bare, geometry, setup, deepest_um, step_um);
+  std::vector<double> ratios;
+  for (std::size_t k = 1; k < std::min(reference.steps.size(), springs.size()); ++k) {
+    if (springs[k].report.status != SolveStatus::kConverged) break;
+    ratios.push_back(std::log(reference.steps[k].force_uN / springs[k].push_force_uN));
+  }
+  return ratios;
+}
+
+std::vector<GeometryTerm> all_terms() {
+  std::vector<GeometryTerm> terms;
+  for (int h = 0; h <= kHighestSum; ++h)
+    for (int a = 0; a + h <= kHighestSum; ++a)
+      for (int o = 0; o + a + h <= kHighestSum; ++o)
+        for (int d = 0; h + a + o > 0 && d <= kHighestDepthPower; ++d) terms.push_back({h, a, o, d, 0.0});
+  return terms;
+}
+
+Eigen::VectorXd solve(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values) {
+  return rows.colPivHouseholderQr().solve(values);
+}
+
+/// RMS of what a fit to the other cells leaves, over the cells left out.
+double left_out_rms(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values, const std::vector<int>& cell_of_row) {
+  double squares = 0.0;
+  for (int fold = 0; fold < kFolds; ++fold) {
+    std::vector<int> in, out;
+    for (int k = 0; k < static_cast<int>(cell_of_row.size()); ++k)
+      (cell_of_row[static_cast<std::size_t>(k)] % kFolds == fold ? out : in).push_back(k);
+    const Eigen::VectorXd fitted = solve(rows(in, Eigen::all), values(in));
+    squares += (values(out) - rows(out, Eigen::all) * fitted).squaredNorm();
+  }
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
+                     const std::function<void(double share)>& progress, const std::stop_token& cancel) {
+  if (options.cell_count < kFewest)
+    throw UsageError("survey of geometries: give " + std::to_string(kFewest) + " cells or more");
+  const double radius_um = profile.mid_radius_um;
+  std::vector<std::vector<double>> ratios(static_cast<std::size_t>(options.cell_count) + 1);
+  std::atomic<int> done = 0;
+  run_jobs(options.cell_count + 1, options.threads, [&](int k) {
+    if (cancel.stop_requested()) return;
+    const MembraneGeometry geometry = k == 0 ? geometry_of(profile) : drawn(k, radius_um);
+    ratios[static_cast<std::size_t>(k)] = log_ratios(profile, geometry, cancel);
+    if (progress) progress(static_cast<double>(++done) / (options.cell_count + 1));
+  });
+  if (cancel.stop_requested()) throw Error(ExitCode::kOurFault, "identify: cancelled; nothing was written");
+
+  // A row for each cell and depth.
+  const std::vector<GeometryTerm> terms = all_terms();
+  const MembraneGeometry own = geometry_of(profile);
+  std::vector<double> values;
+  std::vector<int> cell_of_row;
+  std::vector<Eigen::RowVectorXd> lines;
+  const std::vector<double>& base = ratios.front();
+  for (int c = 1; c <= options.cell_count; ++c) {
+    const MembraneGeometry geometry = drawn(c, radius_um);
+    const double h = std::log(geometry.thickness_um / own.thickness_um),
+                 a = std::log(geometry.tip_radius_um / own.tip_radius_um),
+                 o = std::log(geometry.holder_radius_um / own.holder_radius_um);
+    const std::vector<double>& here = ratios[static_cast<std::size_t>(c)];
+    for (std::size_t k = 0; k < std::min(here.size(), base.size()); ++k) {
+      const double depth = kDepthStep * static_cast<double>(k + 1);
+      Eigen::RowVectorXd line(static_cast<Eigen::Index>(terms.size()));
+      for (std::size_t t = 0; t < terms.size(); ++t) {
+        line[static_cast<Eigen::Index>(t)] = std::pow(h, terms[t].thickness) * std::pow(a, terms[t].tip) *
+                                             std::pow(o, terms[t].holder) * std::pow(depth, terms[t].depth);
+      }
+      lines.push_back(line);
+      values.push_back(here[k] - base[k]);
+      cell_of_row.push_back(c);
+    }
+  }
+  if (lines.size() < 10 * terms.size()) {
+    throw NothingMeasuredError("survey of geometries: " + std::to_string(lines.size()) +
+                               " equilibria are too few for " + std::to_string(terms.size()) +
+                               " terms; does the profile's own geometry have any?");
+  }
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(lines.size()), static_cast<Eigen::Index>(terms.size()));
+  for (std::size_t k = 0; k < lines.size(); ++k) rows.row(static_cast<Eigen::Index>(k)) = lines[k];
+  const Eigen::VectorXd all =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  const Eigen::VectorXd fitted = solve(rows, all);
+  profile.geometry_terms = terms;
+  for (std::size_t t = 0; t < terms.size(); ++t)
+    profile.geometry_terms[t].coefficient = fitted[static_cast<Eigen::Index>(t)];
+  profile.geometry_range = {kThickness[0], kThickness[1],      kTip[0],
+                            kTip[1],       kHolder[0],         kHolder[1],
+                            kDeepest,      options.cell_count, left_out_rms(rows, all, cell_of_row)};
+}
+
+}  // namespace pellucida

@@ -1,0 +1,74 @@
+#include "GeometryEstimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pellucida {
+namespace {
+
+/// A resting radius is known to this by a tracker, um.
+constexpr double kRadiusSigma_um = 0.2;
+/// Where in its blurred edge a membrane begins is a matter of definition: both together, um.
+constexpr double kEdgeSigma_um = 0.4;
+/// What is known of a length that isn't seen: how zonae of one kind differ, standard deviation over mean; how the tools
+/// of different benches do, of their logarithms. Beside a length that is seen none of them would count.
+constexpr double kKindThickness_ratio = 0.25, kBenchTip = 0.7, kBenchHolder = 0.4;
+/// How well a tool's radius is seen: of its logarithm.
+constexpr double kSeenTip = 0.15, kSeenHolder = 0.08;
+/// From so many frames on, a tool's width follows what is seen at that pace.
+constexpr int kMostFrames = 50;
+/// Powers with which the force goes with radius, thickness, tip and holder (docs/method.md, 3.6).
+constexpr double kRadiusPower = 1.9, kThicknessPower = 1.2, kTipPower = 0.4, kHolderPower = 0.5;
+/// So far from the profile's own geometry, in logarithms, the correction's whole spread counts; nearer in proportion.
+constexpr double kWholeSpread = 0.5;
+
+double distance(const MembraneGeometry& a, const MembraneGeometry& b) {
+  const auto log_ratio = [&](double MembraneGeometry::*length) {
+    return std::log((a.*length / a.mid_radius_um) / (b.*length / b.mid_radius_um));
+  };
+  return std::hypot(log_ratio(&MembraneGeometry::thickness_um), log_ratio(&MembraneGeometry::tip_radius_um),
+                    log_ratio(&MembraneGeometry::holder_radius_um));
+}
+
+}  // namespace
+
+void GeometryEstimate::Seen::add(double length_um) {
+  if (!std::isfinite(length_um) || !(length_um > 0.0)) return;
+  count = std::min(count + 1, kMostFrames);
+  log_um += (std::log(length_um) - log_um) / count;
+}
+
+void GeometryEstimate::update(const Observation& o) {
+  const bool clear = o.state == CellState::kFree;
+  if (o.needle && (clear || tip_.count == 0)) tip_.add(o.needle->tip_radius_um);
+  if (o.holder && (clear || holder_.count == 0)) holder_.add(o.holder->outer_radius_um);
+
+  seen_thickness_um_ = o.rest_outer_radius_um - o.rest_inner_radius_um;
+  thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um && seen_thickness_um_ > 0.0);
+  if (thickness_assumed_) seen_thickness_um_ = profile_->thickness_um;
+  thickness_sigma_um_ = thickness_assumed_ ? kKindThickness_ratio * profile_->thickness_um : kEdgeSigma_um;
+  geometry_.thickness_um = seen_thickness_um_;
+  geometry_.mid_radius_um = o.rest_outer_radius_um - 0.5 * geometry_.thickness_um;
+
+  // No wider than a tool on this cell can be.
+  const auto length_um = [](const Seen& seen, double otherwise_um, double most_um) {
+    return std::min(seen.count > 0 ? std::exp(seen.log_um) : otherwise_um, most_um);
+  };
+  const double radius_um = geometry_.mid_radius_um;
+  geometry_.tip_radius_um = length_um(tip_, profile_->tip_radius_um, 0.45 * radius_um);
+  geometry_.holder_radius_um =
+      length_um(holder_, profile_->holder_ring_um + profile_->holder_half_width_um, 0.9 * radius_um);
+  tip_sigma_ = tip_.count > 0 ? kSeenTip : kBenchTip;
+  holder_sigma_ = holder_.count > 0 ? kSeenHolder : kBenchHolder;
+}
+
+double GeometryEstimate::force_sigma_ratio() const noexcept {
+  const double lengths = std::hypot(
+      std::hypot(kRadiusPower * std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_) / geometry_.mid_radius_um,
+                 kThicknessPower * thickness_sigma_um_ / geometry_.thickness_um),
+      kTipPower * tip_sigma_, kHolderPower * holder_sigma_);
+  const double away = std::min(1.0, distance(geometry_, geometry_of(*profile_)) / kWholeSpread);
+  return std::hypot(lengths, away * profile_->geometry_range.spread_ratio);
+}
+
+}  // namespace pellucida

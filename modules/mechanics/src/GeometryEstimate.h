@@ -1,0 +1,39 @@
+#pragma once
+#include "pellucida/core/Observation.h"
+#include "pellucida/membrane/MembraneGeometry.h"
+
+namespace pellucida {
+
+/// The geometry of the cell and the tools in view: each length as it is seen, or the profile's where it is not, with
+/// what either is worth. Tools are measured until the needle touches, while their outlines are clear, and kept in
+/// contact. One thread at a time.
+class GeometryEstimate {
+ public:
+  explicit GeometryEstimate(const CellProfile& profile) : profile_(&profile) {}
+
+  /// Precondition: a rest radius above 0.
+  void update(const Observation& observation);
+  void forget() { *this = GeometryEstimate(*profile_); }
+
+  const MembraneGeometry& geometry() const noexcept { return geometry_; }
+  /// The inner membrane was not seen at rest: the profile's thickness.
+  bool thickness_assumed() const noexcept { return thickness_assumed_; }
+  double thickness_um() const noexcept { return seen_thickness_um_; }  ///< as seen, or the profile's
+  /// Standard deviation of ln force from all lengths.
+  double force_sigma_ratio() const noexcept;
+
+ private:
+  /// The mean of the logarithm of a length over the frames that show it.
+  struct Seen {
+    double log_um = 0.0;
+    int count = 0;
+    void add(double length_um);
+  };
+  const CellProfile* profile_;
+  MembraneGeometry geometry_;
+  double seen_thickness_um_ = 0.0, thickness_sigma_um_ = 0.0, tip_sigma_ = 0.0, holder_sigma_ = 0.0;
+  bool thickness_assumed_ = false;
+  Seen tip_, holder_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,79 @@
+// Cells of any thickness under tools of any width, from finite elements that share nothing with the program
+// (tests/specimens): the force of the springs on them, and the force read from films of them. Limits are about twice
+// what is found.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "films/FilmRun.h"
+#include "pellucida/core/Resources.h"
+#include "pellucida/membrane/Indenter.h"
+#include "pellucida/simulation/CellReference.h"
+
+namespace pellucida::test {
+namespace {
+
+std::vector<std::string> shipped_specimens() {
+  return specimens_in((resource_folder() / "reference").string());
+}
+
+bool is_specimen(const std::string& path) {
+  return path.find("specimen-") != std::string::npos;
+}
+
+TEST(Specimens, ForceAtTheTrueGeometry) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  int count = 0;
+  for (const std::string& path : shipped_specimens()) {
+    if (!is_specimen(path)) continue;
+    ++count;
+    const CellReference specimen = CellReference::load(path, 1);
+    const ReferenceGeometry& g = specimen.geometry();
+    const MembraneGeometry geometry{g.middle_radius_um, g.thickness_um, g.tip_radius_um,
+                                    g.holder_ring_um + g.holder_half_width_um};
+    const double deepest_um = std::min(48.0, specimen.max_indentation_um());
+    const auto curve = force_curve(profile, geometry, {g.middle_radius_um, g.thickness_um}, deepest_um, 2.0);
+    double squares = 0.0, own_squares = 0.0, peak_uN = 0.0;
+    const auto own = force_curve(profile, {g.middle_radius_um, profile.thickness_um}, deepest_um, 2.0);
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+      ASSERT_EQ(curve[k].report.status, SolveStatus::kConverged) << path << " at " << curve[k].depth_um;
+      const double true_uN = specimen.force_uN(curve[k].depth_um);
+      squares += std::pow(curve[k].push_force_uN - true_uN, 2);
+      own_squares += std::pow(own[k].push_force_uN - true_uN, 2);
+      peak_uN = std::max(peak_uN, true_uN);
+    }
+    const double rms = std::sqrt(squares / static_cast<double>(curve.size())) / peak_uN,
+                 own_rms = std::sqrt(own_squares / static_cast<double>(curve.size())) / peak_uN;
+    std::printf("zona %5.2f, tip %4.2f, holder %5.2f um: RMS %.1f %% of peak; by the profile's own sizes %.1f %%\n",
+                g.thickness_um, g.tip_radius_um, geometry.holder_radius_um, 100 * rms, 100 * own_rms);
+    EXPECT_LT(rms, 0.07) << path;
+    EXPECT_LT(rms, 0.5 * own_rms) << path;
+  }
+  EXPECT_EQ(count, 8);
+}
+
+TEST(Specimens, SizesAndForceOfTheirFilms) {
+  for (const char* name : {"specimen-3", "specimen-7", "specimen-14", "specimen-18"}) {
+    SCOPED_TRACE(name);
+    RandomFilm film;
+    film.drawing = true;
+    film.scenario.cell.reference = (resource_folder() / "reference" / name).string();
+    film.scenario.motion.indentation_um = 40;
+    film.scenario.motion.gap_um = 6;
+    film.scenario.motion.indentation_speed_um_per_s = 20;
+    film.scenario.motion.hold_s = 0.2;
+    const FilmRun run = run_film(film);
+    EXPECT_NEAR(run.seen_sizes.thickness_um, run.true_sizes.thickness_um, 0.1);
+    EXPECT_NEAR(run.seen_sizes.tip_radius_um / run.true_sizes.tip_radius_um, 1.0, 0.05);
+    EXPECT_NEAR(run.seen_sizes.holder_radius_um / run.true_sizes.holder_radius_um, 1.0, 0.08);
+    std::printf("%s: force RMS %.1f %% of peak, by the profile's own sizes %.1f %%; %d of %d in the interval\n", name,
+                run.force_rms_percent, run.profile_force_rms_percent, run.covered_count, run.contact_count);
+    EXPECT_LT(run.force_rms_percent, 8.0);
+    EXPECT_LT(run.force_rms_percent, 0.5 * run.profile_force_rms_percent);
+    EXPECT_GT(run.covered_count, 0.9 * run.contact_count);
+  }
+}
+
+}  // namespace
+}  // namespace pellucida::test

@@ -1,0 +1,82 @@
+#include "pellucida/membrane/MembraneGeometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pellucida/membrane/Indenter.h"
+
+namespace pellucida {
+namespace {
+
+double force_at_uN(const CellProfile& profile, const MembraneGeometry& geometry, double depth_um) {
+  const MembraneSetup setup{geometry.mid_radius_um, geometry.thickness_um};
+  return force_curve(profile, geometry, setup, depth_um, depth_um).back().push_force_uN;
+}
+
+class ShippedGeometry : public testing::TestWithParam<const char*> {
+ protected:
+  CellProfile profile_ = load_profile(GetParam());
+  MembraneGeometry own_ = geometry_of(profile_);
+};
+
+TEST_P(ShippedGeometry, TheProfilesOwnChangesNothing) {
+  EXPECT_EQ(to_json(adapted_to(profile_, own_)), to_json(profile_));
+  for (const double depth_um : {0.0, 7.0, 44.0, 70.0}) {
+    const GeometryFactor factor = geometry_factor(profile_, own_, depth_um);
+    EXPECT_EQ(factor.ratio, 1.0);
+    EXPECT_EQ(factor.slope_per_um, 0.0);
+  }
+  const auto plain = force_curve(profile_, 1, 30.0, 15.0);
+  EXPECT_EQ(force_at_uN(profile_, own_, 15.0), plain[1].push_force_uN);
+}
+
+TEST_P(ShippedGeometry, AllLengthsTimesTwoIsTheForceTimesFour) {
+  const MembraneGeometry seen{46.0, 7.0, 3.1, 26.0}, twice{92.0, 14.0, 6.2, 52.0};
+  for (const double depth_um : {8.0, 30.0})
+    EXPECT_NEAR(force_at_uN(profile_, twice, 2 * depth_um), 4 * force_at_uN(profile_, seen, depth_um),
+                4e-3 * force_at_uN(profile_, seen, depth_um));
+}
+
+TEST_P(ShippedGeometry, SlopeIsTheDerivative) {
+  const MembraneGeometry seen{52.0, 9.0, 1.3, 31.0};
+  for (const double depth_um : {1.0, 20.0, 45.0}) {
+    const double step_um = 1e-4;
+    const double by_difference = (geometry_factor(profile_, seen, depth_um + step_um).ratio -
+                                  geometry_factor(profile_, seen, depth_um - step_um).ratio) /
+                                 (2 * step_um);
+    EXPECT_NEAR(geometry_factor(profile_, seen, depth_um).slope_per_um, by_difference, 1e-7);
+  }
+  // The stiffness is that of the force as it is reported.
+  const MembraneSetup setup{seen.mid_radius_um, seen.thickness_um};
+  const auto curve = force_curve(profile_, seen, setup, 20.02, 0.01);
+  const auto& at = curve[2000];
+  EXPECT_NEAR(at.stiffness_uN_per_um, (curve[2001].push_force_uN - curve[1999].push_force_uN) / 0.02,
+              1e-3 * at.stiffness_uN_per_um);
+}
+
+TEST_P(ShippedGeometry, BeyondTheRangeTheFactorStays) {
+  MembraneGeometry finest = own_, finer = own_;
+  finest.tip_radius_um = profile_.geometry_range.tip_from_ratio * own_.mid_radius_um;
+  finer.tip_radius_um = 0.5 * finest.tip_radius_um;
+  EXPECT_FALSE(is_beyond_range(profile_, own_));
+  EXPECT_TRUE(is_beyond_range(profile_, finer));
+  EXPECT_EQ(geometry_factor(profile_, finer, 20.0).ratio, geometry_factor(profile_, finest, 20.0).ratio);
+  const double deepest_um = profile_.geometry_range.depth_to_ratio * own_.mid_radius_um;
+  EXPECT_EQ(geometry_factor(profile_, finest, deepest_um + 5).ratio,
+            geometry_factor(profile_, finest, deepest_um).ratio);
+  EXPECT_EQ(geometry_factor(profile_, finest, deepest_um + 5).slope_per_um, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, ShippedGeometry, testing::Values("mouse-oocyte", "mouse-embryo"),
+                         [](const auto& which) { return std::string(which.param).substr(6); });
+
+TEST(MembraneGeometry, WithoutTermsTheFactorIsOne) {
+  CellProfile profile = load_profile("mouse-oocyte");
+  profile.geometry_terms.clear();
+  EXPECT_EQ(geometry_factor(profile, {40.0, 12.0, 1.0, 30.0}, 20.0).ratio, 1.0);
+  EXPECT_FALSE(is_beyond_range(profile, {40.0, 39.0, 1.0, 30.0}));
+}
+
+}  // namespace
+}  // namespace pellucida

@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""Makes the tables of specimens of any geometry with GetFEM: force, pressure and shape of a spherical shell full of liquid
+under a needle opposite the holding pipette.
+
+    apt install python3-getfem
+    /usr/bin/python3 tests/specimens/solid_specimens.py --first 1 --count 24 --output resources/reference
+
+An axisymmetric solid of incompressible neo-Hookean material (mixed Q2/Q1 elements, generic assembly of GetFEM), full of an
+incompressible liquid. It shares neither code nor elements with the program. Units: um, uN, kPa. Specimen 0 is the mouse
+oocyte's geometry. All have a middle radius of 50 um (lengths scale) and the modulus with which specimen 0 carries 7.5 uN at
+44 um.
+"""
+import argparse
+import csv
+import json
+import math
+import pathlib
+
+import getfem as gf
+import numpy as np
+
+MID_RADIUS_UM = 50.0
+MODULUS_KPA = 179.33  # 17.9 kPa, scaled so that specimen 0 passes 7.5 uN at 44 um
+TIP_BOND = 11.173 * 5.0  # density of the tip's bond times its radius, over the modulus
+HOLDER_BOND = 5.587 * 5.0
+BULK_RATIO = 111.7  # of the liquid
+# The pressure holds an element's volume on average; under a fine tip its parts would swell and turn inside out. This
+# holds them one by one. It adds nothing where the volume is kept.
+LOCAL_VOLUME = 20.0
+
+
+def draw(index):
+    """(thickness, tip radius, holder's outer radius) in um on a middle radius of 50 um."""
+    if index == 0:
+        return 5.0, 5.0, 22.5
+    dice = np.random.default_rng(7100 + index)
+    while True:
+        outer_radius = dice.uniform(35, 65)
+        thickness = math.exp(dice.uniform(math.log(3), math.log(15)))
+        tip = math.exp(dice.uniform(math.log(0.5), math.log(8)))
+        holder = math.exp(dice.uniform(math.log(10), math.log(40)))
+        middle = outer_radius - 0.5 * thickness
+        if holder < 0.75 * outer_radius and thickness < 0.35 * middle:
+            scale = MID_RADIUS_UM / middle
+            return thickness * scale, tip * scale, holder * scale
+
+
+def angles(tip, thickness, holder, coarse=2.3):
+    """Element borders from the needle's pole to the holder's. An element is about half a tip's radius long under the tip
+    and `coarse` um far from it: shorter ones at the tip's edge crease, as the surface of a compressed solid does."""
+    fine = np.linspace(0, math.pi, 20001)
+    size = np.minimum(coarse, np.maximum(0.52 * coarse / 2.6 * tip, 0.25 * MID_RADIUS_UM * fine))
+    sums = np.concatenate([[0], np.cumsum(0.5 * np.diff(fine) * MID_RADIUS_UM * (1 / size[1:] + 1 / size[:-1]))])
+    return np.interp(np.linspace(0, sums[-1], math.ceil(sums[-1]) + 1), sums, fine)
+
+
+class Solid:
+    def __init__(self, thickness, tip, holder, coarse=2.3, across=4):
+        self.thickness, self.tip, self.holder = thickness, tip, holder
+        theta = angles(tip, thickness, holder, coarse)
+        radii = np.linspace(MID_RADIUS_UM - thickness / 2, MID_RADIUS_UM + thickness / 2, across + 1)
+        mesh = gf.Mesh('empty', 2)
+        quadratic = gf.GeoTrans('GT_QK(2,2)')
+        for t0, t1 in zip(theta[:-1], theta[1:]):
+            for r0, r1 in zip(radii[:-1], radii[1:]):
+                t, r = np.tile(np.linspace(t0, t1, 3), 3), np.repeat(np.linspace(r0, r1, 3), 3)
+                x = np.where((t < 1e-12) | (t > math.pi - 1e-12), 0.0, r * np.sin(t))
+                mesh.add_convex(quadratic, np.vstack([x, r * np.cos(t)]))
+        self.mesh = mesh
+        outer, inner, axis = [], [], []
+        faces = mesh.outer_faces()
+        for cv, f in faces.T:
+            p = mesh.pts()[:, mesh.pid_in_faces(np.array([[cv], [f]]))]
+            rho = np.hypot(p[0], p[1])
+            if np.all(np.abs(p[0]) < 1e-9):
+                axis.append((cv, f))
+            elif np.all(rho > MID_RADIUS_UM + 0.49 * thickness):
+                outer.append((cv, f))
+            elif np.all(rho < MID_RADIUS_UM - 0.49 * thickness):
+                inner.append((cv, f))
+        for region, group in ((1, outer), (2, inner), (3, axis)):
+            mesh.set_region(region, np.array(group).T)
+        upper = [g for g in outer if mesh.pts()[:, mesh.pid_in_faces(np.array([[g[0]], [g[1]]]))][1].mean() > 0]
+        lower = [g for g in outer if g not in upper]
+        mesh.set_region(4, np.array(upper).T)
+        mesh.set_region(5, np.array(lower).T)
+
+        mfu = gf.MeshFem(mesh, 2)
+        mfu.set_fem(gf.Fem('FEM_QK(2,2)'))
+        mfp = gf.MeshFem(mesh, 1)
+        mfp.set_fem(gf.Fem('FEM_QK(2,1)'))
+        mim = gf.MeshIm(mesh, gf.Integ('IM_GAUSS_PARALLELEPIPED(2,6)'))
+        self.mfu, self.mim = mfu, mim
+        md = gf.Model('real')
+        md.add_fem_variable('u', mfu)
+        md.add_fem_variable('p', mfp)
+        md.add_variable('P', 1)
+        e = 1e-3 * MODULUS_KPA
+        md.add_initialized_data('mu', [e / 3])
+        md.add_initialized_data('kappa', [BULK_RATIO * e])
+        md.add_initialized_data('down', [0.0])
+        md.add_initialized_data('kt', [TIP_BOND / tip * e])
+        md.add_initialized_data('a', [tip])
+        half = holder * 5.0 / 22.5
+        self.half, self.ring = half, holder - half
+        md.add_initialized_data('kr', [HOLDER_BOND / half * e])
+        md.add_initialized_data('ring', [self.ring])
+        md.add_initialized_data('half', [half])
+        volume0 = 4 / 3 * math.pi * (MID_RADIUS_UM - thickness / 2) ** 3
+        # The hoop stretch is 1 + u_r / r; the corners on the axis are no integration points.
+        stretch = '(1+u(1)/X(1))'
+        jacobian = '((1+Grad_u(1,1))*(1+Grad_u(2,2))-Grad_u(1,2)*Grad_u(2,1))'
+        energy = (f'2*pi*X(1)*(mu/2*(sqr(1+Grad_u(1,1))+sqr(Grad_u(1,2))+sqr(Grad_u(2,1))+sqr(1+Grad_u(2,2))+sqr{stretch}-3)'
+                  f'-p*({jacobian}*{stretch}-1)+{LOCAL_VOLUME}*mu/2*sqr({jacobian}*{stretch}-1))')
+        md.add_nonlinear_term(mim, energy)
+        # The liquid: V = -(1/3) of the flux of the position through the inner face, whose normal points into it.
+        position = '[X(1)+u(1);X(2)+u(2)]'
+        cofactor = '[1+Grad_u(2,2),-Grad_u(2,1);-Grad_u(1,2),1+Grad_u(1,1)]'
+        flux = f'({position}.({cofactor}*Normal))'
+        md.add_nonlinear_term(mim, f'P*2*pi*X(1)*{stretch}*{flux}/3', 2)
+        # The flux above is -(V): adding P V0 - P^2 V0 / (2 kappa) closes the potential -P (V - V0) - P^2 V0/(2 kappa).
+        area = 4 * math.pi * (MID_RADIUS_UM + thickness / 2) ** 2
+        self.volume0 = volume0 = -gf.asm('generic', mim, 0, '2*pi*X(1)*(X.Normal)/3', 2)
+        md.add_initialized_data('V0', [volume0 / self._measure(mim)])
+        md.add_nonlinear_term(mim, '(P*V0-P*P*V0/(2*kappa))*X(1)')
+        md.add_nonlinear_term(mim, 'pi*X(1)*kt*pos_part(1-sqr(X(1)/a))*(sqr(u(1))+sqr(u(2)+down))', 4)
+        md.add_nonlinear_term(mim, 'pi*X(1)*kr*pos_part(1-sqr((X(1)-ring)/half))*(sqr(u(1))+sqr(u(2)))', 5)
+        md.add_initialized_data('axis', [[1, 0], [0, 0]])
+        md.add_initialized_data('zero', [0, 0])
+        md.add_generalized_Dirichlet_condition_with_multipliers(mim, 'u', mfu, 3, 'zero', 'axis')
+        self.md = md
+
+    def _measure(self, mim):
+        return gf.asm('generic', mim, 0, 'X(1)', -1)
+
+    def state(self):
+        return self.md.from_variables()
+
+    def solve(self, down, guess=None):
+        """Newton from `guess` (or where the model is); the model is left as it was where that fails."""
+        before = self.md.from_variables()
+        if guess is not None:
+            self.md.to_variables(guess)
+        self.md.set_variable('down', [down])
+        try:
+            good = self.md.solve('max_res', 1e-7, 'max_iter', 9, 'lsearch', 'simplest', 'alpha min', 0.3)[1] == 1
+        except RuntimeError:
+            good = False
+        if not good or not np.all(np.isfinite(self.md.from_variables())):
+            self.md.to_variables(before)
+            return False
+        return True
+
+    def force(self):
+        """Of the tip along its push, uN."""
+        expression = '2*pi*X(1)*kt*pos_part(1-sqr(X(1)/a))*(down+u(2))'
+        return float(gf.asm_generic(self.mim, 0, expression, 4, self.md))
+
+    def faces(self):
+        """(angle, outer r, z, inner r, z) of the nodes on both faces, by the angle from the needle's pole."""
+        mfu, u = self.mfu, self.md.variable('u')
+        nodes = mfu.basic_dof_nodes()[:, ::2]
+        ux, uz = u[0::2], u[1::2]
+        rho, t = np.hypot(*nodes), np.arctan2(nodes[0], nodes[1])
+        out = []
+        for region in (1, 2):
+            on = mfu.basic_dof_on_region(region)[::2] // 2
+            order = on[np.argsort(t[on])]
+            out.append((t[order], nodes[0][order] + ux[order], nodes[1][order] + uz[order]))
+        return out
+
+
+def extrapolate(known, to):
+    """The state at depth `to` by the polynomial through the last three (depth, state)."""
+    known = known[-3:]
+    guess = 0
+    for i, (at, state) in enumerate(known):
+        weight = math.prod((to - other) / (at - other) for j, (other, _) in enumerate(known) if j != i)
+        guess = guess + weight * state
+    return guess
+
+
+def compute(index, deepest, step):
+    """(geometry, force rows, shapes) by the depth of the outer membrane's pole, um; as deep as Newton gets."""
+    thickness, tip, holder = draw(index)
+    solid = Solid(thickness, tip, holder)
+    solid.solve(0.0)
+    known = [(0.0, solid.state())]
+    rows, shapes = [], []
+    pole = MID_RADIUS_UM + thickness / 2
+    depth, h = 0.0, 0.25 * step
+    while True:
+        faces = solid.faces()
+        rows.append((pole - faces[0][2][0], solid.force(), 1e3 * float(solid.md.variable('P')[0])))
+        shapes.append(faces)
+        target = depth + step
+        if target > deepest + 1e-9:
+            break
+        while depth < target - 1e-9:
+            to = target if depth + 1.2 * h > target else depth + h
+            if solid.solve(to, extrapolate(known, to)):
+                h = min(step, max(h, to - depth) * 1.4)
+                depth = to
+                known = known[-2:] + [(depth, solid.state())]
+            else:
+                h = 0.4 * (to - depth)
+                if h < 0.002:
+                    return solid, rows, shapes
+    return solid, rows, shapes
+
+
+def write(folder, index, solid, rows, shapes):
+    """NAME-1-force.csv, NAME-1-profile.csv and NAME-geometry.json, as resources/reference has them."""
+    name = f'specimen-{index}'
+    with open(folder / f'{name}-1-force.csv', 'w', newline='') as file:
+        out = csv.writer(file, lineterminator='\n')
+        out.writerow(['indentation_um', 'force_uN', 'pressure_kPa'])
+        for row in rows:
+            out.writerow([f'{max(value, 0.0):.5g}' for value in row])
+    with open(folder / f'{name}-1-profile.csv', 'w', newline='') as file:
+        out = csv.writer(file, lineterminator='\n')
+        out.writerow(['indentation_um', 'theta0_rad', 'outer_r_um', 'outer_z_um', 'inner_r_um', 'inner_z_um'])
+        for step, (row, (outer, inner)) in enumerate(zip(rows, shapes)):
+            if step % 2 and step + 1 < len(rows):
+                continue  # the shape changes more slowly than the force
+            for k in range(len(outer[0])):
+                out.writerow([f'{max(row[0], 0.0):.5g}', f'{outer[0][k]:.5f}'] +
+                             [f'{value + 0.0:.3f}' for value in (outer[1][k], outer[2][k], inner[1][k], inner[2][k])])
+    geometry = {
+        'middle_radius_um': MID_RADIUS_UM,
+        'thickness_um': round(solid.thickness, 6),
+        'tip_radius_um': round(solid.tip, 6),
+        'holder_ring_um': round(solid.ring, 6),
+        'holder_half_width_um': round(solid.half, 6),
+        'young_modulus_kPa': MODULUS_KPA,
+    }
+    (folder / f'{name}-geometry.json').write_text(json.dumps(geometry, indent=2) + '\n')
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('--first', type=int, default=0, help='specimen number; the same number, the same specimen')
+    parser.add_argument('--count', type=int, default=1)
+    parser.add_argument('--deepest-um', type=float, default=48.0, help='on a middle radius of 50 um')
+    parser.add_argument('--step-um', type=float, default=2.0)
+    parser.add_argument('--output', type=pathlib.Path, default=pathlib.Path('.'))
+    options = parser.parse_args()
+    gf.util('trace level', 0)
+    gf.util('warning level', 0)
+    options.output.mkdir(parents=True, exist_ok=True)
+    for index in range(options.first, options.first + options.count):
+        solid, rows, shapes = compute(index, options.deepest_um, options.step_um)
+        write(options.output, index, solid, rows, shapes)
+        print(f'specimen {index}: thickness {solid.thickness:.2f}, tip {solid.tip:.2f}, holder {solid.holder:.2f} um; '
+              f'{rows[-1][1]:.3f} uN at {rows[-1][0]:.2f} um', flush=True)
+
+
+if __name__ == '__main__':
+    main()
