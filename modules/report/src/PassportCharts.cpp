@@ -57,7 +57,7 @@ std::vector<ChartMark> moments(const CellPassport& cell) {
 
 Chart force_over_time(const PassportInput& input, const CellPassport& cell, const RowRange& range) {
   Chart chart;
-  chart.title = "Force over time";
+  chart.title = "Force over time, with its 95 % interval";
   chart.x_label = "time (s)";
   chart.y_label = "force (" + unit_text("uN") + ")";
   const auto force_uN = [&](std::size_t i) { return input.rows[i].contact_force_uN; };
@@ -76,6 +76,7 @@ Chart force_over_time(const PassportInput& input, const CellPassport& cell, cons
   }
   chart.bands.push_back(std::move(band));
   chart.marks = moments(cell);
+  chart.x_held = {input.rows[range.begin].time_s, input.rows[range.end - 1].time_s};
   const ContactPassport& main = cell.main_contact();
   if (!std::isnan(main.peak_force_uN)) {
     chart.dots.push_back({main.peak_force_s, main.peak_force_uN, with_unit(main.peak_force_uN, "uN")});
@@ -88,6 +89,7 @@ Chart force_over_depth(const PassportInput& input, const CellPassport& cell) {
   chart.title = "Force over indentation";
   chart.x_label = "indentation (" + unit_text("um") + ")";
   chart.y_label = "force (" + unit_text("uN") + ")";
+  chart.x_held = {0.0};
   const ContactPassport& main = cell.main_contact();
   ChartLine insertion{{}, "curve", "insertion"}, removal{{}, "removal", "removal"};
   ChartBand band;
@@ -113,9 +115,11 @@ Chart force_over_depth(const PassportInput& input, const CellPassport& cell) {
   if (removal.points.empty()) insertion.label = "";
   chart.lines = {std::move(insertion), std::move(removal)};
   if (!std::isnan(main.puncture_force_uN)) {
-    chart.dots.push_back({main.puncture_depth_um, main.puncture_force_uN, "puncture"});
+    chart.dots.push_back(
+        {main.puncture_depth_um, main.puncture_force_uN, "puncture, " + with_unit(main.puncture_depth_um, "um")});
   } else if (!std::isnan(main.peak_force_uN)) {
-    chart.dots.push_back({main.peak_force_depth_um, main.peak_force_uN, "peak"});
+    chart.dots.push_back(
+        {main.peak_force_depth_um, main.peak_force_uN, "peak, " + with_unit(main.peak_force_depth_um, "um")});
   }
   return chart;
 }
@@ -129,6 +133,7 @@ Chart of_membrane(const PassportInput& input, const CellPassport& cell, const Ro
   const auto value = [&](std::size_t i) { return input.membrane.empty() ? kBreak : input.membrane[i].*member; };
   chart.lines.push_back({over_time(input, range, value), "curve", ""});
   chart.marks = moments(cell);
+  chart.x_held = {input.rows[range.begin].time_s, input.rows[range.end - 1].time_s};
   return chart;
 }
 

@@ -58,7 +58,7 @@ std::string reason(const C& contact, std::string_view name, const PassportInput&
   if (begins("puncture_") || begins("drop_") || begins("spring_") || begins("inside_")) {
     return punctured ? "not measured" : "no puncture";
   }
-  if (begins("hysteresis_")) return punctured ? "punctured: no removal" : "not recorded";
+  if (begins("hysteresis_")) return punctured ? "no removal" : "not recorded";
   if (begins("release_") || begins("removal_")) return "not seen";
   if (begins("deposit_")) return "not recorded";
   if (begins("first_deposit_")) return input.is_hand_recorded ? "no deposit" : "not recorded";
@@ -233,22 +233,24 @@ std::string joined(const Json& object) {
 }
 
 std::string provenance(const SessionInfo& info) {
-  std::string html;
+  std::string text;
   const auto add = [&](const char* name, const std::string& value) {
-    if (!value.empty()) html += tag("p", tag("b", name) + ' ' + escaped(value)) + '\n';
+    if (!value.empty()) text += tag("b", name) + ' ' + escaped(value) + ". ";
   };
   add("Measured with", "Pellucida " + info.software_version);
-  add("Command", info.command_line);
+  add("Page by", std::string("Pellucida ") + kVersion);
+  add("Command:", info.command_line);
   const Json json = Json::parse(info.provenance_json, nullptr, false);
   if (json.is_object()) {
-    if (json.contains("versions") && json["versions"].is_object()) add("Libraries", joined(json["versions"]));
-    if (json.contains("inputs_sha256") && json["inputs_sha256"].is_object())
-      add("Inputs, SHA-256:", joined(json["inputs_sha256"]));
+    const auto object = [&](const char* key) {
+      return json.contains(key) && json[key].is_object() ? json[key] : Json();
+    };
+    add("Libraries:", joined(object("versions")));
+    add("SHA-256 of inputs:", joined(object("inputs_sha256")));
     if (json.contains("frames_sha256") && json["frames_sha256"].is_string())
-      add("Images, SHA-256:", json["frames_sha256"].get<std::string>());
+      add("SHA-256 of images:", json["frames_sha256"].get<std::string>());
   }
-  add("This page:", std::string("Pellucida ") + kVersion + ", pellucida report");
-  return html;
+  return tag("p", text) + '\n';
 }
 
 std::string glossary() {
@@ -279,7 +281,8 @@ std::string passport_page(const SessionReader& session, const PassportInput& inp
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n";
   html += tag("title", "Dose passport: " + name) + "\n<style>" + kPassportStyle + "</style>\n</head>\n<body>\n";
-  html += tag("p class=\"kind\"", "Dose passport") + tag("h1", name) + '\n' + facts(session, cells.size());
+  html += "<header class=\"top\">" + tag("h1", name) + tag("p class=\"kind\"", "Dose passport") + "</header>\n" +
+          facts(session, cells.size());
   html += doubts_box("The session as a whole", session_doubts(session, input));
   if (cells.empty()) html += tag("p class=\"none\"", "No cell was found in this session.") + '\n';
   html += summary(cells, input);

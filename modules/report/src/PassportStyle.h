@@ -15,7 +15,8 @@ body { margin: 0 auto; padding: 24px 20px 40px; max-width: 900px; background: va
 h1 { margin: 0; font-size: 24px; line-height: 1.2; overflow-wrap: anywhere; }
 h2 { margin: 0; font-size: 18px; }
 h3 { margin: 0 0 2px; font-size: 12px; color: var(--dim); font-weight: 600; }
-.kind { margin: 0 0 2px; color: var(--dim); font-size: 13px; }
+.top { display: flex; justify-content: space-between; align-items: baseline; gap: 20px; }
+.kind { margin: 0; white-space: nowrap; color: var(--dim); font-size: 13px; }
 .facts { display: grid; grid-template-columns: repeat(3, 1fr); gap: 8px 20px; margin: 14px 0 0; padding: 10px 0;
   border-top: 2px solid var(--ink); border-bottom: 1px solid var(--rule); }
 .facts dt { color: var(--dim); font-size: 12px; }
@@ -38,10 +39,11 @@ thead th { color: var(--dim); font-size: 12px; border-bottom: 1px solid var(--ru
 .charts { display: grid; grid-template-columns: 1fr 1fr; gap: 6px 14px; margin: 8px 0; }
 .numbers { columns: 2; column-gap: 28px; margin-top: 8px; }
 .numbers section { break-inside: avoid; margin-bottom: 10px; }
-.numbers table { font-size: 13px; }
+.numbers table { font-size: 13px; table-layout: fixed; }
 .numbers tr { border-top: 1px solid var(--rule); }
-.numbers th { width: 42%; }
+.numbers th { width: 43%; } .numbers td.value { width: 29%; }
 .numbers td.value { text-align: right; white-space: nowrap; }
+.numbers td.missing { padding-right: 8px; }
 .numbers td.interval { color: var(--dim); white-space: nowrap; }
 .missing { color: var(--dim); }
 .doubts { margin: 8px 0; padding: 8px 12px; border-left: 4px solid var(--doubt); background: var(--doubt-ground); }
@@ -68,9 +70,11 @@ svg .dot { fill: var(--page); stroke: var(--curve); stroke-width: 2; }
 @media (max-width: 640px) { .facts, .headline { grid-template-columns: 1fr 1fr; } .charts { grid-template-columns: 1fr; } .numbers { columns: 1; } }
 @page { size: A4; margin: 12mm 13mm; }
 @media print { body { max-width: none; padding: 0; font-size: 9.5pt; } .glossary { display: none; }
-  h1 { font-size: 16pt; } .facts { margin-top: 8px; padding: 6px 0; } .numbers table { font-size: 8.5pt; } .numbers th, .numbers td { padding: 1.5px 6px 1.5px 0; }
-  .numbers section { margin-bottom: 6px; } .headline dd { font-size: 14pt; } .facts dt, .headline dt, thead th, .small, footer { font-size: 8pt; }
-  .cell { break-before: page; margin-top: 0; } .cell.first { break-before: auto; margin-top: 12px; } .cell.brief { break-before: auto; }
+  h1 { font-size: 15pt; } .facts { margin-top: 6px; padding: 5px 0; gap: 4px 20px; } .numbers { margin-top: 2px; } .numbers table { font-size: 8pt; line-height: 1.25; }
+  .numbers th, .numbers td { padding: 1px 6px 1px 0; } .numbers h3 { font-size: 8pt; } .numbers section { margin-bottom: 5px; } .charts { margin: 4px 0; gap: 2px 14px; }
+  .headline { margin: 6px 0 4px; } .headline div { padding: 4px 10px; } .headline dd { font-size: 13pt; line-height: 1.25; }
+  .facts dt, .headline dt, thead th, .small { font-size: 8pt; } footer { margin-top: 6px; padding-top: 5px; font-size: 7pt; line-height: 1.3; } footer p { margin-bottom: 2px; }
+  .cell { break-before: page; margin-top: 0; } .cell.first { break-before: auto; margin-top: 8px; padding-top: 8px; } .cell.brief { break-before: auto; }
   .doubts, svg.chart, .headline, tr { break-inside: avoid; }
   .headline div, .doubts { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 )css";

@@ -92,7 +92,7 @@ constexpr PassportField<C> kContactFields[] = {
       "frames within 2.5 um (Theil and Sen); empty where the needle came no deeper than 6 um, or five frames are not "
       "there"},
      "Stiffness at 5 um",
-     "Stiffness"},
+     "Stiffness and hysteresis"},
     {{"stiffness_5um_lower_uN_per_um", "uN/um", &C::stiffness_5um_lower_uN_per_um, kAny, kLower}, ""},
     {{"stiffness_5um_upper_uN_per_um", "uN/um", &C::stiffness_5um_upper_uN_per_um, kAny, kUpper}, ""},
     {{"stiffness_10um_uN_per_um", "uN/um", &C::stiffness_10um_uN_per_um, kAny, "the same at 10 um"},
@@ -138,7 +138,8 @@ constexpr PassportField<C> kContactFields[] = {
       "largest tension of a node of the outer membrane; it lies at the tip and depends on the mesh there"},
      "Largest tension at a node"},
     {{"deposit_s", "s", &C::deposit_s, kAny, "how long the hand deposited; empty where no hand was recorded"},
-     "Deposit, duration"},
+     "Deposit, duration",
+     "Deposit"},
     {{"first_deposit_s", "s", &C::first_deposit_s, kAny, "when it began"}, "Deposit, begin"},
     {{"doubts", "", &C::doubts, kAny, "what speaks against these numbers, in words"}, "Doubts"},
 };
@@ -185,7 +186,10 @@ std::string cells_csv(std::span<const CellPassport> cells) {
   text += '\n';
   for (const CellPassport& cell : cells) {
     std::string line;
-    for (const auto& field : kCellFields) line += (&field == kCellFields ? "" : ",") + cell_of(field.field, cell);
+    for (const auto& field : kCellFields) {
+      if (&field != kCellFields) line += ',';
+      line += cell_of(field.field, cell);
+    }
     for (const auto& field : kContactFields)
       if (stands_for_cell(field)) line += ',' + cell_of(field.field, cell.main_contact());
     text += line + '\n';

@@ -11,9 +11,10 @@ namespace pellucida {
 namespace {
 
 // In units of the drawing, which a page scales.
-constexpr double kWidth = 460.0, kHeight = 262.0;
-constexpr double kLeft = 56.0, kRight = 14.0, kTop = 40.0, kBottom = 46.0;
+constexpr double kWidth = 460.0, kHeight = 216.0;
+constexpr double kLeft = 56.0, kRight = 14.0, kTop = 40.0, kBottom = 40.0;
 constexpr double kCharacter = 6.6;  // about the width of one
+constexpr double kUnseen = 0.03;    // of the largest value
 constexpr std::size_t kMostDrawn = 900;
 
 struct Span {
@@ -123,8 +124,10 @@ class ChartWriter {
       }
     }
     if (x_.empty() || y_.empty()) return;
-    for (const ChartMark& mark : chart_.marks) x_.hold(mark.x);
+    for (const double x : chart_.x_held) x_.hold(x);
     y_.hold(0.0);
+    // Noise about 0 needs no room of its own.
+    if (y_.low > -kUnseen * y_.high) y_.low = 0.0;
     x_.widen_if_flat();
     y_.widen_if_flat();
     // The scale ends at a round number.
@@ -162,7 +165,7 @@ class ChartWriter {
       text(px(tick), bottom + 17.0, "tick", "middle", tick_text(tick, x_ticks));
     }
     line(kLeft, bottom, right, bottom, "axis");
-    text(0.5 * (kLeft + right), kHeight - 8.0, "label", "middle", chart_.x_label);
+    text(0.5 * (kLeft + right), kHeight - 6.0, "label", "middle", chart_.x_label);
     const double middle = 0.5 * (kTop + bottom);
     text(14.0, middle, "label", "middle", chart_.y_label, " transform=\"rotate(-90 14 " + digits(middle) + ")\"");
   }
@@ -235,7 +238,7 @@ class ChartWriter {
     for (const ChartDot& dot : chart_.dots) {
       svg_ += "<circle" + attribute("cx", px(dot.x)) + attribute("cy", py(dot.y)) + " r=\"3.5\" class=\"dot\"/>\n";
       const bool at_right = px(dot.x) > 0.6 * kWidth;
-      text(px(dot.x) + (at_right ? -8.0 : 8.0), std::max(py(dot.y) + 4.0, kTop + 10.0), "word",
+      text(px(dot.x) + (at_right ? -8.0 : 8.0), std::max(py(dot.y) - 7.0, kTop + 10.0), "word",
            at_right ? "end" : "start", dot.label);
     }
   }

@@ -44,6 +44,7 @@ struct Chart {
   std::vector<ChartLine> lines;
   std::vector<ChartMark> marks;
   std::vector<ChartDot> dots;
+  std::vector<double> x_held;  ///< places that the x axis holds, whatever is drawn
 };
 
 /// The chart as an `svg` element that scales with the page; its y axis holds 0. Lines of more points than can be seen
