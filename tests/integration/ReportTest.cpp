@@ -67,15 +67,17 @@ class Report : public testing::Test {
     return work_pJ;
   }
 
-  // The truth's force over the depths 2.5 um on both sides: its mean slope.
+  // The truth's slope by the same rule: the median over all pairs of its frames within 2.5 um.
   static double true_stiffness(double depth_um) {
-    const auto force_at = [](double wanted_um) {
-      const auto after = static_cast<std::size_t>(std::lower_bound(depths_um_.begin(), depths_um_.end(), wanted_um) -
-                                                  depths_um_.begin());
-      const double share = (wanted_um - depths_um_[after - 1]) / (depths_um_[after] - depths_um_[after - 1]);
-      return forces_uN_[after - 1] + share * (forces_uN_[after] - forces_uN_[after - 1]);
-    };
-    return (force_at(depth_um + 2.5) - force_at(depth_um - 2.5)) / 5.0;
+    std::vector<double> slopes;
+    for (std::size_t i = 0; i < depths_um_.size(); ++i) {
+      for (std::size_t j = i + 1; j < depths_um_.size(); ++j) {
+        if (std::abs(depths_um_[i] - depth_um) > 2.5 || std::abs(depths_um_[j] - depth_um) > 2.5) continue;
+        slopes.push_back((forces_uN_[j] - forces_uN_[i]) / (depths_um_[j] - depths_um_[i]));
+      }
+    }
+    std::sort(slopes.begin(), slopes.end());
+    return slopes.at(slopes.size() / 2);
   }
 
   static inline fs::path folder_;

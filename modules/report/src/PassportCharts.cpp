@@ -15,6 +15,7 @@ constexpr double kBreak = ContactPassport::kNone;
 constexpr double kMargin_s = 0.5;
 /// Without a number for longer than this, a curve has a gap, as in the window.
 constexpr double kBridged_s = 0.5;
+constexpr std::size_t kMostNamed = 12;
 
 // The rows of all contacts with a margin on both sides, within the cell's.
 RowRange shown_rows(const PassportInput& input, const CellPassport& cell) {
@@ -37,6 +38,10 @@ std::vector<ChartPoint> over_time(const PassportInput& input, const RowRange& ra
     points.push_back({time_s, y});
   }
   return points;
+}
+
+bool has_force_and_depth(const Measurement& m) noexcept {
+  return m.state == CellState::kContact && std::isfinite(m.contact_force_uN) && std::isfinite(m.indentation_um);
 }
 
 std::string with_unit(double value, const char* unit) {
@@ -95,9 +100,7 @@ Chart force_over_depth(const PassportInput& input, const CellPassport& cell) {
   ChartBand band;
   for (std::size_t i = main.rows.begin; i < main.rows.end; ++i) {
     const Measurement& m = input.rows[i];
-    if (m.state != CellState::kContact || !std::isfinite(m.contact_force_uN) || !std::isfinite(m.indentation_um)) {
-      continue;
-    }
+    if (!has_force_and_depth(m)) continue;
     const ChartPoint point{m.indentation_um, m.contact_force_uN};
     if (i < main.insertion.end) {
       insertion.points.push_back(point);
@@ -150,6 +153,29 @@ std::string cell_charts(const PassportInput& input, const CellPassport& cell) {
   html += svg_of(of_membrane(input, cell, range, "Mean tension of the outer membrane",
                              "tension (" + unit_text("uN/um") + ")", &MembraneState::mean_tension_uN_per_um));
   return html + "</div>\n";
+}
+
+std::string comparison_chart(const PassportInput& input, std::span<const CellPassport> cells) {
+  Chart chart;
+  chart.title = "Force over indentation on the way in, all cells";
+  chart.x_label = "indentation (" + unit_text("um") + ")";
+  chart.y_label = "force (" + unit_text("uN") + ")";
+  chart.x_held = {0.0};
+  for (const CellPassport& cell : cells) {
+    const ContactPassport& main = cell.main_contact();
+    if (std::isnan(main.peak_force_uN)) continue;
+    ChartLine line{{}, "curve thin", ""};
+    for (std::size_t i = main.insertion.begin; i < main.insertion.end; ++i) {
+      const Measurement& m = input.rows[i];
+      if (has_force_and_depth(m)) line.points.push_back({m.indentation_um, m.contact_force_uN});
+    }
+    chart.lines.push_back(std::move(line));
+    chart.dots.push_back({main.peak_force_depth_um, main.peak_force_uN, "cell " + std::to_string(cell.cell)});
+  }
+  if (chart.lines.size() < 2) return "";
+  // More names would cover one another.
+  if (chart.dots.size() > kMostNamed) chart.dots.clear();
+  return "<div class=\"charts one\">\n" + svg_of(chart) + "</div>\n";
 }
 
 }  // namespace pellucida

@@ -17,6 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using C = ContactPassport;
 
+constexpr const char* kNoPuncture = "no puncture";
+
 // A number with its unit as a person reads it.
 struct Shown {
   std::string value;     ///< "" for none
@@ -56,7 +58,7 @@ std::string reason(const C& contact, std::string_view name, const PassportInput&
   }
   const bool punctured = contact.outcome == "punctured";
   if (begins("puncture_") || begins("drop_") || begins("spring_") || begins("inside_")) {
-    return punctured ? "not measured" : "no puncture";
+    return punctured ? "not measured" : kNoPuncture;
   }
   if (begins("hysteresis_")) return punctured ? "no removal" : "not recorded";
   if (begins("release_") || begins("removal_")) return "not seen";
@@ -122,7 +124,6 @@ std::string table_head(const char* first) {
 }
 
 std::string summary(std::span<const CellPassport> cells, const PassportInput& input) {
-  if (cells.size() < 2) return "";
   std::string html = table_head("Cell");
   for (const CellPassport& cell : cells) {
     const C& main = cell.main_contact();
@@ -130,7 +131,7 @@ std::string summary(std::span<const CellPassport> cells, const PassportInput& in
         "<a href=\"#cell-" + std::to_string(cell.cell) + "\">" + std::to_string(cell.cell) + "</a>";
     html += row_of(link, main, main.doubt_list.size() + cell.doubt_list.size(), input);
   }
-  return html + "</tbody></table></div>\n";
+  return html + "</tbody></table></div>\n" + comparison_chart(input, cells);
 }
 
 std::string headline(const C& contact, const PassportInput& input) {
@@ -164,6 +165,9 @@ std::string numbers(const C& contact, const PassportInput& input) {
     }
     if (!is_open) continue;
     const Shown number = shown(contact, i);
+    // Of a puncture that did not happen one row is enough.
+    if (number.value.empty() && field.name != "puncture_s" && reason(contact, field.name, input) == kNoPuncture)
+      continue;
     html += "<tr title=\"" + escaped(field.doc) + "\"><th scope=\"row\">" + escaped(unit_text(label)) + "</th>";
     html += number.value.empty()
                 ? tag("td class=\"missing value\"", reason(contact, field.name, input)) + "<td></td>"
@@ -192,14 +196,18 @@ std::string card(const CellPassport& cell, const PassportInput& input, bool is_f
   html += headline(main, input) + doubts_box("Doubts and warnings", doubts) + cell_charts(input, cell) +
           numbers(main, input);
   if (cell.contacts > 1) {
-    html += tag("h3", "All contacts") + table_head("Contact");
+    html += tag("h3 class=\"more\"", "All contacts") + table_head("Contact");
     for (const C& contact : cell.contact_list) {
       html += row_of(std::to_string(contact.contact), contact, contact.doubt_list.size(), input);
     }
     html += "</tbody></table></div>\n";
   }
-  if (!cell.notes.empty()) html += "<div class=\"notes\">" + tag("h3", "Notes") + list_of(cell.notes) + "</div>\n";
+  if (!cell.notes.empty()) html += "<div class=\"notes more\">" + tag("h3", "Notes") + list_of(cell.notes) + "</div>\n";
   return html + "</section>\n";
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
 std::string fact(const char* name, const std::string& value) {
@@ -220,7 +228,7 @@ std::string facts(const SessionReader& session, std::size_t cell_count) {
   return "<dl class=\"facts\">\n" + fact("Recorded (UTC)", or_none(session.created())) +
          fact("Source", or_none(source.name)) + fact("Image", size) + fact("Pixel size", pixel) +
          fact("Cell profile", profile) +
-         fact("Frames, cells", std::to_string(session.measurements().size()) + ", " + std::to_string(cell_count)) +
+         fact("Content", counted(session.measurements().size(), "frame") + ", " + counted(cell_count, "cell")) +
          "</dl>\n";
 }
 
@@ -285,10 +293,12 @@ std::string passport_page(const SessionReader& session, const PassportInput& inp
           facts(session, cells.size());
   html += doubts_box("The session as a whole", session_doubts(session, input));
   if (cells.empty()) html += tag("p class=\"none\"", "No cell was found in this session.") + '\n';
-  html += summary(cells, input);
-  for (const CellPassport& cell : cells) html += card(cell, input, cells.size() == 1);
-  html += "<footer>\n" + tag("p", kReadingHelp) + provenance(session.info()) + glossary() + "</footer>\n";
-  return html + "</body>\n</html>\n";
+  // Of several cells the first sheet is an overview with all that is common to them.
+  const bool has_overview = cells.size() > 1;
+  const std::string common = "<footer>\n" + tag("p", kReadingHelp) + provenance(session.info()) + "</footer>\n";
+  if (has_overview) html += summary(cells, input) + common;
+  for (const CellPassport& cell : cells) html += card(cell, input, !has_overview);
+  return html + (has_overview ? "" : common) + glossary() + "</body>\n</html>\n";
 }
 
 }  // namespace pellucida

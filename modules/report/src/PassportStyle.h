@@ -27,6 +27,8 @@ thead th { color: var(--dim); font-size: 12px; border-bottom: 1px solid var(--ru
 .wide { margin-top: 14px; }
 .wide tbody tr { border-bottom: 1px solid var(--rule); }
 .scroll { overflow-x: auto; }
+.charts.one { grid-template-columns: minmax(0, 600px); margin-top: 14px; }
+a { color: inherit; }
 .cell { margin-top: 22px; padding-top: 12px; border-top: 2px solid var(--ink); }
 .cell header { display: flex; flex-wrap: wrap; gap: 2px 14px; align-items: baseline; }
 .outcome { color: var(--dim); }
@@ -45,6 +47,8 @@ thead th { color: var(--dim); font-size: 12px; border-bottom: 1px solid var(--ru
 .numbers td.value { text-align: right; white-space: nowrap; }
 .numbers td.missing { padding-right: 8px; }
 .numbers td.interval { color: var(--dim); white-space: nowrap; }
+h3.more, .more { margin-top: 12px; }
+h3.more + .scroll .wide { margin-top: 2px; }
 .missing { color: var(--dim); }
 .doubts { margin: 8px 0; padding: 8px 12px; border-left: 4px solid var(--doubt); background: var(--doubt-ground); }
 .doubts h3, .doubts.none h3 { color: var(--doubt); }
@@ -65,6 +69,7 @@ svg .axis { stroke: var(--dim); stroke-width: 1; }
 svg .mark { stroke: var(--mark); stroke-width: 1; stroke-dasharray: 4 3; }
 svg .band { fill: var(--band); stroke: none; }
 svg .curve, svg .removal { fill: none; stroke: var(--curve); stroke-width: 2; stroke-linejoin: round; stroke-linecap: round; }
+svg .thin { stroke-width: 1.4; }
 svg .removal { stroke: var(--removal); stroke-dasharray: 6 3; }
 svg .dot { fill: var(--page); stroke: var(--curve); stroke-width: 2; }
 @media (max-width: 640px) { .facts, .headline { grid-template-columns: 1fr 1fr; } .charts { grid-template-columns: 1fr; } .numbers { columns: 1; } }
@@ -74,7 +79,7 @@ svg .dot { fill: var(--page); stroke: var(--curve); stroke-width: 2; }
   .numbers th, .numbers td { padding: 1px 6px 1px 0; } .numbers h3 { font-size: 8pt; } .numbers section { margin-bottom: 5px; } .charts { margin: 4px 0; gap: 2px 14px; }
   .headline { margin: 6px 0 4px; } .headline div { padding: 4px 10px; } .headline dd { font-size: 13pt; line-height: 1.25; }
   .facts dt, .headline dt, thead th, .small { font-size: 8pt; } footer { margin-top: 6px; padding-top: 5px; font-size: 7pt; line-height: 1.3; } footer p { margin-bottom: 2px; }
-  .cell { break-before: page; margin-top: 0; } .cell.first { break-before: auto; margin-top: 8px; padding-top: 8px; } .cell.brief { break-before: auto; }
+  .cell { break-before: page; margin-top: 0; } .cell.first { break-before: auto; margin-top: 8px; padding-top: 8px; } .cell.brief { break-before: auto; margin-top: 12px; }
   .doubts, svg.chart, .headline, tr { break-inside: avoid; }
   .headline div, .doubts { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 )css";
