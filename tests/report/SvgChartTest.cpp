@@ -65,7 +65,7 @@ TEST(SvgChart, ANumberThatIsMissingBreaksLineAndBand) {
 TEST(SvgChart, NothingToDrawIsSaid) {
   const std::string text = svg_of(chart_of({{0, NAN}}));
   EXPECT_EQ(text.find("<svg"), std::string::npos);
-  EXPECT_NE(text.find("nothing was recorded"), std::string::npos);
+  EXPECT_NE(text.find("Force: not recorded"), std::string::npos);
 }
 
 // A long recording: one peak of a single frame must not be lost.

@@ -27,7 +27,7 @@ thead th { color: var(--dim); font-size: 12px; border-bottom: 1px solid var(--ru
 .wide { margin-top: 14px; }
 .wide tbody tr { border-bottom: 1px solid var(--rule); }
 .scroll { overflow-x: auto; }
-.charts.one { grid-template-columns: minmax(0, 600px); margin-top: 14px; }
+.charts.one { grid-template-columns: minmax(0, 430px); margin-top: 14px; }
 a { color: inherit; }
 .cell { margin-top: 22px; padding-top: 12px; border-top: 2px solid var(--ink); }
 .cell header { display: flex; flex-wrap: wrap; gap: 2px 14px; align-items: baseline; }
@@ -58,7 +58,7 @@ footer { margin-top: 24px; border-top: 1px solid var(--rule); padding-top: 8px; 
 footer p { margin: 0 0 6px; overflow-wrap: anywhere; }
 .glossary summary { cursor: pointer; margin-top: 10px; }
 .glossary td { padding-right: 14px; }
-.none { color: var(--dim); }
+.none { margin: 4px 0; color: var(--dim); font-size: 13px; }
 svg.chart { width: 100%; height: auto; display: block; }
 svg text { fill: var(--ink); font-size: 12.5px; font-family: inherit; }
 svg .title { font-weight: 600; font-size: 13.5px; }

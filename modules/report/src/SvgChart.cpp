@@ -94,7 +94,7 @@ class ChartWriter {
   std::string write() {
     measure();
     if (x_.empty() || y_.empty()) {
-      return "<p class=\"none\">" + escaped(chart_.title) + ": nothing was recorded to draw.</p>\n";
+      return "<p class=\"none\">" + escaped(chart_.title) + ": not recorded.</p>\n";
     }
     svg_ = "<svg class=\"chart\" viewBox=\"0 0 " + digits(kWidth) + ' ' + digits(kHeight) +
            "\" role=\"img\" aria-label=\"" + escaped(chart_.title) + "\">\n";
