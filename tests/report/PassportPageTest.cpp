@@ -101,6 +101,19 @@ TEST(PassportPage, WhatIsMissingIsSaidAndNeverNought) {
   EXPECT_NE(other.find("no puncture"), std::string::npos);
 }
 
+// A session may hold any number: no time, and forces beyond all reason.
+TEST(PassportPage, StrangeNumbersAreNeverDrawn) {
+  SyntheticRows rows = punctured_cell();
+  rows.row(50).time_s = std::nan("");
+  rows.row(60).contact_force_uN = 1e308;
+  rows.row(61).contact_force_uN = -1e308;
+  rows.row(70).indentation_um = 1e300;
+  const std::string page = page_of(rows);
+  EXPECT_EQ(fault_of_nesting(page), "");
+  std::smatch found;
+  EXPECT_FALSE(std::regex_search(page, found, std::regex("[\"> ,-](nan|inf)[\"< ,].{0,60}"))) << found[0];
+}
+
 TEST(PassportPage, SeveralCellsHaveASummaryAndNoCellASentence) {
   SyntheticRows rows = punctured_cell();
   rows.add(CellState::kNoCell);

@@ -4,6 +4,9 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <cstdint>
+#include <limits>
+
 #include "pellucida/core/Error.h"
 #include "pellucida/haptics/HapticDevice.h"
 #include "pellucida/haptics/HapticRecord.h"
@@ -26,9 +29,11 @@ void DepositFinder::add(vtkPolyData* paths) {
   const vtkIdType* points = nullptr;
   paths->GetCellPoints(0, count, points);
   for (vtkIdType k = 0; k < count; ++k) {
-    const auto mask = static_cast<std::uint32_t>(buttons->GetComponent(points[k], 0));
-    const bool works = static_cast<int>(state->GetComponent(points[k], 0)) == static_cast<int>(HandState::kWorking);
-    if (!works || (mask & kInject) == 0U) continue;
+    // A file may hold any number here.
+    const double mask = buttons->GetComponent(points[k], 0);
+    if (!(mask >= 0.0 && mask <= std::numeric_limits<std::uint32_t>::max())) continue;
+    if (state->GetComponent(points[k], 0) != static_cast<double>(HandState::kWorking)) continue;
+    if ((static_cast<std::uint32_t>(mask) & kInject) == 0U) continue;
     const double now_s = time->GetComponent(points[k], 0);
     if (deposits_.empty() || now_s - deposits_.back().end_s > kSameDeposit_s) deposits_.push_back({now_s, now_s});
     deposits_.back().end_s = now_s;

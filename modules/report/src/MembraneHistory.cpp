@@ -46,7 +46,7 @@ MembraneState membrane_state(vtkPolyData* surface) {
     vtkIdType count = 0;
     const vtkIdType* nodes = nullptr;
     cells->GetCellAtId(c, count, nodes);
-    if (count < 3 || static_cast<int>(membrane->GetComponent(nodes[0], 0)) != static_cast<int>(Membrane::kOuter)) {
+    if (count < 3 || membrane->GetComponent(nodes[0], 0) != static_cast<double>(Membrane::kOuter)) {
       continue;
     }
     now.clear();

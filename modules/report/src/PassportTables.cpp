@@ -151,7 +151,7 @@ std::string cell_of(const Field<S>& field, const S& passport) {
       [&](auto member) -> std::string {
         const auto& value = passport.*member;
         using T = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<T, double>) return csv_number(value);
+        if constexpr (std::is_same_v<T, double>) return std::isfinite(value) ? csv_number(value) : std::string();
         if constexpr (std::is_same_v<T, std::string>) return csv_cell(value);
         if constexpr (std::is_integral_v<T>) return std::to_string(value);
       },

@@ -17,12 +17,17 @@ constexpr double kCharacter = 6.6;  // about the width of one
 constexpr double kUnseen = 0.03;    // of the largest value
 constexpr std::size_t kMostDrawn = 900;
 
+// A session may hold any number; what no axis can bear is left out like what is missing.
+bool is_drawable(double value) noexcept {
+  return std::abs(value) < 1e12;
+}
+
 struct Span {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
   void hold(double value) noexcept {
-    if (!std::isfinite(value)) return;
+    if (!is_drawable(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -112,7 +117,7 @@ class ChartWriter {
   void measure() {
     for (const ChartLine& line : chart_.lines) {
       for (const ChartPoint& point : line.points) {
-        if (std::isnan(point.y)) continue;
+        if (!is_drawable(point.x) || !is_drawable(point.y)) continue;
         x_.hold(point.x);
         y_.hold(point.y);
       }
@@ -192,7 +197,7 @@ class ChartWriter {
     double taken_to = 0.0;
     bool lower = false;
     for (const ChartMark& mark : chart_.marks) {
-      if (mark.x < x_.low || mark.x > x_.high) continue;
+      if (!(mark.x >= x_.low && mark.x <= x_.high)) continue;
       line(px(mark.x), kTop - 4.0, px(mark.x), kHeight - kBottom, "mark");
       const double half = 0.5 * kCharacter * static_cast<double>(mark.label.size());
       const double center = std::clamp(px(mark.x), kLeft + half, kWidth - kRight - half);
@@ -205,7 +210,9 @@ class ChartWriter {
   void write_band(const std::vector<ChartBand::Slice>& slices) {
     for (std::size_t begin = 0; begin < slices.size();) {
       std::size_t end = begin;
-      while (end < slices.size() && std::isfinite(slices[end].lower) && std::isfinite(slices[end].upper)) ++end;
+      while (end < slices.size() && is_drawable(slices[end].x) && is_drawable(slices[end].lower) &&
+             is_drawable(slices[end].upper))
+        ++end;
       if (end > begin + 1) {
         svg_ += "<polygon class=\"band\" points=\"";
         for (std::size_t i = begin; i < end; ++i) point(slices[i].x, slices[i].upper);
@@ -220,7 +227,9 @@ class ChartWriter {
     const auto points = thinned(one.points);
     for (std::size_t begin = 0; begin < points.size();) {
       std::size_t end = begin;
-      while (end < points.size() && std::isfinite(points[end].y)) ++end;
+      while (end < points.size() && is_drawable(points[end].x) && is_drawable(points[end].y)) {
+        ++end;
+      }
       if (end > begin) {
         svg_ += "<polyline class=\"" + one.style + "\" points=\"";
         for (std::size_t i = begin; i < end; ++i) point(points[i].x, points[i].y);
@@ -236,6 +245,7 @@ class ChartWriter {
 
   void write_dots() {
     for (const ChartDot& dot : chart_.dots) {
+      if (!is_drawable(dot.x) || !is_drawable(dot.y)) continue;
       svg_ += "<circle" + attribute("cx", px(dot.x)) + attribute("cy", py(dot.y)) + " r=\"3.5\" class=\"dot\"/>\n";
       const bool at_right = px(dot.x) > 0.6 * kWidth;
       text(px(dot.x) + (at_right ? -8.0 : 8.0), std::max(py(dot.y) - 7.0, kTop + 10.0), "word",
