@@ -17,6 +17,7 @@
 #include "commands/Manual.h"
 #include "commands/ProfilesCommand.h"
 #include "commands/ReplayCommand.h"
+#include "commands/ReportCommand.h"
 #include "commands/SimulateCommand.h"
 #include "commands/TrialCommand.h"
 #include "commands/Versions.h"
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
   pellucida::add_force_command(app);
   pellucida::add_check_command(app);
   pellucida::add_export_command(app);
+  pellucida::add_report_command(app);
   pellucida::add_trial_command(app);
   pellucida::add_bench_command(app);
   pellucida::add_devices_command(app);

@@ -21,6 +21,7 @@
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/operation/HapticPathBlock.h"
 #include "pellucida/pipeline/BatchRun.h"
+#include "pellucida/report/PassportReport.h"
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionExport.h"
 #include "pellucida/session/SessionWriter.h"
@@ -262,6 +263,29 @@ TEST_F(FileFormat, TheColumnsOfTheExportAreThoseOfThePage) {
     }
   }
   EXPECT_EQ(checked.size(), 3U);
+}
+
+// A report's tables by their headers; the columns of both tables of the page, each in one file at least.
+TEST_F(FileFormat, TheColumnsOfTheReportAreThoseOfThePage) {
+  const PassportReport report = write_report(session(), session().parent_path() / "report");
+  const std::string text = section("cells.csv and contacts.csv");
+  Names documented, written;
+  for (const auto& row : table_of(text)) documented.merge(names_in(row[0]));
+  for (const char* file : {"cells.csv", "contacts.csv"}) {
+    ASSERT_NE(text.find('`' + std::string(file) + '`'), std::string::npos) << file;
+    std::ifstream stream(session().parent_path() / "report" / file);
+    std::string header;
+    std::getline(stream, header);
+    for (const std::string& name : split_csv(header)) written.insert(name);
+  }
+  EXPECT_EQ(written, documented);
+  // The needle of the default scenario touches within two seconds.
+  ASSERT_EQ(report.cells.size(), 1U);
+  EXPECT_GT(report.cells[0].main_contact().peak_force_uN, 0.1);
+  for (const fs::path& file : report.files) {
+    const std::string name = file.filename().string();
+    EXPECT_NE(text_of(fs::path(PELLUCIDA_SOURCE_DIR) / "docs/file-format.md").find(name), std::string::npos) << name;
+  }
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <thread>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/NewCellNote.h"
 
 namespace pellucida {
 namespace {
@@ -117,6 +119,22 @@ TEST_F(OperatorConsoleTest, NumbersOutOfRangeAreRefused) {
 }
 
 // A camera that stalls on command.
+// The session has to know that its numbers are another cell's from here on.
+TEST_F(OperatorConsoleTest, ANewCellIsANoteInTheSession) {
+  choose("Mouse");
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  const auto new_cell = [&]() -> std::optional<Event> {
+    for (const Event& event : run_.events_since(0))
+      if (begins_new_cell(event)) return event;
+    return std::nullopt;
+  };
+  EXPECT_FALSE(new_cell());
+  console_.new_cell();
+  ASSERT_TRUE(tick_until([&] { return new_cell().has_value(); }));
+  // On the session's clock: about the time of the newest frame.
+  EXPECT_NEAR(new_cell()->time_s, run_.scenes()->peek()->measurement.time_s, 5.0);
+}
+
 class StallingSource final : public FrameSource {
  public:
   StallingSource(std::unique_ptr<FrameSource> source, const std::atomic<bool>& stalled)

@@ -8,6 +8,7 @@
 #include "HandEngagement.h"
 #include "InjectionGuide.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/NewCellNote.h"
 #include "pellucida/operation/ProfileStrength.h"
 
 namespace pellucida {
@@ -280,6 +281,7 @@ bool OperatorConsole::tip_is_out() {
 void OperatorConsole::renew() {
   if (!tip_is_out()) return;
   needle_->renew();
+  run_.add_event({run_.clock().now_s() - run_.session_lag_s(), event_kind::kNote, std::string(kNewCellNote)});
   renewing_ = false;
   guide_->drop();
   set_buttons();

@@ -89,6 +89,9 @@ const std::filesystem::path& SessionReader::folder() const noexcept {
 const SessionInfo& SessionReader::info() const noexcept {
   return impl_->head_.info;
 }
+const std::string& SessionReader::created() const noexcept {
+  return impl_->head_.created;
+}
 bool SessionReader::complete() const noexcept {
   return impl_->head_.complete;
 }

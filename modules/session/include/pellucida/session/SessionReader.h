@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "pellucida/core/Event.h"
@@ -24,6 +25,8 @@ class SessionReader {
 
   const std::filesystem::path& folder() const noexcept;
   const SessionInfo& info() const noexcept;
+  /// Wall clock at the start, UTC, as `session.json` states it; empty where it states none.
+  const std::string& created() const noexcept;
   /// True when the session was closed; false after a crash, repaired or not, and while it is still being written.
   bool complete() const noexcept;
   /// True when `session.json` was changed after it was written: its calibration and profile may not be those of the

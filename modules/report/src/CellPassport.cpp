@@ -1,0 +1,78 @@
+#include "pellucida/report/CellPassport.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "CellSpans.h"
+#include "ContactNumbers.h"
+#include "PassportDoubts.h"
+
+namespace pellucida {
+namespace {
+
+// The cell's size from the rows in which nothing touches it; from all of them where there are none.
+double rest_radius_um(const PassportInput& input, const RowRange& range) {
+  for (const bool free_only : {true, false}) {
+    std::vector<double> radii_um;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const double radius_um = radius_um_of(input.rows[i]);
+      if ((!free_only || input.rows[i].state == CellState::kFree) && std::isfinite(radius_um)) {
+        radii_um.push_back(radius_um);
+      }
+    }
+    if (radii_um.empty()) continue;
+    const auto middle = radii_um.begin() + static_cast<std::ptrdiff_t>(radii_um.size() / 2);
+    std::nth_element(radii_um.begin(), middle, radii_um.end());
+    return *middle;
+  }
+  return ContactPassport::kNone;
+}
+
+CellPassport passport_of(const PassportInput& input, const CellSpan& span, int number) {
+  CellPassport cell;
+  cell.session = input.session;
+  cell.profile = input.profile;
+  cell.cell = number;
+  cell.rows = span.rows;
+  cell.found_s = input.rows[span.rows.begin].time_s;
+  cell.last_seen_s = input.rows[span.rows.end - 1].time_s;
+  cell.radius_um = rest_radius_um(input, span.rows);
+  cell.losses = span.losses;
+  for (const ContactSpan& one : span.contacts) {
+    ContactPassport contact = contact_numbers(input, span, one);
+    contact.cell = number;
+    contact.contact = ++cell.contacts;
+    contact.doubt_list = contact_doubts(input, one, contact);
+    contact.doubts = in_one_line(contact.doubt_list);
+    cell.contact_list.push_back(std::move(contact));
+  }
+  cell.doubt_list = cell_doubts(span, cell);
+  cell.cell_doubts = in_one_line(cell.doubt_list);
+  cell.notes = notes_between(input, cell.found_s, cell.last_seen_s);
+  return cell;
+}
+
+}  // namespace
+
+const ContactPassport& CellPassport::main_contact() const noexcept {
+  static const ContactPassport kUntouched;
+  if (contact_list.empty()) return kUntouched;
+  const auto force_uN = [](const ContactPassport& contact) {
+    return std::isnan(contact.peak_force_uN) ? -1.0 : contact.peak_force_uN;
+  };
+  // Of several punctures the first: the cell was whole before it.
+  const auto punctured = std::find_if(contact_list.begin(), contact_list.end(),
+                                      [](const auto& contact) { return contact.outcome == "punctured"; });
+  if (punctured != contact_list.end()) return *punctured;
+  return *std::max_element(contact_list.begin(), contact_list.end(),
+                           [&](const auto& a, const auto& b) { return force_uN(a) < force_uN(b); });
+}
+
+std::vector<CellPassport> cell_passports(const PassportInput& input) {
+  std::vector<CellPassport> cells;
+  int number = 0;
+  for (const CellSpan& span : find_cells(input)) cells.push_back(passport_of(input, span, ++number));
+  return cells;
+}
+
+}  // namespace pellucida
