@@ -51,10 +51,18 @@ TEST(BatchRow, TheTableHasACellForEachColumn) {
   ASSERT_EQ(names.size(), cells.size());
   EXPECT_EQ(names.size(), split_csv(second).size());
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == "name") EXPECT_EQ(cells[i], row.name);
-    if (names[i] == "error") EXPECT_EQ(cells[i], row.error);
-    if (names[i] == "peak_force_uN") EXPECT_EQ(cells[i], "1.5");
-    if (names[i] == "puncture_force_uN") EXPECT_EQ(cells[i], "");
+    if (names[i] == "name") {
+      EXPECT_EQ(cells[i], row.name);
+    }
+    if (names[i] == "error") {
+      EXPECT_EQ(cells[i], row.error);
+    }
+    if (names[i] == "peak_force_uN") {
+      EXPECT_EQ(cells[i], "1.5");
+    }
+    if (names[i] == "puncture_force_uN") {
+      EXPECT_EQ(cells[i], "");
+    }
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 BatchRow row(const std::string& group, double peak_uN, bool measured = true) {
   BatchRow result;
   result.group = group;
-  result.session = measured ? "s" : "";
+  result.result = measured ? batch_result::kMeasured : batch_result::kDamaged;
   result.numbers.peak_force_uN = peak_uN;
   return result;
 }

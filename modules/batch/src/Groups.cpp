@@ -21,7 +21,7 @@ constexpr FieldRange kAnyFigure;
 constexpr Field<G> kGroupColumns[] = {
     {"group", "", &G::group, kAnyFigure, "the group"},
     {"quantity", "", &G::quantity, kAnyFigure, "a column of `summary.csv`"},
-    {"n", "", &G::count, kAnyFigure, "recordings of the group that have a number there"},
+    {"n", "", &G::count, kAnyFigure, "recordings of the group that were measured to their end and have a number there"},
     {"median", "", &G::median, kAnyFigure, "median of these numbers, in the unit that ends the quantity's name"},
     {"lower_quartile", "", &G::lower_quartile, kAnyFigure, "a quarter of them lies below"},
     {"upper_quartile", "", &G::upper_quartile, kAnyFigure, "a quarter of them lies above"},
@@ -96,7 +96,7 @@ std::vector<double> values_in(std::span<const BatchRow> rows, const std::string&
   std::vector<double> values;
   for (const BatchRow& row : rows) {
     const double value = row.numbers.*quantity.value;
-    if (row.group == group && !row.session.empty() && !std::isnan(value)) values.push_back(value);
+    if (row.group == group && row.result == batch_result::kMeasured && !std::isnan(value)) values.push_back(value);
   }
   return values;
 }

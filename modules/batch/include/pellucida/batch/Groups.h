@@ -36,7 +36,8 @@ std::span<const GroupQuantity> group_quantities() noexcept;
 
 /// The groups in the order in which `rows` first name them; rows without a group belong to none.
 std::vector<std::string> groups_of(std::span<const BatchRow> rows);
-/// The numbers of one quantity in a group, of recordings that were measured (also those broken off), NaN left out.
+/// The numbers of one quantity in a group, of recordings that were measured to their end (the peak of one broken off is
+/// not that of its cell), NaN left out.
 std::vector<double> values_in(std::span<const BatchRow> rows, const std::string& group, const GroupQuantity& quantity);
 
 /// Every group and quantity, compared with the first group named.
