@@ -34,8 +34,9 @@ TEST(BoxPlot, TheBoxLiesAtItsQuartiles) {
 TEST(BoxPlot, DrawsWhateverThereIs) {
   EXPECT_EQ(box_plot_svg("none", {}), "");
   EXPECT_EQ(box_plot_svg("none", std::vector<BoxSample>{{"a", {}}}), "");
+  EXPECT_EQ(box_plot_svg("same", std::vector<BoxSample>{{"a", {1, 1}}, {"b", {1}}}), "");
   for (const double value : {0.0, 7.5, -3.0}) {
-    const std::string svg = box_plot_svg("one", std::vector<BoxSample>{{"a", {value}}, {"b", {}}});
+    const std::string svg = box_plot_svg("two", std::vector<BoxSample>{{"a", {value}}, {"b", {value + 1}}, {"c", {}}});
     EXPECT_EQ(svg.find("nan"), std::string::npos) << svg;
     EXPECT_EQ(svg.find("inf"), std::string::npos) << svg;
   }

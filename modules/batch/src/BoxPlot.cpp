@@ -40,8 +40,11 @@ std::string shortened(const std::string& name) {
 std::string box(const std::vector<double>& sorted, const Axis& axis, double x, const char* color) {
   const double lower = quantile(sorted, 0.25), middle = quantile(sorted, 0.5), upper = quantile(sorted, 0.75);
   const double reach = 1.5 * (upper - lower);
-  const double least = *std::find_if(sorted.begin(), sorted.end(), [&](double v) { return v >= lower - reach; });
-  const double most = *std::find_if(sorted.rbegin(), sorted.rend(), [&](double v) { return v <= upper + reach; });
+  // Of few values the farthest one within reach may lie inside the box.
+  const double least =
+      std::min(lower, *std::find_if(sorted.begin(), sorted.end(), [&](double v) { return v >= lower - reach; }));
+  const double most =
+      std::max(upper, *std::find_if(sorted.rbegin(), sorted.rend(), [&](double v) { return v <= upper + reach; }));
   const double half = 0.5 * kBox;
   std::string svg;
   svg += drawn(R"(<path d="M%.1f %.1fV%.1fM%.1f %.1fV%.1f" stroke="%s"/>)", x, axis.y(least), axis.y(lower), x,
@@ -80,10 +83,9 @@ std::vector<double> round_ticks(double low, double high, int count) {
 std::string box_plot_svg(const std::string& title, std::span<const BoxSample> samples) {
   std::vector<double> all;
   for (const BoxSample& sample : samples) all.insert(all.end(), sample.values.begin(), sample.values.end());
-  if (all.empty()) return {};
+  if (all.empty() || std::all_of(all.begin(), all.end(), [&](double v) { return v == all.front(); })) return {};
   auto [low, high] = std::minmax_element(all.begin(), all.end());
-  const double margin = *high > *low ? 0.0 : std::max(1e-9, 0.1 * std::abs(*high));
-  const auto ticks = round_ticks(*low - margin, *high + margin, 5);
+  const auto ticks = round_ticks(*low, *high, 5);
   const Axis axis{ticks.front(), ticks.back()};
 
   const double width = std::max(240.0, kLeft + kStep * static_cast<double>(samples.size()) + kRight);

@@ -12,7 +12,7 @@ struct BoxSample {
 };
 
 /// Box plots side by side as inline SVG: quartiles and median, whiskers to the farthest value within 1.5 times the box
-/// (Tukey), every value as a dot. Empty where no sample has a value.
+/// (Tukey), every value as a dot. Empty where there is nothing to compare: no value, or the same one everywhere.
 std::string box_plot_svg(const std::string& title, std::span<const BoxSample> samples);
 
 /// About `count` round numbers from `low` to `high`, the outer ones at or beyond them: axis ticks. `low` < `high`.

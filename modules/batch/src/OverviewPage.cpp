@@ -20,7 +20,7 @@ th{font-weight:600;color:#566273;font-size:.85rem;vertical-align:bottom}td.n,th.
 a{color:#0b5fa5}.measured{color:#1c7a3e}.damaged,.nothing{color:#8f5a00}.failed{color:#b3261e}.waiting{color:#566273}
 .plots{display:flex;flex-wrap:wrap;gap:1.2rem 2rem}svg text{font:12px system-ui,"DejaVu Sans",sans-serif;fill:#1b2430}
 svg text.name{font-weight:600;font-size:13px}svg text.dim{fill:#566273}svg .grid{stroke:#e3e8ee}
-td.word{overflow-wrap:anywhere}
+td.name{white-space:nowrap}td.word{overflow-wrap:anywhere}
 )";
 
 struct Result {
@@ -45,7 +45,7 @@ std::string number_cell(double value, int digits) {
 
 std::string name_cell(const BatchRow& row) {
   const std::string name = html_text(row.name);
-  return "<td class=\"word\">" +
+  return "<td class=\"name\">" +
          (row.session.empty() ? name : "<a href=\"" + html_link(row.session) + "/\">" + name + "</a>") + "</td>";
 }
 
@@ -123,7 +123,7 @@ std::string group_part(std::span<const BatchRow> rows, std::span<const GroupRow>
   return "<h2>Groups</h2>\n<p class=\"dim\">Boxes: quartiles and median; whiskers: to the farthest value within 1.5 "
          "boxes; "
          "dots: recordings. Hedges&#39; g and Cliff&#39;s delta compare each group with <b>" +
-         html_text(names.front()) + "</b>, with 95 % bootstrap intervals from " +
+         html_text(names.front()) + "</b>, with 95&nbsp;% bootstrap intervals from " +
          "4 recordings a group on. <a href=\"groups.csv\">groups.csv</a></p>\n" + plots(rows, names) +
          group_table(groups);
 }
