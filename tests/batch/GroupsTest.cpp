@@ -98,7 +98,7 @@ TEST_F(ConditionsTest, WhatDoesNotFitIsSaid) {
   EXPECT_EQ(recordings_[2].group, "control");
   ASSERT_EQ(conditions.notes.size(), 2U);
   EXPECT_NE(conditions.notes[0].find("c.csv:3: no recording is called nowhere"), std::string::npos);
-  EXPECT_NE(conditions.notes[1].find("1 recordings in no group"), std::string::npos);
+  EXPECT_NE(conditions.notes[1].find("1 recording in no group"), std::string::npos);
 
   EXPECT_THROW(take("recording,condition\na,control\n"), InputError);
   EXPECT_THROW(take("recording,group\na\n"), InputError);

@@ -17,7 +17,8 @@ constexpr Field<R> kHeadColumns[] = {
      "its end, no cell in any frame; `failed`: no session; `waiting`: not analysed yet, or changed since"},
     {"session", "", &R::session, kAnyValue, "the session's folder, relative to this file; empty for none"},
     {"exit_code", "", &R::exit_code, kAnyValue,
-     "of `pellucida analyze` for this recording; 128 and the signal's number where a signal ended it"},
+     "of `pellucida analyze` for this recording; 128 and the signal's number where a signal ended it; empty while it "
+     "is waiting"},
     {"error", "", &R::error, kAnyValue, "what went wrong, where, and what helps, in one line"},
 };
 constexpr Field<R> kTailColumns[] = {

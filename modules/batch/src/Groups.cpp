@@ -179,7 +179,10 @@ Conditions take_conditions(const fs::path& table, std::vector<Recording>& record
       conditions.groups.push_back(group);
   }
   const auto rest = std::count_if(recordings.begin(), recordings.end(), [](const auto& r) { return r.group.empty(); });
-  if (rest > 0) conditions.notes.push_back(table.string() + ": " + std::to_string(rest) + " recordings in no group");
+  if (rest > 0) {
+    conditions.notes.push_back(table.string() + ": " + std::to_string(rest) +
+                               (rest == 1 ? " recording" : " recordings") + " in no group");
+  }
   return conditions;
 }
 

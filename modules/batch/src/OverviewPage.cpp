@@ -69,8 +69,8 @@ std::string failures(std::span<const BatchRow> rows) {
   std::string html;
   for (const BatchRow& row : rows) {
     if (row.error.empty()) continue;
-    html += "<tr>" + name_cell(row) + result_cell(row) + cell(std::to_string(row.exit_code), true) +
-            "<td class=\"word\">" + html_text(row.error) + "</td></tr>\n";
+    html += "<tr>" + name_cell(row) + result_cell(row) + number_cell(row.exit_code, 0) + "<td class=\"word\">" +
+            html_text(row.error) + "</td></tr>\n";
   }
   if (html.empty()) return {};
   return "<h2>What went wrong</h2>\n<div class=\"wide\"><table><thead><tr><th>recording</th><th>result</th>"

@@ -1,6 +1,7 @@
 #include "pellucida/batch/RecordingBatch.h"
 
 #include <poll.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -74,16 +75,17 @@ std::optional<RecordingRecord> finished_record(const Recording& recording, const
   if (!record || record->recipe != settings.recipe) return std::nullopt;
   const bool failed = record->session_sha256.empty();
   if (failed ? !settings.only_collect : !holds_result(settings.output / recording.name, *record)) return std::nullopt;
-  const InputStamp now = stamp_of(recording.input);
-  if (!same_content(record->input, now)) return std::nullopt;
-  if (now.path != record->input.path || now.modified_ns != record->input.modified_ns) {
-    // Known to be the same after reading it; next time its stamp will do.
-    const std::string hash = record->input.sha256;
-    record->input = now;
-    record->input.sha256 = hash;
-    write_record(record_file(settings.output, recording.name), *record);
-  }
+  if (!same_content(record->input, stamp_of(recording.input))) return std::nullopt;
   return record;
+}
+
+// What is known to be the same after reading it: next time its stamp will do.
+void refresh_stamp(const Recording& recording, const fs::path& output, RecordingRecord record) {
+  InputStamp now = stamp_of(recording.input);
+  if (now.path == record.input.path && now.modified_ns == record.input.modified_ns) return;
+  now.sha256 = record.input.sha256;
+  record.input = now;
+  write_record(record_file(output, recording.name), record);
 }
 
 class Batch {
@@ -132,6 +134,7 @@ class Batch {
     for (std::size_t i = 0; i < recordings_.size(); ++i) {
       const auto record = finished_record(recordings_[i], settings_);
       if (record && (!settings_.again || settings_.only_collect)) {
+        refresh_stamp(recordings_[i], settings_.output, *record);
         finish(i, *record, 0.0);
       } else {
         rest.push_back(i);

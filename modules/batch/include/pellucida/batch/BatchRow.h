@@ -26,8 +26,8 @@ struct BatchRow {
   std::string group;
   std::string input;
   std::string result = batch_result::kWaiting;
-  std::string session;  ///< folder, relative to the batch's output; empty for none
-  int exit_code = 0;
+  std::string session;                         ///< folder, relative to the batch's output; empty for none
+  double exit_code = RecordingSummary::kNone;  ///< a whole number; NaN while it is waiting
   std::string error;
   RecordingSummary numbers;
   double wall_time_s = RecordingSummary::kNone;
