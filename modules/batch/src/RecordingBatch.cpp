@@ -201,7 +201,8 @@ class Batch {
       record.input.sha256 = input_hash(session);
     }
     job.place->publish(record);
-    finish(job.index, record, bytes_[job.index]);
+    // What failed at once says nothing of the time that the others need.
+    finish(job.index, record, record.session_sha256.empty() ? 0.0 : bytes_[job.index]);
   }
 
   // A failure that leaves no record: it is about the output, not about the recording.
@@ -209,7 +210,7 @@ class Batch {
     RecordingRecord record;
     record.exit_code = static_cast<int>(ExitCode::kOutputUnwritable);
     record.error = error;
-    finish(index, record, bytes_[index]);
+    finish(index, record, 0.0);
   }
 
   void finish(std::size_t index, const RecordingRecord& record, double worked_bytes) {
@@ -234,7 +235,7 @@ class Batch {
   const BatchSettings& settings_;
   std::vector<BatchRow> rows_;
   std::vector<double> bytes_;  ///< of each recording
-  double all_bytes_ = 0.0;     ///< of those that are not kept
+  double all_bytes_ = 0.0;     ///< of those that are neither kept nor failed
   double worked_bytes_ = 0.0;
   std::list<Job> jobs_;
   bool stopping_ = false;
