@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "TestSessions.h"
+#include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "support/Files.h"
 
@@ -34,6 +35,7 @@ class RecordingBatchTest : public testing::Test {
                   at("template").string() +
                   "' \"$4\"; echo 'pellucida: cut off' >&2; exit 3;;\n"
                   "  torn) mkdir \"$4\"; echo '{}' > \"$4/session.json\"; exit 1;;\n"
+                  "  full) echo 'pellucida: no space' >&2; exit 5;;\n"
                   "  slow) sleep 60;;\n"
                   "esac\n"
                   "cp -r '" +
@@ -162,6 +164,17 @@ TEST_F(RecordingBatchTest, AStopLeavesTheRestWaiting) {
   calls();
   EXPECT_EQ(run(), "measured measured measured");
   EXPECT_EQ(calls(), 2);
+}
+
+// Each of the others would find out only after its work.
+TEST_F(RecordingBatchTest, AFullDiskEndsTheBatch) {
+  add("a", "fine");
+  add("b", "full");
+  add("c", "fine");
+  EXPECT_THROW(run(), OutputError);
+  EXPECT_EQ(calls(), 2);
+  EXPECT_TRUE(fs::exists(at("out/a/session.json")));
+  EXPECT_TRUE(fs::is_empty(at("out/.unfinished")));
 }
 
 TEST_F(RecordingBatchTest, CollectingAnalysesNothing) {

@@ -108,6 +108,7 @@ TEST_F(RecordingListTest, NamesDiffer) {
   put("rec/a/b.avi");
   put("rec/records.avi");
   put("rec/summary.csv.avi");
+  put("rec/line\nend.avi");
   EXPECT_EQ(found({at("rec").string()}), (Names{{"cell_avi", "rec"},
                                                 {"cell_mp4", "rec"},
                                                 {"Other_avi", "rec"},
@@ -115,7 +116,8 @@ TEST_F(RecordingListTest, NamesDiffer) {
                                                 {"a_b_avi", "rec"},
                                                 {"a_b_avi_2", "a"},
                                                 {"records_avi", "rec"},
-                                                {"summary.csv_avi", "rec"}}));
+                                                {"summary.csv_avi", "rec"},
+                                                {"line_end", "rec"}}));
 }
 
 TEST_F(RecordingListTest, SeveralFoldersComeBeforeTheirNames) {

@@ -189,6 +189,8 @@ class Batch {
   }
 
   void publish(const Job& job, const ChildEnd& end) {
+    // A full disk is full for the others too, and each would find out only after its work.
+    if (end.exit_code == static_cast<int>(ExitCode::kOutputUnwritable)) throw OutputError(error_line(end));
     RecordingRecord record;
     record.input = job.stamp;
     record.recipe = settings_.recipe;

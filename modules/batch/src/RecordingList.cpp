@@ -80,7 +80,10 @@ class FolderSearch {
  private:
   void add(const fs::path& input, const fs::path& way, const std::string& ending) {
     std::string name = label_;
-    for (const fs::path& part : way) name += (name.empty() ? "" : "_") + part.string();
+    for (const fs::path& part : way) {
+      if (!name.empty()) name += '_';
+      name += part.string();
+    }
     if (way.empty()) name = last_name(input);
     fs::path group = label_;
     if (way.has_parent_path()) group /= way.parent_path();
@@ -114,6 +117,10 @@ void make_unique(std::vector<Found>& found) {
     return text;
   };
   std::map<std::string, int> count;
+  for (Found& one : found) {
+    // A line end in a name would break lists and messages.
+    for (char& c : one.recording.name) c = static_cast<unsigned char>(c) < 0x20U ? '_' : c;
+  }
   for (const char* reserved : kReservedNames) ++count[key(reserved)];
   for (const Found& one : found) ++count[key(one.recording.name)];
   std::set<std::string> taken(kReservedNames.begin(), kReservedNames.end());

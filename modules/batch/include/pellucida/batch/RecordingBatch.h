@@ -41,7 +41,8 @@ struct BatchSettings {
 /// the system kills the children. Other batches may work in the same folder: a recording that one has begun is `failed`
 /// in the other. A folder of that name which the batch didn't make is never touched: the recording fails.
 ///
-/// Call from one thread, which must live until it returns. Throws OutputError when the output can't be written.
+/// Call from one thread, which must live until it returns. Throws OutputError when the output can't be written, also by
+/// a child: what is finished stays.
 std::vector<BatchRow> run_recordings(const std::vector<Recording>& recordings, const BatchSettings& settings);
 
 /// Whether a recording's result is there, whole and made from what is there now.
