@@ -12,10 +12,25 @@ Progress::~Progress() {
   if (on_terminal_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::update(long done, std::optional<long> all) {
+bool Progress::is_due() {
   const auto now = std::chrono::steady_clock::now();
-  if (!on_terminal_ || now - last_ < std::chrono::milliseconds(100)) return;
+  if (!on_terminal_ || now - last_ < std::chrono::milliseconds(100)) return false;
   last_ = now;
+  return true;
+}
+
+void Progress::say(const std::string& line) {
+  if (!is_due()) return;
+  std::fprintf(stderr, "\r\033[K%s", line.c_str());
+  std::fflush(stderr);
+}
+
+void Progress::note(const std::string& text) {
+  std::fprintf(stderr, "%spellucida: %s\n", on_terminal_ ? "\r\033[K" : "", text.c_str());
+}
+
+void Progress::update(long done, std::optional<long> all) {
+  if (!is_due()) return;
   if (all) {
     std::fprintf(stderr, "\r\033[K%s %ld / %ld", what_.c_str(), done, *all);
   } else {

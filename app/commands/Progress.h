@@ -15,8 +15,14 @@ class Progress {
 
   /// At most ten times a second; `all` where it is known.
   void update(long done, std::optional<long> all);
+  /// The same with words of its own.
+  void say(const std::string& line);
+  /// A message that stays, on a line of its own, also where stderr is no terminal.
+  void note(const std::string& text);
 
  private:
+  bool is_due();
+
   std::string what_;
   bool on_terminal_;
   std::chrono::steady_clock::time_point last_{};

@@ -28,6 +28,9 @@ foreach(folder devices looks networks profiles reference scenarios)
   # The scripts that made a resource are for the developer.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/pellucida PATTERN "*.py" EXCLUDE)
 endforeach()
+# For the user's own scripts and clusters.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/python ${PROJECT_SOURCE_DIR}/resources/workflows
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/pellucida USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   ${PROJECT_SOURCE_DIR}/LICENSE
   DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,6 @@
 #include "ImageSequenceSource.h"
 #include "TestFiles.h"
+#include "pellucida/acquisition/FolderContent.h"
 
 namespace pellucida {
 namespace {

@@ -11,10 +11,10 @@
 #include <system_error>
 
 #include "GapCounter.h"
-#include "ImageSequenceSource.h"
 #include "MatGrey.h"
 #include "SourceCalibration.h"
 #include "VideoFileSource.h"
+#include "pellucida/acquisition/FolderContent.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"

@@ -8,6 +8,7 @@
 #include "ImageFile.h"
 #include "SourceCalibration.h"
 #include "TiffPages.h"
+#include "pellucida/acquisition/FolderContent.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
 

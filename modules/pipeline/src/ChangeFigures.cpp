@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "pellucida/core/Table.h"
+#include "pellucida/core/FieldCsv.h"
 
 namespace pellucida {
 namespace {
@@ -55,19 +55,11 @@ std::span<const Field<ChangeFigures>> change_columns() noexcept {
 }
 
 std::string change_header() {
-  std::string header = "variant";
-  for (const auto& column : kChangeColumns) header += ',' + std::string(column.name);
-  return header;
+  return "variant," + csv_header(change_columns());
 }
 
 std::string to_csv(std::string_view variant, const ChangeFigures& figures) {
-  std::string row = csv_cell(variant);
-  for (const auto& column : kChangeColumns) {
-    const auto* whole = std::get_if<int ChangeFigures::*>(&column.member);
-    row += ',' + (whole ? std::to_string(figures.**whole)
-                        : csv_number(figures.*std::get<double ChangeFigures::*>(column.member)));
-  }
-  return row;
+  return csv_cell(variant) + ',' + csv_row(change_columns(), figures);
 }
 
 bool equal_as_written(const Measurement& one, const Measurement& other) {

@@ -13,6 +13,7 @@ enum class ExitCode : int {
   kNothingMeasured = 4,
   kOutputUnwritable = 5,
   kDeviceMissing = 6,
+  kSomeFailed = 7,
 };
 
 /// Base of every exception thrown on purpose. The text is one line: what, where, how to correct it.
@@ -53,6 +54,12 @@ class OutputError : public Error {
 class DeviceError : public Error {
  public:
   explicit DeviceError(const std::string& text) : Error(ExitCode::kDeviceMissing, text) {}
+};
+
+/// Of several recordings some weren't measured to their end; the others are whole.
+class SomeFailedError : public Error {
+ public:
+  explicit SomeFailedError(const std::string& text) : Error(ExitCode::kSomeFailed, text) {}
 };
 
 }  // namespace pellucida

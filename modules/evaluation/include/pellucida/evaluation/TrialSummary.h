@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/evaluation/Statistics.h"
+#include "pellucida/core/Statistics.h"
 #include "pellucida/evaluation/Trial.h"
 
 namespace pellucida {

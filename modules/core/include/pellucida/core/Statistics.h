@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace pellucida {
@@ -10,6 +11,10 @@ struct Estimate {
   double median = 0.0, mean = 0.0;
   double lower = 0.0, upper = 0.0;  ///< 95 % interval of the mean
 };
+
+/// The quantile at `part` (0..1) of sorted values, at least one, linear between neighbours (type 7 of Hyndman and Fan,
+/// Am. Stat. 50, 1996: what R and NumPy give unasked).
+double quantile(std::span<const double> sorted, double part);
 
 /// Median, mean and its percentile bootstrap interval (2000 resamples, seeded: Efron and Tibshirani, An Introduction to
 /// the Bootstrap, 1993, chapter 13). NaN values are ignored.

@@ -1,4 +1,4 @@
-#include "pellucida/evaluation/Statistics.h"
+#include "pellucida/core/Statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +11,15 @@ namespace {
 
 constexpr int kResamples = 2000;
 
-double quantile(const std::vector<double>& sorted, double part) {
+}  // namespace
+
+double quantile(std::span<const double> sorted, double part) {
   const double place = part * static_cast<double>(sorted.size() - 1);
   const auto before = static_cast<std::size_t>(place);
   const std::size_t after = std::min(before + 1, sorted.size() - 1);
   const double rest = place - static_cast<double>(before);
   return (1.0 - rest) * sorted[before] + rest * sorted[after];
 }
-
-}  // namespace
 
 Estimate estimate(std::vector<double> values, std::uint64_t seed) {
   std::erase_if(values, [](double value) { return std::isnan(value); });

@@ -1,4 +1,4 @@
-#include "pellucida/evaluation/Statistics.h"
+#include "pellucida/core/Statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -29,6 +29,15 @@ TEST(Statistics, WhatIsNoNumberIsLeftOut) {
   EXPECT_DOUBLE_EQ(e.mean, 2.0);
   EXPECT_DOUBLE_EQ(e.median, 2.0);
   EXPECT_TRUE(std::isnan(estimate({}).mean));
+}
+
+// R: quantile(c(1, 2, 4, 8), c(0, .25, .5, 1)).
+TEST(Statistics, QuantilesAreThoseOfR) {
+  const std::vector<double> values{1.0, 2.0, 4.0, 8.0};
+  EXPECT_DOUBLE_EQ(quantile(values, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(quantile(values, 0.25), 1.75);
+  EXPECT_DOUBLE_EQ(quantile(values, 0.5), 3.0);
+  EXPECT_DOUBLE_EQ(quantile(values, 1.0), 8.0);
 }
 
 // Worked by hand: p = 0.9, n = 10.
