@@ -92,8 +92,9 @@ TEST(Layering, ThereAreNoCycles) {
   // Strike out parts that use only struck-out ones; what is left is a cycle.
   std::set<std::string> settled;
   for (std::size_t round = 0; round <= allowed.size(); ++round) {
-    for (const auto& [part, uses] : allowed) {
-      const bool free = std::all_of(uses.begin(), uses.end(),
+    for (const auto& entry : allowed) {
+      const std::string& part = entry.first;
+      const bool free = std::all_of(entry.second.begin(), entry.second.end(),
                                     [&](const std::string& use) { return use == part || settled.contains(use); });
       if (free) settled.insert(part);
     }

@@ -159,6 +159,7 @@ TEST(CellReference, ToolsAreDrawnAsWideAsTheMechanicsHasThem) {
   Scenario scenario;
   scenario.cell.reference = "specimen-18";
   scenario.cell.size_scale = 0.9;
+  scenario.motion.indentation_um = 30;
   const ReferenceGeometry geometry = load_reference_geometry("specimen-18");
   EXPECT_NEAR(with_tools_drawn(scenario).tools.needle_tip_radius_um, 0.9 * geometry.tip_radius_um, 1e-12);
   const HolderRim rim = holder_rim(VirtualSpecimen(scenario));

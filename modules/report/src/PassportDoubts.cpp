@@ -14,7 +14,7 @@ namespace {
 /// The window shows a confidence below this in amber.
 constexpr double kLowConfidence = 0.5;
 /// Half an interval's width over the force, from which on it is named.
-constexpr double kWide_ratio = 0.25;
+constexpr double kWide_ratio = 0.4;
 /// How the mechanics' own notes begin: reasons, not an operator's words.
 constexpr const char* kNoForce = "no force: ";
 

@@ -27,12 +27,12 @@ SpecimenForce SpecimenForce::load(std::string_view cell, int configuration, cons
   // Without a table of offsets the needle has to stay on the cell's axis.
   const std::filesystem::path field_file = place.file(stem + "-field.csv");
   const bool has_field = std::filesystem::exists(field_file);
-  Eigen::VectorXd offset, depth, force;
+  Eigen::VectorXd offset, beside_depth, beside_force;
   if (has_field) {
     const Table beside = Table::read(field_file);
     offset = beside.column("offset_um");
-    depth = beside.column("indentation_um");
-    force = beside.column("force_uN");
+    beside_depth = beside.column("indentation_um");
+    beside_force = beside.column("force_uN");
   } else {
     field.max_offset_um_ = kOnAxis_um;
   }
@@ -70,8 +70,8 @@ SpecimenForce SpecimenForce::load(std::string_view cell, int configuration, cons
       if (field.symmetric_) wanted_um = std::abs(wanted_um);
       for (Eigen::Index i = 0; i < offset.size(); ++i) {
         if (offset(i) != wanted_um) continue;
-        depths.push_back(depth(i));
-        forces.push_back(force(i));
+        depths.push_back(beside_depth(i));
+        forces.push_back(beside_force(i));
       }
     }
     fill(curve, depths, forces);
