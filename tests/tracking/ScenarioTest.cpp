@@ -67,8 +67,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, ScenarioTest,
                          });
 
 TEST(ScenarioContract, EveryFrameOfTheDefaultStaysWithinTheLimits) {
-  // Contour below 0.3 px (behind a needle 10 um wide the middle of the dimple can't be seen), tip below 0.55 px, in each
-  // frame, not on average.
+  // Contour below 0.3 px (behind a needle 10 um wide the middle of the dimple can't be seen), tip below 0.55 px, in
+  // each frame, not on average.
   MembraneTracker tracker;
   const std::vector<test::FrameError> errors = test::run_scenario(load_scenario("default"), tracker);
   for (std::size_t k = 0; k < errors.size(); ++k) {
