@@ -14,7 +14,7 @@ double force_at_uN(const CellProfile& profile, const MembraneGeometry& geometry,
   return force_curve(profile, geometry, setup, depth_um, depth_um).back().push_force_uN;
 }
 
-class ShippedGeometry : public testing::TestWithParam<const char*> {
+class ShippedGeometry : public ::testing::TestWithParam<const char*> {
  protected:
   CellProfile profile_ = load_profile(GetParam());
   MembraneGeometry own_ = geometry_of(profile_);
@@ -68,7 +68,7 @@ TEST_P(ShippedGeometry, BeyondTheRangeTheFactorStays) {
   EXPECT_EQ(geometry_factor(profile_, finest, deepest_um + 5).slope_per_um, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, ShippedGeometry, testing::Values("mouse-oocyte", "mouse-embryo"),
+INSTANTIATE_TEST_SUITE_P(Profiles, ShippedGeometry, ::testing::Values("mouse-oocyte", "mouse-embryo"),
                          [](const auto& which) { return std::string(which.param).substr(6); });
 
 TEST(MembraneGeometry, WithoutTermsTheFactorIsOne) {
