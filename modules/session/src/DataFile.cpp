@@ -35,12 +35,15 @@ constexpr Compression kImageCompression{vtkXMLWriter::ZLIB, 1};
 constexpr Compression kNoCompression{vtkXMLWriter::NONE, 0};
 constexpr Compression kPolyCompression{vtkXMLWriter::LZ4, 1};
 
-// Raw appended blocks are the smallest and fastest form VTK reads everywhere. The writer keeps what it is given only
-// until it has written, so one writer a call leaves no reference behind.
+// Raw appended blocks are the smallest and fastest form VTK reads everywhere. A writer changes what it writes: ranges
+// and information of arrays are made when first asked for. Arrays that other threads hold too (views, sessions of other
+// variants) must not be, so it gets arrays of its own.
 template <class Writer, class Data>
 std::string serialise_with(Data* data, Compression compression) {
+  vtkNew<Data> own;
+  own->DeepCopy(data);
   vtkNew<Writer> writer;
-  writer->SetInputData(data);
+  writer->SetInputData(own);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorType(compression.compressor);
