@@ -4,7 +4,7 @@
 
 namespace pellucida {
 
-/// What `analyze` was told about a batch of recordings.
+/// The arguments of `analyze` for a batch of recordings.
 struct BatchArguments {
   std::vector<std::string> inputs;
   std::string output;

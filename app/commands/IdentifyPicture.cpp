@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "pellucida/core/RoundNumbers.h"
 #include "pellucida/membrane/Indenter.h"
-#include "pellucida/visualization/Scaling.h"
 #include "pellucida/visualization_vtk/ChartPicture.h"
 
 namespace pellucida {

@@ -17,7 +17,7 @@
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/LiveRun.h"
-#include "pellucida/ui/Workstation.h"
+#include "pellucida/ui/Guide.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
@@ -87,12 +87,12 @@ std::optional<std::string_view> hand_name(const WorkstationArguments& arguments)
 }
 
 // With a hand: a virtual cell whose needle it moves. Without: any source.
-int run_window(const WorkstationArguments& arguments, WindowOptions options) {
+int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   const auto hand = hand_name(arguments);
   if (!hand) {
     auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
-    return run_workstation(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio),
-                           options);
+    return run_guide(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio), nullptr,
+                     options);
   }
   if (!is_virtual_source(arguments.source)) {
     throw UsageError("--hand " + arguments.hand + ": " + arguments.source +
@@ -107,7 +107,7 @@ int run_window(const WorkstationArguments& arguments, WindowOptions options) {
   auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), arguments.pipeline);
   auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
   options.hand = console->find_hand(*hand).value_or(-1);
-  return run_workstation(std::move(run), std::move(console), options);
+  return run_guide(std::move(run), std::move(console), options);
 }
 
 void run_workstation_command(const WorkstationArguments& arguments) {
@@ -118,7 +118,7 @@ void run_workstation_command(const WorkstationArguments& arguments) {
     run_headless(arguments);
     return;
   }
-  WindowOptions options;
+  GuideOptions options;
   options.session_folder = arguments.session;
   options.screenshot = arguments.screenshot;
   options.screenshot_after_s = arguments.after_s;

@@ -22,7 +22,7 @@ Names names(const std::vector<fs::path>& files) {
 
 const cv::Mat kPixels(8, 8, CV_8U, cv::Scalar(7));
 
-TEST(FolderContent, KindsAreToldApart) {
+TEST(FolderContent, KindsAreRecognised) {
   const TemporaryFolder folder;
   for (const char* file : {"b10.avi", "b9.AVI", "notes.txt", "table.csv", ".hidden.mp4"})
     test::put(folder / file, "text");

@@ -187,13 +187,13 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
     const auto& image = run.film.scenario.image;
     out << run.film.seed << ',' << run.film.family << ',' << run.film.contrast << ',' << image.width_px << ','
         << image.height_px << ',' << image.pixel_size_um << ','
-        << 105.0 * run.film.scenario.cell.size_scale / image.pixel_size_um << ',' << run.errors.size() << ','
-        << run.found_count << ',' << run.contact_count << ',' << run.false_puncture_count << ',' << run.punctures << ','
-        << (run.puncture_delay ? std::to_string(*run.puncture_delay) : "") << ',' << quantile(outer, 0.5) << ','
-        << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size() << ',' << quantile(tip, 0.5) << ','
-        << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ',' << run.tracking_force_rms_percent << ','
-        << run.force_rms_percent << ',' << run.covered_count << ',' << run.median_frame_ms << ','
-        << run.worst.frame_index << ',' << run.badness << ','
+        << (2.0 * run.true_sizes.radius_um + run.true_sizes.thickness_um) / image.pixel_size_um << ','
+        << run.errors.size() << ',' << run.found_count << ',' << run.contact_count << ',' << run.false_puncture_count
+        << ',' << run.punctures << ',' << (run.puncture_delay ? std::to_string(*run.puncture_delay) : "") << ','
+        << quantile(outer, 0.5) << ',' << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size()
+        << ',' << quantile(tip, 0.5) << ',' << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ','
+        << run.tracking_force_rms_percent << ',' << run.force_rms_percent << ',' << run.covered_count << ','
+        << run.median_frame_ms << ',' << run.worst.frame_index << ',' << run.badness << ','
         << std::filesystem::path(run.film.scenario.cell.reference).filename().string() << ','
         << run.profile_force_rms_percent;
     for (const test::FilmSizes* sizes : {&run.seen_sizes, &run.true_sizes})

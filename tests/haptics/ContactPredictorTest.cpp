@@ -154,7 +154,7 @@ TEST(ContactPredictor, AFrameNeverMakesAStep) {
   EXPECT_NEAR(last, goal, 7e-5);
 }
 
-TEST(ContactPredictor, AnOldFrameIsDampedToZeroAndTold) {
+TEST(ContactPredictor, AnOldFrameIsDampedToZeroAndReported) {
   PredictorSettings settings;
   Bench bench(settings);
   bench.settle(30.0);
@@ -203,7 +203,7 @@ TEST(ContactPredictor, NumbersThatAreNotFiniteDampToZero) {
   }
 }
 
-TEST(ContactPredictor, APunctureToldByTheFrameReleasesInTime) {
+TEST(ContactPredictor, APunctureReportedInTheFrameReleasesInTime) {
   PredictorSettings settings;
   Bench bench(settings);
   const double before = bench.settle(40.0).along_uN;
@@ -212,15 +212,15 @@ TEST(ContactPredictor, APunctureToldByTheFrameReleasesInTime) {
   bench.see(model);
   double last = before;
   int ticks = 0;
-  bool told = false;
+  bool reported = false;
   while (last > 0.0 && ticks < 100) {
     const ContactForce force = bench.tick(40.0);
-    told = told || force.punctured_now;
+    reported = reported || force.punctured_now;
     EXPECT_LE(force.along_uN, last) << "no kick";
     last = force.along_uN;
     ++ticks;
   }
-  EXPECT_TRUE(told);
+  EXPECT_TRUE(reported);
   EXPECT_LE(kDt_s * ticks, settings.release_time_s + 1.5 * kDt_s);
 }
 

@@ -118,7 +118,7 @@ void run_tool(const std::string& chart, const std::string& table) {
     for (std::size_t k = from; k < from + kColumns; ++k) {
       ChartPanel tip = panel("", "along the path, um", 30.0, 80.0);
       tip.series = {line("the hand, scaled", all[k], all[k].hand_um, kGrey, ChartStyle::kDashedLine),
-                    line("told to the pipette", all[k], all[k].tip_um, kOrange)};
+                    line("commanded to the pipette", all[k], all[k].tip_um, kOrange)};
       panels.push_back(tip);
     }
   }

@@ -59,7 +59,7 @@ class Fault : public testing::Test {
     return 1e-3 * static_cast<double>(last);
   }
 
-  bool told(LimitKind kind) {
+  bool reported(LimitKind kind) {
     const auto events = run_.events();
     return std::any_of(events.begin(), events.end(), [&](const LimitEvent& e) { return e.kind == kind && e.begun; });
   }
@@ -85,7 +85,7 @@ TEST_F(Fault, TheCameraStalls) {
   // The last frames arrive 20 ms after; then the age limit and the fading: zero within their sum.
   EXPECT_LE(gone_after_s(records), 0.035 + settings_.predictor.age_limit_s + settings_.predictor.stale_time_s + 0.01);
   EXPECT_EQ(records.back().contact_state, ContactState::kStale);
-  EXPECT_TRUE(told(LimitKind::kContactStale));
+  EXPECT_TRUE(reported(LimitKind::kContactStale));
   EXPECT_EQ(records.back().hand_state, HandState::kWorking) << "the hand still leads the pipette";
   // And comes back with frames, as smoothly.
   run_.camera_stalled = false;
@@ -111,7 +111,7 @@ TEST_F(Fault, BlindThePipetteGoesNoDeeperButComesBackAtOnce) {
     EXPECT_EQ(record->hand_state, HandState::kWorking);
   }
   EXPECT_GT(run_.arm.position_m().x(), before_.hand_m.x + 1e-3);
-  EXPECT_TRUE(told(LimitKind::kBlind));
+  EXPECT_TRUE(reported(LimitKind::kBlind));
   // A small way back is a small way back of the pipette, wherever the hand had gone.
   run_.run(1.0);
   before_ = run_.tick();
@@ -135,7 +135,7 @@ TEST_F(Fault, BlindAnotherHandMayNotPushEither) {
   EXPECT_EQ(run_.run(0.1).back().contact_state, ContactState::kStale);
   run_.arm.intent_m.x() += 0.01;
   for (const HapticRecord& record : run_.run(0.8)) ASSERT_LE(record.tip_um.x, tip_um + 1.0);
-  EXPECT_TRUE(told(LimitKind::kBlind));
+  EXPECT_TRUE(reported(LimitKind::kBlind));
   EXPECT_GT(run_.arm.position_m().x(), before_.hand_m.x + 1e-3) << "the hand itself went on";
   // Back is free.
   run_.arm.intent_m.x() = run_.arm.position_m().x() - 0.01;
@@ -159,7 +159,7 @@ TEST_F(Fault, TheModelSaysNaN) {
   const auto records = run_.run(0.5);
   expect_smooth(records);
   EXPECT_LE(gone_after_s(records), 0.06 + settings_.predictor.invalid_time_s + 0.01);
-  EXPECT_TRUE(told(LimitKind::kContactInvalid));
+  EXPECT_TRUE(reported(LimitKind::kContactInvalid));
 }
 
 TEST_F(Fault, TheDeviceIsLost) {
@@ -168,9 +168,9 @@ TEST_F(Fault, TheDeviceIsLost) {
   expect_smooth(records);
   EXPECT_LE(gone_after_s(records), settings_.release_time_s + 0.005);
   EXPECT_EQ(records.back().hand_state, HandState::kHeld);
-  EXPECT_EQ(run_.command().max_speed_um_per_s, 0.0) << "the pipette stands";
+  EXPECT_EQ(run_.command().max_speed_um_per_s, 0.0) << "the pipette is at rest";
   EXPECT_EQ(records.back().tip_um.x, before_.tip_um.x) << "where it was";
-  EXPECT_TRUE(told(LimitKind::kHandLost));
+  EXPECT_TRUE(reported(LimitKind::kHandLost));
   // It comes back elsewhere: the pipette doesn't follow that.
   run_.arm.intent_m.x() = -0.01;
   for (int k = 0; k < 500; ++k) run_.arm.advance(1e-3);
@@ -187,14 +187,14 @@ TEST_F(Fault, TheHandSaysNaN) {
   const auto records = run_.run(0.1);
   expect_smooth(records);
   EXPECT_LE(gone_after_s(records), settings_.release_time_s + 0.005);
-  EXPECT_TRUE(told(LimitKind::kHandInvalid));
+  EXPECT_TRUE(reported(LimitKind::kHandInvalid));
 }
 
 TEST_F(Fault, TheReadingJumps) {
   run_.arm.jump_m.x() = 0.05;
   const auto records = run_.run(0.2);
   expect_smooth(records);
-  EXPECT_TRUE(told(LimitKind::kHandJump));
+  EXPECT_TRUE(reported(LimitKind::kHandJump));
   for (const HapticRecord& record : records) ASSERT_NEAR(record.tip_um.x, before_.tip_um.x, 4e-4) << "100 um of jump";
 }
 
@@ -208,7 +208,7 @@ TEST_F(Fault, TicksComeLate) {
   }
   // A late tick may carry 40 ms of speed, but it's tied anew: no more than an ordinary tick's way and force.
   expect_smooth(records);
-  EXPECT_TRUE(told(LimitKind::kLateTick));
+  EXPECT_TRUE(reported(LimitKind::kLateTick));
 }
 
 TEST_F(Fault, TheMembraneGivesWay) {
@@ -216,18 +216,18 @@ TEST_F(Fault, TheMembraneGivesWay) {
   const auto records = run_.run(0.3);
   expect_smooth(records);
   // From the frame that reports it.
-  const auto told_at = std::find_if(records.begin(), records.end(), [](const HapticRecord& record) {
+  const auto reported_at = std::find_if(records.begin(), records.end(), [](const HapticRecord& record) {
     return record.contact_state == ContactState::kPunctured;
   });
-  ASSERT_NE(told_at, records.end());
-  const std::vector<HapticRecord> after(told_at, records.end());
+  ASSERT_NE(reported_at, records.end());
+  const std::vector<HapticRecord> after(reported_at, records.end());
   EXPECT_LE(gone_after_s(after), settings_.predictor.release_time_s + 0.004);
   // No kick: the force goes down only, and never pulls the hand into the cell.
   for (std::size_t k = 1; k < after.size(); ++k) {
     EXPECT_LE(after[k].hand_force_N.eigen().norm(), after[k - 1].hand_force_N.eigen().norm() + 1e-9);
     EXPECT_LE(after[k].hand_force_N.x, 1e-9);
   }
-  EXPECT_TRUE(told(LimitKind::kPuncture));
+  EXPECT_TRUE(reported(LimitKind::kPuncture));
 }
 
 // The arm that leaned on the membrane falls forward; the pipette stays, goes back at once, and on when the time is
@@ -236,7 +236,7 @@ TEST_F(Fault, ThePipetteDoesNotFallIntoThePuncturedCell) {
   run_.cell.punctured = true;
   std::vector<HapticRecord> records;
   do {
-    ASSERT_LT(records.size(), 200U) << "the puncture was never told";
+    ASSERT_LT(records.size(), 200U) << "the puncture was never reported";
     records.push_back(run_.tick());
   } while (records.back().contact_state != ContactState::kPunctured);
   const double tip_um = records.back().tip_um.x;
@@ -285,7 +285,7 @@ TEST_F(Fault, TheForceDropsThoughTheStateSaysContact) {
   run_.cell.force_uN *= 0.2;
   const auto records = run_.run(0.3);
   expect_smooth(records);
-  EXPECT_TRUE(told(LimitKind::kPuncture));
+  EXPECT_TRUE(reported(LimitKind::kPuncture));
 }
 
 TEST_F(Fault, TheManipulatorIsLost) {
@@ -294,7 +294,7 @@ TEST_F(Fault, TheManipulatorIsLost) {
   expect_smooth(records);
   EXPECT_LE(gone_after_s(records), settings_.release_time_s + 0.005);
   EXPECT_EQ(run_.command().max_speed_um_per_s, 0.0);
-  EXPECT_TRUE(told(LimitKind::kPipetteLost));
+  EXPECT_TRUE(reported(LimitKind::kPipetteLost));
 }
 
 TEST_F(Fault, TheEmergencyStopWinsAndStays) {
@@ -310,7 +310,7 @@ TEST_F(Fault, TheEmergencyStopWinsAndStays) {
   records = run_.run(0.5);
   EXPECT_TRUE(run_.command().stop);
   EXPECT_NEAR(records.back().tip_um.x, records.front().tip_um.x, 1e-12);
-  EXPECT_TRUE(told(LimitKind::kEmergencyStop));
+  EXPECT_TRUE(reported(LimitKind::kEmergencyStop));
   // Released on purpose, from where pipette and hand are.
   before_ = records.back();
   run_.servo().release_emergency_stop();

@@ -182,7 +182,7 @@ TEST(HapticLoop, SettingsTheDeviceCanNotHoldAreRefusedWhileItRuns) {
   loop.stop();
 }
 
-TEST(HapticLoop, WhatTheSystemGrantedIsTold) {
+TEST(HapticLoop, WhatTheSystemGrantedIsReported) {
   Rig rig;
   HapticLoop loop(rig.servo, rig.clock, quiet());
   loop.start();

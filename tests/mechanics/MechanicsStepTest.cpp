@@ -226,7 +226,7 @@ TEST(MechanicsStep, APunctureTheMembraneDoesNotBearOutIsNoEvent) {
   EXPECT_NE(out->remarks.warning.find("does not follow"), std::string::npos) << out->remarks.warning;
 }
 
-TEST(MechanicsStep, APunctureIsToldOnceInTheFrameThatShowsIt) {
+TEST(MechanicsStep, APunctureIsReportedOnceInTheFrameThatShowsIt) {
   MechanicsStep step(testing::coarse_profile());
   for (long frame = 1; frame <= 20; ++frame) {
     const auto out = step.process(

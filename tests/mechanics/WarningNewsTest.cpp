@@ -5,7 +5,7 @@
 namespace pellucida {
 namespace {
 
-TEST(WarningNews, AWarningThatLastsIsToldOnce) {
+TEST(WarningNews, AWarningThatLastsIsReportedOnce) {
   WarningNews news;
   EXPECT_EQ(news.add(kShapeMismatch, 0.0), kShapeMismatch);
   for (int i = 1; i < 600; ++i) EXPECT_EQ(news.add(kShapeMismatch, i / 30.0), kNoForceWarning);
@@ -13,11 +13,11 @@ TEST(WarningNews, AWarningThatLastsIsToldOnce) {
 }
 
 // As at the first touch, where contact comes and goes and the shape with it.
-TEST(WarningNews, AWarningThatComesAndGoesIsToldOnce) {
+TEST(WarningNews, AWarningThatComesAndGoesIsReportedOnce) {
   WarningNews news;
-  int told_count = 0;
-  for (int i = 0; i < 600; ++i) told_count += news.add(i % 3 == 0 ? kShapeMismatch : 0U, i / 30.0) != 0U ? 1 : 0;
-  EXPECT_EQ(told_count, 1);
+  int reported_count = 0;
+  for (int i = 0; i < 600; ++i) reported_count += news.add(i % 3 == 0 ? kShapeMismatch : 0U, i / 30.0) != 0U ? 1 : 0;
+  EXPECT_EQ(reported_count, 1);
 }
 
 TEST(WarningNews, AfterAQuietTimeItIsNewsAgain) {

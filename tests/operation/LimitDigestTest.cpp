@@ -42,7 +42,7 @@ TEST(LimitDigest, ALimitThatComesAndGoesIsOneStretch) {
   EXPECT_NEAR(rows[1].time_s, 4.994, 1e-9);
 }
 
-TEST(LimitDigest, KindsDoNotMixAndTheEndIsTold) {
+TEST(LimitDigest, KindsDoNotMixAndTheEndIsReported) {
   LimitDigest digest;
   digest.add({.time_s = 1.0, .kind = LimitKind::kPassivity, .begun = true});
   digest.add({.time_s = 1.1, .kind = LimitKind::kPuncture, .begun = true});

@@ -30,7 +30,7 @@ TEST(ArrivalQueue, WhatIsBesideTheFramesDoesNotWaitForThem) {
   EXPECT_EQ(queue.wait({}), 100);
 }
 
-// Nobody takes anything, as when a disk stands still: whoever brings something goes on all the same.
+// Nobody takes anything, as when a disk has stalled: whoever brings something goes on all the same.
 TEST(ArrivalQueue, NobodyWaitsForRoom) {
   ArrivalQueue<long> queue;
   for (long key = 0; key < 10000; ++key) {

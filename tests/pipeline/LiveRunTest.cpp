@@ -127,7 +127,7 @@ TEST(LiveRun, ANoteWhileNothingRecordsGoesIntoTheNextRecording) {
 }
 
 // A camera goes on during a pause: what it shows then is left out on purpose, not lost.
-TEST(LiveRun, APauseWhileRecordingIsToldAndIsNoLossOfTheSource) {
+TEST(LiveRun, APauseWhileRecordingIsReportedAndIsNoLossOfTheSource) {
   const auto folder = fresh("pause");
   LiveRun run(std::make_unique<test::WallClockSource>(100.0), {});
   run.start_recording(folder);

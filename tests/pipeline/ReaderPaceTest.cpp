@@ -27,7 +27,7 @@ TEST_F(ReaderPaceTest, ReadsUntilThereIsAnotherTurn) {
   EXPECT_EQ(next(), ReaderTurn::kStop);
 }
 
-TEST_F(ReaderPaceTest, APauseIsToldOnceAtItsBeginningAndOnceAtItsEnd) {
+TEST_F(ReaderPaceTest, APauseIsReportedOnceAtItsBeginningAndOnceAtItsEnd) {
   pace_.set_paused(true);
   EXPECT_TRUE(pace_.paused());
   EXPECT_EQ(next(), ReaderTurn::kPaused);
@@ -39,7 +39,7 @@ TEST_F(ReaderPaceTest, APauseIsToldOnceAtItsBeginningAndOnceAtItsEnd) {
   EXPECT_EQ(next(), ReaderTurn::kRead);
 }
 
-TEST_F(ReaderPaceTest, APauseTheReaderNeverSawIsNotTold) {
+TEST_F(ReaderPaceTest, APauseTheReaderNeverSawIsNotReported) {
   pace_.set_paused(true);
   pace_.set_paused(false);
   EXPECT_EQ(next(), ReaderTurn::kRead);

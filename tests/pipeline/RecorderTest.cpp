@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A disk that stands still until it is told to go on.
+// A disk that stalls until it may go on.
 class StalledDisk {
  public:
   std::function<void()> wait() const {
@@ -66,7 +66,7 @@ class RecorderTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// The window and the camera go on while the disk stands still; nothing is lost.
+// The window and the camera go on while the disk has stalled; nothing is lost.
 TEST_F(RecorderTest, NobodyWaitsForTheDiskAndNothingIsLost) {
   StalledDisk disk;
   Recorder recorder(session(), info(), clock_, recording_memory_bytes(), disk.wait());
@@ -77,7 +77,7 @@ TEST_F(RecorderTest, NobodyWaitsForTheDiskAndNothingIsLost) {
       recorder.settle(measured(frame));
     }
     recorder.plan(R"({"depth_stop_um": 40})");
-    recorder.event({1.0, event_kind::kNote, "said while the disk stands still"});
+    recorder.event({1.0, event_kind::kNote, "said while the disk has stalled"});
     vtkNew<vtkPoints> points;
     points->InsertNextPoint(1.0, 2.0, 3.0);
     vtkNew<vtkPolyData> block;
@@ -180,7 +180,7 @@ TEST_F(RecorderTest, GapsOfTheSourceAreOneEventForAStretch) {
   EXPECT_EQ(of_kind(written, "note").size(), 60U);
 }
 
-TEST_F(RecorderTest, AFaultIsToldAndWhatItCostsIsCounted) {
+TEST_F(RecorderTest, AFaultIsReportedAndWhatItCostsIsCounted) {
   Recorder recorder(session(), info(), clock_);
   fs::remove_all(session() / "frames");  // the disk refuses images from here on
   for (const Scene& frame : scenes(20)) {

@@ -28,7 +28,7 @@ CellGeometry oocyte() {
   return cell;
 }
 
-TEST(InjectionPlan, ToTheCentreUnlessTold) {
+TEST(InjectionPlan, ToTheCentreByDefault) {
   const auto plan = plan_injection(oocyte());
   ASSERT_TRUE(plan) << to_string(plan.error());
   EXPECT_NEAR(plan->depth_um, 42.0, 1e-9);
@@ -55,7 +55,7 @@ TEST(InjectionPlan, ForAnyTargetInsideTheEntryIsOnTheMembraneTowardsTheNeedle) {
   }
 }
 
-TEST(InjectionPlan, FaultsAreToldApart) {
+TEST(InjectionPlan, FaultsAreDistinguished) {
   const auto fault = [](const CellGeometry& cell, std::optional<PlainVector3> target = {}, PlanOptions options = {}) {
     const auto plan = plan_injection(cell, target, options);
     EXPECT_FALSE(plan);

@@ -63,7 +63,7 @@ TEST(RevolveFilter, NoContoursIsNoFailure) {
   EXPECT_TRUE(scene->events.empty());
 }
 
-TEST(RevolveFilter, AContourThatCannotBeRevolvedIsToldOnce) {
+TEST(RevolveFilter, AContourThatCannotBeRevolvedIsReportedOnce) {
   Observation o = cell_at_rest();
   o.center_um = {500.0, 100.0};
   ReconstructionStep step({});

@@ -35,7 +35,7 @@ TEST(CellSpans, TwoContactsOfOneCell) {
   EXPECT_EQ(found.cells, 1U);
   EXPECT_EQ(found.contacts_of_first, 2U);
   EXPECT_EQ(found.losses, 0);
-  // The deeper one stands for the cell.
+  // The deeper one is the cell's.
   EXPECT_EQ(found.passports[0].main_contact().contact, 1);
   EXPECT_DOUBLE_EQ(found.passports[0].main_contact().peak_force_uN, 1.0);
   EXPECT_EQ(found.passports[0].contact_list[1].contact, 2);

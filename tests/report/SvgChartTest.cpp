@@ -34,15 +34,6 @@ Chart chart_of(std::vector<ChartPoint> points) {
   return chart;
 }
 
-TEST(SvgChart, TicksAreRound) {
-  EXPECT_EQ(round_ticks(0.0, 7.5), (std::vector<double>{0, 2, 4, 6}));
-  EXPECT_EQ(round_ticks(0.0, 44.0), (std::vector<double>{0, 10, 20, 30, 40}));
-  const auto small = round_ticks(1.23, 1.27);
-  ASSERT_FALSE(small.empty());
-  EXPECT_NEAR(small.front(), 1.23, 1e-9);
-  EXPECT_NEAR(small.back(), 1.27, 1e-9);
-}
-
 TEST(SvgChart, LargerValuesStandHigherAndTheAxisHoldsZero) {
   const std::string svg = svg_of(chart_of({{0, 1}, {1, 2}, {2, 5}}));
   const auto y = heights(svg);

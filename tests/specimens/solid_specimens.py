@@ -106,7 +106,6 @@ class Solid:
         md.add_initialized_data('kr', [HOLDER_BOND / half * e])
         md.add_initialized_data('ring', [self.ring])
         md.add_initialized_data('half', [half])
-        volume0 = 4 / 3 * math.pi * (MID_RADIUS_UM - thickness / 2) ** 3
         # The hoop stretch is 1 + u_r / r; the corners on the axis are no integration points.
         stretch = '(1+u(1)/X(1))'
         jacobian = '((1+Grad_u(1,1))*(1+Grad_u(2,2))-Grad_u(1,2)*Grad_u(2,1))'
@@ -119,7 +118,6 @@ class Solid:
         flux = f'({position}.({cofactor}*Normal))'
         md.add_nonlinear_term(mim, f'P*2*pi*X(1)*{stretch}*{flux}/3', 2)
         # The flux above is -(V): adding P V0 - P^2 V0 / (2 kappa) closes the potential -P (V - V0) - P^2 V0/(2 kappa).
-        area = 4 * math.pi * (MID_RADIUS_UM + thickness / 2) ** 2
         self.volume0 = volume0 = -gf.asm('generic', mim, 0, '2*pi*X(1)*(X.Normal)/3', 2)
         md.add_initialized_data('V0', [volume0 / self._measure(mim)])
         md.add_nonlinear_term(mim, '(P*V0-P*P*V0/(2*kappa))*X(1)')

@@ -180,7 +180,7 @@ TEST_F(EppendorfManipulatorTest, GoesStraightInTheFrameOfTheImage) {
   EXPECT_TRUE(emulator_.heard().empty());
 }
 
-TEST_F(EppendorfManipulatorTest, IsToldWhereTheTipIs) {
+TEST_F(EppendorfManipulatorTest, IsGivenTheTipsPosition) {
   emulator_.place({1000, 2000, 3000});
   EppendorfManipulator manipulator(options_);
   manipulator.open();

@@ -81,7 +81,7 @@ TEST(ContourMath, ResamplingSpacesEvenlyAndKeepsTheShape) {
   }
 }
 
-TEST(ContourMath, ResamplingStartsWhereItIsTold) {
+TEST(ContourMath, ResamplingStartsWhereItIsAsked) {
   Eigen::Matrix2Xd square(2, 4);
   square << 0, 10, 10, 0, 0, 0, 10, 10;
   const Eigen::Matrix2Xd points = contour::resample(square, 4, 15.0);

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "MainWindow.h"
+#include "GuideWindow.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization_vtk/ForceChart.h"
@@ -47,11 +47,11 @@ class OneScene : public test::DisplayTest {
  protected:
   void open(std::unique_ptr<FrameSource> source, const PipelineOptions& pipeline) {
     auto run = std::make_unique<LiveRun>(std::move(source), pipeline);
-    WindowOptions options;
+    GuideOptions options;
     options.width_px = 1000;
     options.height_px = 640;
     options.repeat = true;
-    window_ = std::make_unique<MainWindow>(std::move(run), nullptr, options);
+    window_ = std::make_unique<GuideWindow>(std::move(run), nullptr, options);
     window_->show();
   }
 
@@ -83,7 +83,7 @@ class OneScene : public test::DisplayTest {
     return false;
   }
 
-  std::unique_ptr<MainWindow> window_;
+  std::unique_ptr<GuideWindow> window_;
 };
 
 TEST_F(OneScene, ReadoutLabelAndChartsSayTheSameForce) {

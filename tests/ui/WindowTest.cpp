@@ -8,7 +8,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
-#include "pellucida/ui/Workstation.h"
+#include "pellucida/ui/Guide.h"
 #include "pellucida/visualization/Palette.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
@@ -61,12 +61,12 @@ class Window : public testing::Test {
   static vtkSmartPointer<vtkImageData> shot(std::unique_ptr<FrameSource> source, int width_px, int height_px) {
     const auto file =
         std::filesystem::path(testing::TempDir()) / ("pellucida_window_" + std::to_string(width_px) + ".png");
-    WindowOptions options;
+    GuideOptions options;
     options.screenshot = file.string();
     options.screenshot_after_s = 2.5;
     options.width_px = width_px;
     options.height_px = height_px;
-    EXPECT_EQ(run_workstation(std::make_unique<LiveRun>(std::move(source), PipelineOptions{}), options), 0);
+    EXPECT_EQ(run_guide(std::make_unique<LiveRun>(std::move(source), PipelineOptions{}), nullptr, options), 0);
     vtkNew<vtkPNGReader> reader;
     EXPECT_TRUE(reader->CanReadFile(file.c_str()));
     reader->SetFileName(file.c_str());
@@ -108,13 +108,13 @@ TEST_F(Window, HasTheHandsBarWithItsStopWhenThereIsAHand) {
   VirtualInjectionSetup setup("injection");
   auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), PipelineOptions{});
   auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
-  WindowOptions options;
+  GuideOptions options;
   options.screenshot = file.string();
   options.screenshot_after_s = 2.5;
   options.width_px = 1000;
   options.height_px = 640;
   options.hand = console->find_hand("Demonstration").value();
-  EXPECT_EQ(run_workstation(std::move(run), std::move(console), options), 0);
+  EXPECT_EQ(run_guide(std::move(run), std::move(console), options), 0);
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
@@ -142,11 +142,11 @@ TEST_F(Window, ASourceThatBreaksLeavesTheWindowOpenWithItsReason) {
 }
 
 TEST_F(Window, AScreenshotThatCannotBeWrittenIsAnError) {
-  WindowOptions options;
+  GuideOptions options;
   options.screenshot = (std::filesystem::path(testing::TempDir()) / "no_such_folder" / "shot.png").string();
   options.screenshot_after_s = 0.5;
   EXPECT_THROW(
-      run_workstation(std::make_unique<LiveRun>(std::make_unique<RepeatedFrame>(), PipelineOptions{}), options),
+      run_guide(std::make_unique<LiveRun>(std::make_unique<RepeatedFrame>(), PipelineOptions{}), nullptr, options),
       OutputError);
 }
 

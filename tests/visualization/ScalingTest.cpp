@@ -5,16 +5,6 @@
 namespace pellucida {
 namespace {
 
-TEST(Scaling, CeilingsAndFloorsAreOneTwoFive) {
-  EXPECT_DOUBLE_EQ(nice_ceiling(0.031, 0.001), 0.05);
-  EXPECT_DOUBLE_EQ(nice_ceiling(5.0, 0.001), 5.0);
-  EXPECT_DOUBLE_EQ(nice_ceiling(5.1, 0.001), 10.0);
-  EXPECT_DOUBLE_EQ(nice_ceiling(0.0, 0.001), 0.001);
-  EXPECT_DOUBLE_EQ(nice_floor(49.0), 20.0);
-  EXPECT_DOUBLE_EQ(nice_floor(50.0), 50.0);
-  EXPECT_DOUBLE_EQ(nice_floor(0.15), 0.1);
-}
-
 TEST(NiceRange, GrowsAtOnceAndShrinksOnlyAfterALongWhile) {
   NiceRange range(0.001);
   EXPECT_DOUBLE_EQ(range.update(0.3), 0.5);

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "Html.h"
+#include "pellucida/core/Html.h"
+#include "pellucida/core/RoundNumbers.h"
 #include "pellucida/core/Statistics.h"
 #include "pellucida/core/Table.h"
 
@@ -13,7 +14,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kLeft = 54.0, kRight = 12.0, kTop = 30.0, kPlot = 180.0, kBottom = 44.0, kStep = 84.0, kBox = 34.0;
-// Told apart by people who see colours differently (Okabe and Ito).
+// Distinguishable by people who see colours differently (Okabe and Ito).
 constexpr std::array kBoxColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"};
 constexpr std::size_t kMostLetters = 13;
 
@@ -64,28 +65,12 @@ std::string box(const std::vector<double>& sorted, const Axis& axis, double x, c
 
 }  // namespace
 
-std::vector<double> round_ticks(double low, double high, int count) {
-  const double rough = (high - low) / count;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  double step = 10.0 * power;
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough * (1.0 - 1e-9)) {
-      step = factor * power;
-      break;
-    }
-  }
-  std::vector<double> ticks;
-  const double first = std::floor(low / step + 1e-9), last = std::ceil(high / step - 1e-9);
-  for (double k = first; k <= last; k += 1.0) ticks.push_back(k * step);
-  return ticks;
-}
-
 std::string box_plot_svg(const std::string& title, std::span<const BoxSample> samples) {
   std::vector<double> all;
   for (const BoxSample& sample : samples) all.insert(all.end(), sample.values.begin(), sample.values.end());
   if (all.empty() || std::all_of(all.begin(), all.end(), [&](double v) { return v == all.front(); })) return {};
   auto [low, high] = std::minmax_element(all.begin(), all.end());
-  const auto ticks = round_ticks(*low, *high, 5);
+  const auto ticks = round_ticks(*low, *high, TickEnds::kOutside);
   const Axis axis{ticks.front(), ticks.back()};
 
   const double width = std::max(240.0, kLeft + kStep * static_cast<double>(samples.size()) + kRight);

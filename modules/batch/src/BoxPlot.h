@@ -15,7 +15,4 @@ struct BoxSample {
 /// (Tukey), every value as a dot. Empty where there is nothing to compare: no value, or the same one everywhere.
 std::string box_plot_svg(const std::string& title, std::span<const BoxSample> samples);
 
-/// About `count` round numbers from `low` to `high`, the outer ones at or beyond them: axis ticks. `low` < `high`.
-std::vector<double> round_ticks(double low, double high, int count);
-
 }  // namespace pellucida

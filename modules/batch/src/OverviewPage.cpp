@@ -5,7 +5,7 @@
 #include <map>
 
 #include "BoxPlot.h"
-#include "Html.h"
+#include "pellucida/core/Html.h"
 
 namespace pellucida {
 namespace {
@@ -40,7 +40,7 @@ std::string cell(const std::string& html, bool number = false) {
 }
 
 std::string number_cell(double value, int digits) {
-  return cell(html_number(value, digits), true);
+  return cell(fixed_number(value, digits), true);
 }
 
 std::string name_cell(const BatchRow& row) {
@@ -90,8 +90,8 @@ std::string plots(std::span<const BatchRow> rows, const std::vector<std::string>
 
 std::string interval(double value, double lower, double upper) {
   if (std::isnan(value)) return "–";
-  if (std::isnan(lower)) return html_number(value, 2);
-  return html_number(value, 2) + " <span class=\"dim\">[" + html_number(lower, 2) + ", " + html_number(upper, 2) +
+  if (std::isnan(lower)) return fixed_number(value, 2);
+  return fixed_number(value, 2) + " <span class=\"dim\">[" + fixed_number(lower, 2) + ", " + fixed_number(upper, 2) +
          "]</span>";
 }
 
@@ -106,7 +106,7 @@ std::string group_table(std::span<const GroupRow> groups) {
   for (const GroupRow& row : groups) {
     html += "<tr>" + cell(row.quantity == before ? "" : html_text(row.quantity)) + cell(html_text(row.group)) +
             cell(std::to_string(row.count), true) + number_cell(row.median, 3) +
-            cell(html_number(row.lower_quartile, 3) + " to " + html_number(row.upper_quartile, 3), true) +
+            cell(fixed_number(row.lower_quartile, 3) + " to " + fixed_number(row.upper_quartile, 3), true) +
             cell(interval(row.hedges_g, row.hedges_g_lower, row.hedges_g_upper), true) +
             cell(interval(row.cliffs_delta, row.cliffs_delta_lower, row.cliffs_delta_upper), true) + "</tr>\n";
     before = row.quantity;
@@ -144,7 +144,7 @@ std::string recordings(std::span<const BatchRow> rows) {
             number_cell(100.0 * s.measured_share, 0) + number_cell(s.peak_force_uN, 2) +
             cell(std::isnan(s.peak_force_lower_uN)
                      ? "–"
-                     : html_number(s.peak_force_lower_uN, 2) + " to " + html_number(s.peak_force_upper_uN, 2),
+                     : fixed_number(s.peak_force_lower_uN, 2) + " to " + fixed_number(s.peak_force_upper_uN, 2),
                  true) +
             number_cell(s.peak_depth_um, 1) + number_cell(s.puncture_force_uN, 2) +
             number_cell(s.puncture_depth_um, 1) + cell(html_text(s.warnings)) + number_cell(row.wall_time_s, 1) +
@@ -163,7 +163,7 @@ std::string extent(std::span<const BatchRow> rows) {
   }
   std::string text = std::to_string(rows.size()) + (rows.size() == 1 ? " recording" : " recordings");
   if (wall_s > 0.0) {
-    text += ", " + html_number(film_s, 0) + " s of film; a process analyses " + html_number(film_s / wall_s, 2) +
+    text += ", " + fixed_number(film_s, 0) + " s of film; a process analyses " + fixed_number(film_s / wall_s, 2) +
             " s of it in a second";
   }
   return text;

@@ -16,8 +16,8 @@ namespace pellucida {
 namespace {
 
 /// Over the radius: a zona of 2.5 to 20 um on a cell of 50 um, tips of 0.4 to 12, holders of 7.5 to 40 um.
-constexpr double kThickness[] = {0.045, 0.40}, kTip[] = {0.008, 0.25}, kHolder[] = {0.15, 0.80};
-constexpr double kDepthStep = 0.04, kDeepest = 1.0;
+constexpr double kThickness_ratio[] = {0.045, 0.40}, kTip_ratio[] = {0.008, 0.25}, kHolder_ratio[] = {0.15, 0.80};
+constexpr double kDepthStep_ratio = 0.04, kDeepest_ratio = 1.0;
 /// Longer elements than the default: at finer ones the surface beside a fine tip creases and no equilibrium is found.
 constexpr double kEdgeLength_ratio = 1.6;
 constexpr int kHighestSum = 3, kHighestDepthPower = 3, kFolds = 8, kFewest = 60;
@@ -37,8 +37,9 @@ double evenly_in_log(double place, const double (&range)[2]) {
 }
 
 MembraneGeometry drawn(int index, double radius_um) {
-  return {radius_um, radius_um * evenly_in_log(halton(index, 2), kThickness),
-          radius_um * evenly_in_log(halton(index, 3), kTip), radius_um * evenly_in_log(halton(index, 5), kHolder)};
+  return {radius_um, radius_um * evenly_in_log(halton(index, 2), kThickness_ratio),
+          radius_um * evenly_in_log(halton(index, 3), kTip_ratio),
+          radius_um * evenly_in_log(halton(index, 5), kHolder_ratio)};
 }
 
 /// ln (solid / springs) at each depth step from the first on, as far as both reach.
@@ -57,7 +58,8 @@ std::vector<double> log_ratios(const CellProfile& profile, const MembraneGeometr
   contact.holder_ring_um = cell.holder_ring_um;
   contact.holder_half_width_um = cell.holder_half_width_um;
   contact.holder_bond_per_um = cell.holder_bond_per_um;
-  const double step_um = kDepthStep * geometry.mid_radius_um, deepest_um = kDeepest * geometry.mid_radius_um;
+  const double step_um = kDepthStep_ratio * geometry.mid_radius_um,
+               deepest_um = kDeepest_ratio * geometry.mid_radius_um;
   SolidReference solid(specimen, contact, {.edge_length_ratio = kEdgeLength_ratio});
   const SolidCurve reference = solid.run(deepest_um, step_um, {}, cancel);
   CellProfile bare = profile;
@@ -124,16 +126,17 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   const std::vector<double>& base = ratios.front();
   for (int c = 1; c <= options.cell_count; ++c) {
     const MembraneGeometry geometry = drawn(c, radius_um);
-    const double h = std::log(geometry.thickness_um / own.thickness_um),
-                 a = std::log(geometry.tip_radius_um / own.tip_radius_um),
-                 o = std::log(geometry.holder_radius_um / own.holder_radius_um);
+    const double log_thickness = std::log(geometry.thickness_um / own.thickness_um),
+                 log_tip = std::log(geometry.tip_radius_um / own.tip_radius_um),
+                 log_holder = std::log(geometry.holder_radius_um / own.holder_radius_um);
     const std::vector<double>& here = ratios[static_cast<std::size_t>(c)];
     for (std::size_t k = 0; k < std::min(here.size(), base.size()); ++k) {
-      const double depth = kDepthStep * static_cast<double>(k + 1);
+      const double depth = kDepthStep_ratio * static_cast<double>(k + 1);
       Eigen::RowVectorXd line(static_cast<Eigen::Index>(terms.size()));
       for (std::size_t t = 0; t < terms.size(); ++t) {
-        line[static_cast<Eigen::Index>(t)] = std::pow(h, terms[t].thickness) * std::pow(a, terms[t].tip) *
-                                             std::pow(o, terms[t].holder) * std::pow(depth, terms[t].depth);
+        line[static_cast<Eigen::Index>(t)] = std::pow(log_thickness, terms[t].thickness) *
+                                             std::pow(log_tip, terms[t].tip) * std::pow(log_holder, terms[t].holder) *
+                                             std::pow(depth, terms[t].depth);
       }
       lines.push_back(line);
       values.push_back(here[k] - base[k]);
@@ -153,9 +156,9 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   profile.geometry_terms = terms;
   for (std::size_t t = 0; t < terms.size(); ++t)
     profile.geometry_terms[t].coefficient = fitted[static_cast<Eigen::Index>(t)];
-  profile.geometry_range = {kThickness[0], kThickness[1],      kTip[0],
-                            kTip[1],       kHolder[0],         kHolder[1],
-                            kDeepest,      options.cell_count, left_out_rms(rows, all, cell_of_row)};
+  profile.geometry_range = {kThickness_ratio[0], kThickness_ratio[1], kTip_ratio[0],
+                            kTip_ratio[1],       kHolder_ratio[0],    kHolder_ratio[1],
+                            kDeepest_ratio,      options.cell_count,  left_out_rms(rows, all, cell_of_row)};
 }
 
 }  // namespace pellucida

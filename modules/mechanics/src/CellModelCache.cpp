@@ -11,7 +11,7 @@ namespace {
 /// The model is built anew when the tracked rest radius moved by more than this share,
 constexpr double kRebuildRatio = 0.004;
 /// out of contact the thickness by this, a tool's radius by this (each moves the force by about a per cent),
-constexpr double kThicknessStep = 0.01, kToolStep = 0.03;
+constexpr double kThicknessStep_ratio = 0.01, kToolStep_ratio = 0.03;
 /// or the needle's offset by this; a holder that turned by so much is followed.
 constexpr double kOffsetStep_um = 0.75;
 constexpr double kHolderTurn_rad = 0.002;
@@ -31,8 +31,9 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
   bool fits = indenter_ && holds(&MembraneGeometry::mid_radius_um, kRebuildRatio) &&
               std::abs(placement.offset_um() - offset_um_) < kOffsetStep_um;
   if (fits && o.state == CellState::kFree) {
-    fits = holds(&MembraneGeometry::thickness_um, kThicknessStep) &&
-           holds(&MembraneGeometry::tip_radius_um, kToolStep) && holds(&MembraneGeometry::holder_radius_um, kToolStep);
+    fits = holds(&MembraneGeometry::thickness_um, kThicknessStep_ratio) &&
+           holds(&MembraneGeometry::tip_radius_um, kToolStep_ratio) &&
+           holds(&MembraneGeometry::holder_radius_um, kToolStep_ratio);
   }
   if (!fits) {
     built_ = seen;

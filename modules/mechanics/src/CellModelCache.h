@@ -17,8 +17,9 @@ class CellModelCache {
  public:
   explicit CellModelCache(const CellProfile& profile) : profile_(profile), geometry_(profile) {}
 
-  /// Takes over sizes, needle and holder. The model is built anew, at rest, where a size or the needle's offset have
-  /// changed; then true. In contact thickness and tools stay what they were. Precondition: a rest radius above 0.
+  /// Takes over sizes, needle and holder. The model is built anew, at rest, where the radius or the needle's offset
+  /// have changed, out of contact also where the thickness or a tool's width have; then true. Precondition: a rest
+  /// radius above 0.
   bool fit(const Observation& observation, const CellPlacement& placement);
   void forget() {
     indenter_.reset();
@@ -38,6 +39,10 @@ class CellModelCache {
   IndentationState release();
 
   const GeometryEstimate& geometry() const noexcept { return geometry_; }
+  const MembraneGeometry& built_geometry() const noexcept {
+    return built_;
+  }  ///< the model's; `geometry` may differ by
+     ///< less than what is built anew for
   double outer_radius_um() const noexcept { return outer_radius_um_; }
   double offset_um() const noexcept { return offset_um_; }  ///< of the needle, as the model has it
   double rest_stiffness_uN_per_um() const noexcept { return rest_stiffness_uN_per_um_; }

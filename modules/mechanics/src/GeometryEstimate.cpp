@@ -12,23 +12,15 @@ constexpr double kRadiusSigma_um = 0.2;
 constexpr double kEdgeSigma_um = 0.4;
 /// What is known of a length that isn't seen: how zonae of one kind differ, standard deviation over mean; how the tools
 /// of different benches do, of their logarithms. Beside a length that is seen none of them would count.
-constexpr double kKindThickness_ratio = 0.25, kBenchTip = 0.7, kBenchHolder = 0.4;
+constexpr double kKindThickness_ratio = 0.25, kBenchTip_ratio = 0.7, kBenchHolder_ratio = 0.4;
 /// How well a tool's radius is seen: of its logarithm.
-constexpr double kSeenTip = 0.15, kSeenHolder = 0.08;
+constexpr double kSeenTip_ratio = 0.15, kSeenHolder_ratio = 0.08;
 /// From so many frames on, a tool's width follows what is seen at that pace.
 constexpr int kMostFrames = 50;
 /// Powers with which the force goes with radius, thickness, tip and holder (docs/method.md, 3.6).
 constexpr double kRadiusPower = 1.9, kThicknessPower = 1.2, kTipPower = 0.4, kHolderPower = 0.5;
 /// So far from the profile's own geometry, in logarithms, the correction's whole spread counts; nearer in proportion.
 constexpr double kWholeSpread = 0.5;
-
-double distance(const MembraneGeometry& a, const MembraneGeometry& b) {
-  const auto log_ratio = [&](double MembraneGeometry::*length) {
-    return std::log((a.*length / a.mid_radius_um) / (b.*length / b.mid_radius_um));
-  };
-  return std::hypot(log_ratio(&MembraneGeometry::thickness_um), log_ratio(&MembraneGeometry::tip_radius_um),
-                    log_ratio(&MembraneGeometry::holder_radius_um));
-}
 
 }  // namespace
 
@@ -58,8 +50,8 @@ void GeometryEstimate::update(const Observation& o) {
   geometry_.tip_radius_um = length_um(tip_, profile_->tip_radius_um, 0.45 * radius_um);
   geometry_.holder_radius_um =
       length_um(holder_, profile_->holder_ring_um + profile_->holder_half_width_um, 0.9 * radius_um);
-  tip_sigma_ = tip_.count > 0 ? kSeenTip : kBenchTip;
-  holder_sigma_ = holder_.count > 0 ? kSeenHolder : kBenchHolder;
+  tip_sigma_ = tip_.count > 0 ? kSeenTip_ratio : kBenchTip_ratio;
+  holder_sigma_ = holder_.count > 0 ? kSeenHolder_ratio : kBenchHolder_ratio;
 }
 
 double GeometryEstimate::force_sigma_ratio() const noexcept {
@@ -67,7 +59,7 @@ double GeometryEstimate::force_sigma_ratio() const noexcept {
       std::hypot(kRadiusPower * std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_) / geometry_.mid_radius_um,
                  kThicknessPower * thickness_sigma_um_ / geometry_.thickness_um),
       kTipPower * tip_sigma_, kHolderPower * holder_sigma_);
-  const double away = std::min(1.0, distance(geometry_, geometry_of(*profile_)) / kWholeSpread);
+  const double away = std::min(1.0, shape_distance(geometry_, geometry_of(*profile_)) / kWholeSpread);
   return std::hypot(lengths, away * profile_->geometry_range.spread_ratio);
 }
 

@@ -37,6 +37,11 @@ MembraneGeometry geometry_of(const CellProfile& profile) {
           profile.holder_ring_um + profile.holder_half_width_um};
 }
 
+double shape_distance(const MembraneGeometry& a, const MembraneGeometry& b) noexcept {
+  const auto of_a = ratios_of(a), of_b = ratios_of(b);
+  return std::hypot(std::log(of_a[0] / of_b[0]), std::log(of_a[1] / of_b[1]), std::log(of_a[2] / of_b[2]));
+}
+
 CellProfile adapted_to(const CellProfile& profile, const MembraneGeometry& geometry) {
   CellProfile cell = profile;
   cell.mid_radius_um = geometry.mid_radius_um;

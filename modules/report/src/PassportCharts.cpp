@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "CellSpans.h"
-#include "Html.h"
 #include "SvgChart.h"
+#include "pellucida/core/Html.h"
 
 namespace pellucida {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "ContactNumbers.h"
 #include "ForceCurve.h"
-#include "Html.h"
 #include "PassportCharts.h"
 #include "PassportDoubts.h"
 #include "PassportStyle.h"
+#include "pellucida/core/Html.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/report/PassportReport.h"
 
@@ -74,7 +74,7 @@ std::string tag(const std::string& name, const std::string& content) {
 
 std::string list_of(const std::vector<std::string>& sentences) {
   std::string html = "<ul>\n";
-  for (const std::string& sentence : sentences) html += tag("li", escaped(sentence)) + '\n';
+  for (const std::string& sentence : sentences) html += tag("li", html_text(sentence)) + '\n';
   return html + "</ul>\n";
 }
 
@@ -168,7 +168,7 @@ std::string numbers(const C& contact, const PassportInput& input) {
     // Of a puncture that did not happen one row is enough.
     if (number.value.empty() && field.name != "puncture_s" && reason(contact, field.name, input) == kNoPuncture)
       continue;
-    html += "<tr title=\"" + escaped(field.doc) + "\"><th scope=\"row\">" + escaped(unit_text(label)) + "</th>";
+    html += "<tr title=\"" + html_text(field.doc) + "\"><th scope=\"row\">" + html_text(unit_text(label)) + "</th>";
     html += number.value.empty()
                 ? tag("td class=\"missing value\"", reason(contact, field.name, input)) + "<td></td>"
                 : tag("td class=\"value\"", number.value) + tag("td class=\"interval\"", number.interval);
@@ -211,7 +211,7 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 std::string fact(const char* name, const std::string& value) {
-  return "<div>" + tag("dt", name) + tag("dd", escaped(value)) + "</div>\n";
+  return "<div>" + tag("dt", name) + tag("dd", html_text(value)) + "</div>\n";
 }
 
 std::string facts(const SessionReader& session, std::size_t cell_count) {
@@ -243,7 +243,7 @@ std::string joined(const Json& object) {
 std::string provenance(const SessionInfo& info) {
   std::string text;
   const auto add = [&](const char* name, const std::string& value) {
-    if (!value.empty()) text += tag("b", name) + ' ' + escaped(value) + ". ";
+    if (!value.empty()) text += tag("b", name) + ' ' + html_text(value) + ". ";
   };
   add("Measured with", "Pellucida " + info.software_version);
   add("Page by", std::string("Pellucida ") + kVersion);
@@ -265,25 +265,24 @@ std::string glossary() {
   std::string html = "<details class=\"glossary\"><summary>What each number means</summary><table>\n";
   for (const auto& [field, label, heading] : contact_fields()) {
     if (label.empty()) continue;
-    std::string doc = escaped(field.doc);
+    std::string doc = html_text(field.doc);
     std::erase(doc, '`');
-    html += "<tr>" + tag("th scope=\"row\"", escaped(unit_text(label))) + tag("td", doc) + "</tr>\n";
+    html += "<tr>" + tag("th scope=\"row\"", html_text(unit_text(label))) + tag("td", doc) + "</tr>\n";
   }
   return html + "</table></details>\n";
 }
 
 constexpr const char* kReadingHelp =
-    "Beside each number stands its 95 % interval, where the session has one. It covers the errors of depth, shape, "
+    "Each number comes with its 95 % interval, where the session has one. It covers the errors of depth, shape, "
     "model and geometry, and the profile's scale; it does not cover how much single cells of one kind differ, unless "
     "this cell was palpated. Work and stiffness take the force's interval with them. A puncture's force after the "
-    "event "
-    "is 0 by definition, not measured.";
+    "event is 0 by definition, not measured.";
 
 }  // namespace
 
 std::string passport_page(const SessionReader& session, const PassportInput& input,
                           std::span<const CellPassport> cells) {
-  const std::string name = escaped(input.session);
+  const std::string name = html_text(input.session);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

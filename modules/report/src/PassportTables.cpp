@@ -158,8 +158,8 @@ std::string cell_of(const Field<S>& field, const S& passport) {
       field.member);
 }
 
-// In `cells.csv` the number of the cell stands once.
-bool stands_for_cell(const PassportField<C>& field) {
+// `cells.csv` has the number of the cell once.
+bool is_in_cell_table(const PassportField<C>& field) {
   return field.field.name != "cell";
 }
 
@@ -182,7 +182,7 @@ std::string cells_csv(std::span<const CellPassport> cells) {
   std::string text;
   for (const auto& field : kCellFields) append(text, field.field.name);
   for (const auto& field : kContactFields)
-    if (stands_for_cell(field)) append(text, field.field.name);
+    if (is_in_cell_table(field)) append(text, field.field.name);
   text += '\n';
   for (const CellPassport& cell : cells) {
     std::string line;
@@ -191,7 +191,7 @@ std::string cells_csv(std::span<const CellPassport> cells) {
       line += cell_of(field.field, cell);
     }
     for (const auto& field : kContactFields)
-      if (stands_for_cell(field)) line += ',' + cell_of(field.field, cell.main_contact());
+      if (is_in_cell_table(field)) line += ',' + cell_of(field.field, cell.main_contact());
     text += line + '\n';
   }
   return text;

@@ -5,7 +5,8 @@
 #include <limits>
 #include <span>
 
-#include "Html.h"
+#include "pellucida/core/Html.h"
+#include "pellucida/core/RoundNumbers.h"
 
 namespace pellucida {
 namespace {
@@ -99,10 +100,10 @@ class ChartWriter {
   std::string write() {
     measure();
     if (x_.empty() || y_.empty()) {
-      return "<p class=\"none\">" + escaped(chart_.title) + ": not recorded.</p>\n";
+      return "<p class=\"none\">" + html_text(chart_.title) + ": not recorded.</p>\n";
     }
     svg_ = "<svg class=\"chart\" viewBox=\"0 0 " + digits(kWidth) + ' ' + digits(kHeight) +
-           "\" role=\"img\" aria-label=\"" + escaped(chart_.title) + "\">\n";
+           "\" role=\"img\" aria-label=\"" + html_text(chart_.title) + "\">\n";
     text(kLeft, 16.0, "title", "start", chart_.title);
     write_axes();
     write_legend();
@@ -136,10 +137,8 @@ class ChartWriter {
     x_.widen_if_flat();
     y_.widen_if_flat();
     // The scale ends at a round number.
-    const auto ticks = round_ticks(y_.low, y_.high);
-    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : y_.high - y_.low;
-    y_.high = std::ceil(y_.high / step - 1e-9) * step;
-    y_.low = std::floor(y_.low / step + 1e-9) * step;
+    const auto ticks = round_ticks(y_.low, y_.high, TickEnds::kOutside);
+    y_ = {ticks.front(), ticks.back()};
   }
 
   double px(double x) const noexcept { return kLeft + (kWidth - kLeft - kRight) * (x - x_.low) / (x_.high - x_.low); }
@@ -150,7 +149,7 @@ class ChartWriter {
   void text(double x, double y, const char* style, const char* anchor, const std::string& words,
             const std::string& more = "") {
     svg_ += "<text" + attribute("x", x) + attribute("y", y) + " class=\"" + style + "\" text-anchor=\"" + anchor + '"' +
-            more + '>' + escaped(words) + "</text>\n";
+            more + '>' + html_text(words) + "</text>\n";
   }
 
   void line(double x1, double y1, double x2, double y2, const char* style) {
@@ -160,7 +159,8 @@ class ChartWriter {
 
   void write_axes() {
     const double bottom = kHeight - kBottom, right = kWidth - kRight;
-    const auto y_ticks = round_ticks(y_.low, y_.high), x_ticks = round_ticks(x_.low, x_.high);
+    const auto y_ticks = round_ticks(y_.low, y_.high, TickEnds::kInside),
+               x_ticks = round_ticks(x_.low, x_.high, TickEnds::kInside);
     for (const double tick : y_ticks) {
       line(kLeft, py(tick), right, py(tick), "grid");
       text(kLeft - 6.0, py(tick) + 4.0, "tick", "end", tick_text(tick, y_ticks));
@@ -259,21 +259,6 @@ class ChartWriter {
 };
 
 }  // namespace
-
-std::vector<double> round_ticks(double low, double high) {
-  const double rough = (high - low) / 5.0;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  double step = 10.0 * power;
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough * (1.0 - 1e-9)) {
-      step = factor * power;
-      break;
-    }
-  }
-  std::vector<double> ticks;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; k += 1.0) ticks.push_back(k * step);
-  return ticks;
-}
 
 std::string svg_of(const Chart& chart) {
   return ChartWriter(chart).write();

@@ -51,7 +51,4 @@ struct Chart {
 /// are thinned, their peaks kept. A chart without a finite point is a sentence that says so.
 std::string svg_of(const Chart& chart);
 
-/// Round numbers between `low` and `high`, both included, about five; ascending. `low` < `high`.
-std::vector<double> round_ticks(double low, double high);
-
 }  // namespace pellucida

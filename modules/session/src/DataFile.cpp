@@ -35,15 +35,12 @@ constexpr Compression kImageCompression{vtkXMLWriter::ZLIB, 1};
 constexpr Compression kNoCompression{vtkXMLWriter::NONE, 0};
 constexpr Compression kPolyCompression{vtkXMLWriter::LZ4, 1};
 
-// Raw appended blocks are the smallest and fastest form VTK reads everywhere. A writer changes what it writes: ranges
-// and information of arrays are made when first asked for. Arrays that other threads hold too (views, sessions of other
-// variants) must not be, so it gets arrays of its own.
+// Raw appended blocks are the smallest and fastest form VTK reads everywhere. Other threads may write the same arrays:
+// what a writer asks them for was computed when they were frozen.
 template <class Writer, class Data>
 std::string serialise_with(Data* data, Compression compression) {
-  vtkNew<Data> own;
-  own->DeepCopy(data);
   vtkNew<Writer> writer;
-  writer->SetInputData(own);
+  writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorType(compression.compressor);

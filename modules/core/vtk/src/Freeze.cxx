@@ -1,8 +1,10 @@
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
-#include <vtkDataSet.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include "pellucida/core_vtk/Frozen.h"
@@ -10,29 +12,51 @@
 namespace pellucida {
 namespace {
 
-// VTK computes a range at the first question and keeps it: ask now, while there is one thread.
-void compute_ranges(vtkFieldData* field) {
-  for (int i = 0; field && i < field->GetNumberOfArrays(); ++i) {
-    vtkDataArray* array = field->GetArray(i);
-    if (!array) continue;
-    double range[2];
-    for (int component = -1; component < array->GetNumberOfComponents(); ++component) array->GetRange(range, component);
+// VTK makes an array's information and its ranges at the first question and keeps them: ask now, while there is one
+// thread. VTK's XML writers ask every array of what they write, those of points and cells as well.
+void fill_caches(vtkAbstractArray* array) {
+  if (!array) return;
+  array->GetInformation();
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers) return;
+  double range[2];
+  for (int component = -1; component < numbers->GetNumberOfComponents(); ++component) {
+    numbers->GetRange(range, component);
+    numbers->GetFiniteRange(range, component);
   }
+}
+
+void fill_caches(vtkFieldData* field) {
+  for (int i = 0; field && i < field->GetNumberOfArrays(); ++i) fill_caches(field->GetAbstractArray(i));
+}
+
+void fill_caches(vtkCellArray* cells) {
+  if (!cells) return;
+  fill_caches(cells->GetOffsetsArray());
+  fill_caches(cells->GetConnectivityArray());
 }
 
 }  // namespace
 
 void prepare_for_sharing(vtkDataObject* data) {
-  compute_ranges(data->GetFieldData());
+  fill_caches(data->GetFieldData());
   auto* set = vtkDataSet::SafeDownCast(data);
   if (!set) return;
-  compute_ranges(set->GetPointData());
-  compute_ranges(set->GetCellData());
+  fill_caches(set->GetPointData());
+  fill_caches(set->GetCellData());
   set->ComputeBounds();
   double bounds[6];
   set->GetBounds(bounds);
-  // Cell look-up tables are built lazily too.
-  if (auto* poly = vtkPolyData::SafeDownCast(data); poly && poly->GetNumberOfCells() > 0) poly->BuildCells();
+  if (auto* points = vtkPointSet::SafeDownCast(data); points && points->GetPoints()) {
+    fill_caches(points->GetPoints()->GetData());
+  }
+  if (auto* poly = vtkPolyData::SafeDownCast(data)) {
+    for (vtkCellArray* cells : {poly->GetVerts(), poly->GetLines(), poly->GetPolys(), poly->GetStrips()}) {
+      fill_caches(cells);
+    }
+    // Cell look-up tables are built lazily too.
+    if (poly->GetNumberOfCells() > 0) poly->BuildCells();
+  }
 }
 
 }  // namespace pellucida

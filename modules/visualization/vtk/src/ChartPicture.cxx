@@ -22,8 +22,8 @@
 
 #include "Letters.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/RoundNumbers.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/Scaling.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "pellucida/core/RoundNumbers.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/Scaling.h"
 
 namespace pellucida {
 

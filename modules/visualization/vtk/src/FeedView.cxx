@@ -167,8 +167,8 @@ void FeedView::refresh_window_level(vtkImageData* frame) {
   pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end));
 }
 
-// Where the cell was first found; followed only when it has moved far or was mistaken, so that the picture stands
-// still.
+// Where the cell was first found; followed only when it has moved far or was mistaken, so that the picture stays
+// where it is.
 void FeedView::refresh_cell_frame() {
   const Frozen<vtkPolyData>& membranes = source_->GetScene().membranes;
   if (!has_points(membranes)) return;

@@ -20,8 +20,8 @@
 #include <limits>
 
 #include "Letters.h"
+#include "pellucida/core/RoundNumbers.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/Scaling.h"
 
 namespace pellucida {
 namespace {

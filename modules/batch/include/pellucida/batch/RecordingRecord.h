@@ -7,7 +7,7 @@
 
 namespace pellucida {
 
-/// What tells whether an input has changed.
+/// By which a change of an input is recognised.
 struct InputStamp {
   std::string path;              ///< absolute
   std::uint64_t byte_count = 0;  ///< of a folder: of all its files

@@ -15,6 +15,10 @@ struct MembraneGeometry {
 /// The geometry that a profile's constants were identified at.
 MembraneGeometry geometry_of(const CellProfile& profile);
 
+/// How far apart two geometries are in shape: root of the sum of squares of the differences of ln h/R, ln a/R, ln o/R;
+/// 0 where they differ in size alone. Precondition: all lengths above 0.
+double shape_distance(const MembraneGeometry& a, const MembraneGeometry& b) noexcept;
+
 /// The profile for a cell of its kind but of another geometry: tools, bonds (their density times the tool's radius
 /// stays), the regions' angles and the mesh's grading follow; material and constants stay. A tip finer than
 /// `kFinestTip_ratio` of the radius is modelled as wide as that, since the mesh can't carry a finer one; the correction

@@ -93,8 +93,8 @@ struct CellPassport {
   std::vector<std::string> notes;       ///< the operator's words while it was there, with their times
   RowRange rows;
 
-  /// The contact that stands for the cell: the first with a puncture, else the one with the largest force; an empty one
-  /// for a cell that was not touched.
+  /// The contact that a table of cells reports: the first with a puncture, else the one with the largest force; an
+  /// empty one for a cell that was not touched.
   const ContactPassport& main_contact() const noexcept;
 };
 

@@ -1,16 +1,14 @@
-#include "pellucida/ui/Workstation.h"
+#include "WindowProgram.h"
 
 #include <vtkOpenGLRenderWindow.h>
 
 #include <QVTKOpenGLNativeWidget.h>
-#include <QApplication>
 #include <QIcon>
 #include <QMutex>
 #include <QSet>
 #include <QSurfaceFormat>
 #include <cstdio>
 
-#include "MainWindow.h"
 #include "Theme.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/visualization/VirtualDisplay.h"
@@ -32,12 +30,7 @@ void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& t
 
 }  // namespace
 
-int run_workstation(std::unique_ptr<LiveRun> run, const WindowOptions& options) {
-  return run_workstation(std::move(run), nullptr, options);
-}
-
-int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console,
-                    const WindowOptions& options) {
+WindowProgram::WindowProgram() {
   MessageLog::install();
   qInstallMessageHandler(take_qt_message);
   if (!display_answers()) {
@@ -46,25 +39,20 @@ int run_workstation(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsol
   // Multisampling belongs to the views that ask for it.
   vtkOpenGLRenderWindow::SetGlobalMaximumNumberOfMultiSamples(0);
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-
-  // Qt keeps references to both.
-  int argc = 1;
-  char name[] = "pellucida";
-  char* argv[] = {name, nullptr};
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
 #endif
-  QApplication app(argc, argv);
+  application_ = std::make_unique<QApplication>(argument_count_, arguments_);
   QApplication::setApplicationName("Pellucida");
   // The desktop entry and the icon of an installed program.
   QApplication::setDesktopFileName("pellucida");
   QApplication::setWindowIcon(QIcon::fromTheme("pellucida"));
-  apply_theme(app);
-  MainWindow window(std::move(run), std::move(console), options);
+  apply_theme(*application_);
+}
+
+int WindowProgram::show(QWidget& window) {
   window.show();
-  const int status = QApplication::exec();
-  if (window.screenshot_fault()) std::rethrow_exception(window.screenshot_fault());
-  return status;
+  return QApplication::exec();
 }
 
 }  // namespace pellucida

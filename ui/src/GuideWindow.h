@@ -5,11 +5,11 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <cstdint>
-#include <exception>
 #include <memory>
 
+#include "TimedScreenshot.h"
 #include "pellucida/core_vtk/StageSource.h"
-#include "pellucida/ui/Workstation.h"
+#include "pellucida/ui/Guide.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "presenters/SceneFeed.h"
@@ -30,14 +30,13 @@ class TopBar;
 
 /// The workstation's window in Guide mode: feed and 3-D membranes side by side, force curves below, the figures on top.
 /// One timer polls the run. A tick with a new scene shows that scene everywhere, and nothing newer anywhere.
-class MainWindow : public QMainWindow {
+class GuideWindow : public QMainWindow {
  public:
   /// `console`: the hand on that run; nullptr: none.
-  MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, WindowOptions options);
-  ~MainWindow() override;
+  GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options);
+  ~GuideWindow() override;
 
-  /// What went wrong with the screenshot that was asked for, if it did.
-  std::exception_ptr screenshot_fault() const { return screenshot_fault_; }
+  const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
 
  private:
   void build();
@@ -48,12 +47,11 @@ class MainWindow : public QMainWindow {
   void show_scene();
   void show_status();
   void notify(const QString& text, bool problem);
-  void finish_with_screenshot();
   double now_s() const;
 
   std::unique_ptr<LiveRun> run_;
   std::unique_ptr<OperatorConsole> console_;
-  WindowOptions options_;
+  GuideOptions options_;
   vtkNew<StageSource> source_;
   SceneFeed scenes_;
   FeedView feed_{source_};
@@ -74,7 +72,7 @@ class MainWindow : public QMainWindow {
   double status_shown_s_ = -1.0;
   double notice_until_s_ = 0.0;
   std::uint64_t drawn_count_ = 0;
-  std::exception_ptr screenshot_fault_;
+  std::unique_ptr<TimedScreenshot> screenshot_;
 };
 
 }  // namespace pellucida

@@ -1,4 +1,4 @@
-#include "Html.h"
+#include "pellucida/core/Html.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ void append_ascii(std::string& text, char character) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
+std::string html_text(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   while (!text.empty()) {
@@ -68,12 +68,30 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+std::string html_link(std::string_view path) {
+  std::string result;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') || (byte >= '0' && byte <= '9') ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (plain) {
+      result += c;
+    } else {
+      char coded[4];
+      std::snprintf(coded, sizeof coded, "%%%02X", static_cast<unsigned>(byte));
+      result += coded;
+    }
+  }
+  return result;
+}
+
 int decimals_of(double value) noexcept {
   if (!std::isfinite(value) || value == 0.0) return 2;
   return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 4);
 }
 
 std::string fixed_number(double value, int decimals) {
+  if (!std::isfinite(value)) return "–";
   const double scale = std::pow(10.0, decimals);
   // What rounds to nothing has no sign.
   if (std::abs(value) * scale < 0.5) value = 0.0;

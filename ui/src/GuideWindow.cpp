@@ -1,6 +1,5 @@
-#include "MainWindow.h"
+#include "GuideWindow.h"
 
-#include <QPixmap>
 #include <QShortcut>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -8,7 +7,6 @@
 
 #include "HandControl.h"
 #include "RunControl.h"
-#include "pellucida/core/Error.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/SourcePresenter.h"
 #include "widgets/FeedPanel.h"
@@ -34,7 +32,7 @@ QString text_of(const std::string& utf8) {
 
 }  // namespace
 
-MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, WindowOptions options)
+GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
     : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
   feed_.set_caption(source_caption(run_->source_info()));
   control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
@@ -48,13 +46,15 @@ MainWindow::MainWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorCon
   timer_.start(0);
   run_->start();
   if (console_ && options_.hand >= 0) console_->choose(options_.hand);
-  if (!options_.screenshot.empty()) {
-    QTimer::singleShot(static_cast<int>(1000.0 * options_.screenshot_after_s), this,
-                       [this] { finish_with_screenshot(); });
-  }
+  // What is on screen may lag behind by a tick: all parts once more before the picture.
+  screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
+    scenes_.poll();
+    show_scene();
+    show_status();
+  });
 }
 
-MainWindow::~MainWindow() {
+GuideWindow::~GuideWindow() {
   timer_.stop();
   hand_.reset();
   console_.reset();
@@ -63,7 +63,7 @@ MainWindow::~MainWindow() {
   delete takeCentralWidget();
 }
 
-void MainWindow::build() {
+void GuideWindow::build() {
   setWindowTitle(text_of(window_title(run_->source_info())));
   setWindowIcon(make_icon(Pictogram::kProgram));
   resize(options_.width_px, options_.height_px);
@@ -107,7 +107,7 @@ void MainWindow::build() {
   setCentralWidget(page);
 }
 
-TopBar* MainWindow::build_top_bar() {
+TopBar* GuideWindow::build_top_bar() {
   // What a button changed is shown at once.
   const auto shown = [this](void (RunControl::*act)()) {
     return [this, act] {
@@ -125,7 +125,7 @@ TopBar* MainWindow::build_top_bar() {
                     nullptr);
 }
 
-QSplitter* MainWindow::build_views() {
+QSplitter* GuideWindow::build_views() {
   auto* views = new QSplitter(Qt::Horizontal);
   views->setHandleWidth(4);
   views->setChildrenCollapsible(false);
@@ -134,11 +134,11 @@ QSplitter* MainWindow::build_views() {
   return views;
 }
 
-double MainWindow::now_s() const {
+double GuideWindow::now_s() const {
   return 1e-3 * static_cast<double>(clock_.elapsed());
 }
 
-void MainWindow::tick() {
+void GuideWindow::tick() {
   QElapsedTimer spent;
   spent.start();
   const double begin_s = now_s();
@@ -158,7 +158,7 @@ void MainWindow::tick() {
 }
 
 // All of the window that shows a scene, in one go.
-void MainWindow::show_scene() {
+void GuideWindow::show_scene() {
   readouts_->show_texts(readout_texts(scenes_.measured(), run_->profile()));
   feed_.refresh();
   membranes_.refresh();
@@ -169,7 +169,7 @@ void MainWindow::show_scene() {
   ++drawn_count_;
 }
 
-void MainWindow::show_status() {
+void GuideWindow::show_status() {
   const LiveStatus status = run_->status();
   if (options_.repeat) control_->repeat_when_ended(status, now_s());
   const StatusTexts texts = status_.update(status, scenes_.measured(), run_->paused(), drawn_count_, now_s());
@@ -179,21 +179,9 @@ void MainWindow::show_status() {
   top_bar_->show_state(status.recording, run_->paused());
 }
 
-void MainWindow::notify(const QString& text, bool problem) {
+void GuideWindow::notify(const QString& text, bool problem) {
   status_line_->show_notice({text.toStdString(), problem ? palette::kRecord : palette::kAccent});
   notice_until_s_ = now_s() + kNotice_s;
-}
-
-void MainWindow::finish_with_screenshot() {
-  // What is on screen may lag behind by a tick: all parts once more, then the picture.
-  scenes_.poll();
-  show_scene();
-  show_status();
-  if (!grab().save(text_of(options_.screenshot), "PNG")) {
-    screenshot_fault_ = std::make_exception_ptr(OutputError("can't write the screenshot " + options_.screenshot +
-                                                            ": choose a folder that exists and may be written"));
-  }
-  close();
 }
 
 }  // namespace pellucida

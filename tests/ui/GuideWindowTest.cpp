@@ -1,5 +1,5 @@
 // The real window on an X server: its keys, and the emergency stop as a person uses it.
-#include "MainWindow.h"
+#include "GuideWindow.h"
 
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
@@ -28,21 +28,21 @@ namespace {
 
 using test::XInput;
 
-class MainWindowTest : public test::DisplayTest {
+class GuideWindowTest : public test::DisplayTest {
  protected:
-  MainWindowTest() {
+  GuideWindowTest() {
     auto run = std::make_unique<LiveRun>(setup_.make_microscope(Pace::kWallClock), PipelineOptions{});
     auto console = std::make_unique<OperatorConsole>(*run, setup_.injector(), &setup_.needle());
     console_ = console.get();
-    WindowOptions options;
+    GuideOptions options;
     options.hand = console->find_hand("Mouse").value();
-    window_ = std::make_unique<MainWindow>(std::move(run), std::move(console), options);
+    window_ = std::make_unique<GuideWindow>(std::move(run), std::move(console), options);
   }
 
   // A scenario's own motion, which can start again, and no hand.
-  static std::unique_ptr<MainWindow> window_without_a_hand() {
+  static std::unique_ptr<GuideWindow> window_without_a_hand() {
     auto run = std::make_unique<LiveRun>(open_any_source("virtual:default", {}), PipelineOptions{});
-    return std::make_unique<MainWindow>(std::move(run), nullptr, WindowOptions{});
+    return std::make_unique<GuideWindow>(std::move(run), nullptr, GuideOptions{});
   }
 
   static void show(QWidget& window) {
@@ -105,7 +105,7 @@ class MainWindowTest : public test::DisplayTest {
   XInput input_;
   VirtualInjectionSetup setup_{"injection"};
   OperatorConsole* console_ = nullptr;
-  std::unique_ptr<MainWindow> window_;
+  std::unique_ptr<GuideWindow> window_;
 };
 
 // How often each key is given: by shortcuts, buttons, actions, and to the hand.
@@ -121,7 +121,7 @@ std::map<QString, int> keys_of(const QWidget& window) {
   return uses;
 }
 
-TEST_F(MainWindowTest, NoKeyIsGivenTwice) {
+TEST_F(GuideWindowTest, NoKeyIsGivenTwice) {
   const auto with_hand = keys_of(*window_), without = keys_of(*window_without_a_hand());
   EXPECT_TRUE(with_hand.contains("G"));
   EXPECT_TRUE(without.contains("Home"));
@@ -130,7 +130,7 @@ TEST_F(MainWindowTest, NoKeyIsGivenTwice) {
   }
 }
 
-TEST_F(MainWindowTest, TipsNameTheKeys) {
+TEST_F(GuideWindowTest, TipsNameTheKeys) {
   int named = 0;
   for (const auto* shortcut : window_->findChildren<QShortcut*>()) {
     const auto* button = qobject_cast<const QAbstractButton*>(shortcut->parent());
@@ -147,7 +147,7 @@ TEST_F(MainWindowTest, TipsNameTheKeys) {
   }
 }
 
-TEST_F(MainWindowTest, HomeRestartsAndVResetsTheViewInThreeDimensions) {
+TEST_F(GuideWindowTest, HomeRestartsAndVResetsTheViewInThreeDimensions) {
   const auto window = window_without_a_hand();
   std::map<std::string, int> clicks;
   for (const auto* shortcut : window->findChildren<QShortcut*>()) {
@@ -166,7 +166,7 @@ TEST_F(MainWindowTest, HomeRestartsAndVResetsTheViewInThreeDimensions) {
 }
 
 // VTK has keys of its own: P picks, S changes the surfaces, E ends the program.
-TEST_F(MainWindowTest, AViewThatHasTheFocusTakesNoKeys) {
+TEST_F(GuideWindowTest, AViewThatHasTheFocusTakesNoKeys) {
   open();
   int keys = 0;
   vtkNew<vtkCallbackCommand> count;
@@ -184,7 +184,7 @@ TEST_F(MainWindowTest, AViewThatHasTheFocusTakesNoKeys) {
   EXPECT_EQ(keys, 0);
 }
 
-TEST_F(MainWindowTest, ADoubleClickOnStopStopsAndOnlyTheHeldReleaseReleases) {
+TEST_F(GuideWindowTest, ADoubleClickOnStopStopsAndOnlyTheHeldReleaseReleases) {
   open();
   point_at(stop());
   for (int k = 0; k < 2; ++k) {
@@ -209,7 +209,7 @@ TEST_F(MainWindowTest, ADoubleClickOnStopStopsAndOnlyTheHeldReleaseReleases) {
   hold_release();
 }
 
-TEST_F(MainWindowTest, ShiftEscapeHeldReleasesTheStop) {
+TEST_F(GuideWindowTest, ShiftEscapeHeldReleasesTheStop) {
   open();
   input_.tap(test::kEscapeKey);
   ASSERT_TRUE(pass_until([&] { return state() == HandState::kStopped; }));
@@ -224,7 +224,7 @@ TEST_F(MainWindowTest, ShiftEscapeHeldReleasesTheStop) {
 }
 
 // The bound: however long the window's thread is busy, Esc and STOP reach the 1 kHz loop by a thread of their own.
-TEST_F(MainWindowTest, TheStopDoesNotWaitForABusyWindow) {
+TEST_F(GuideWindowTest, TheStopDoesNotWaitForABusyWindow) {
   open();
   std::vector<double> key_ms, click_ms;
   for (int k = 0; k < 3; ++k) {
@@ -248,7 +248,7 @@ TEST_F(MainWindowTest, TheStopDoesNotWaitForABusyWindow) {
   }
 }
 
-TEST_F(MainWindowTest, ClicksBesideTheStopAndOnWhatCoversItDoNotStop) {
+TEST_F(GuideWindowTest, ClicksBesideTheStopAndOnWhatCoversItDoNotStop) {
   open();
   const QPoint beside = stop().mapToGlobal(QPoint(stop().width() / 2, -6));
   input_.move(beside.x(), beside.y());
