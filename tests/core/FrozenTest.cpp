@@ -12,6 +12,7 @@
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -102,6 +103,28 @@ TEST(Frozen, LeavesNothingToBeMadeLater) {
   writer->SetWriteToOutputString(true);
   ASSERT_EQ(writer->Write(), 1);
   for (std::size_t i = 0; i < arrays.size(); ++i) EXPECT_EQ(keys(arrays[i]), before[i]) << "array " << i;
+}
+
+// As sessions of several variants are written, from the same parts at the same time.
+TEST(Frozen, WritersInSeveralThreadsWriteTheSame) {
+  for (int round = 0; round < 200; ++round) {
+    const auto frozen = frozen_points(20);
+    std::vector<std::string> written(3);
+    {
+      std::vector<std::jthread> writers;
+      for (std::string& text : written) {
+        writers.emplace_back([&frozen, &text] {
+          vtkNew<vtkXMLPolyDataWriter> writer;
+          writer->SetInputData(frozen.shallow_copy());
+          writer->SetWriteToOutputString(true);
+          writer->Write();
+          text = writer->GetOutputString();
+        });
+      }
+    }
+    ASSERT_FALSE(written[0].empty());
+    for (const std::string& text : written) ASSERT_EQ(text, written[0]) << "round " << round;
+  }
 }
 
 // Handles come and go in many threads at once, as scenes do between stages: no thread may walk into another's deletion.
