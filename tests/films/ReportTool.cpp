@@ -69,8 +69,9 @@ Choice read_arguments(int count, char** arguments) {
       choice.worst = value();
     } else if (word == "--detection") {
       const std::string detection = value();
-      if (detection != "lines" && detection != "scene") throw UsageError("--detection is lines or scene");
-      if (detection == "scene") choice.tracker.detection = TrackerOptions::Detection::kScene;
+      const auto known = detection_from_string(detection);
+      if (!known) throw UsageError("--detection is auto, lines or scene");
+      choice.tracker.detection = *known;
     } else if (word == "--quality") {
       const std::string quality = value();
       if (quality != "live" && quality != "high") throw UsageError("--quality is live or high");

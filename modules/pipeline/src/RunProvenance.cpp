@@ -50,7 +50,7 @@ Json parameters_of(const PipelineOptions& options) {
   Json json = Json::object();
   write_fields(fields_of(copy), json);
   json["tracker"][kQuality] = options.tracker.quality == Tracker::Quality::kHigh ? "high" : "live";
-  json["tracker"][kDetection] = options.tracker.detection == Tracker::Detection::kScene ? "scene" : "lines";
+  json["tracker"][kDetection] = to_string(options.tracker.detection);
   return json;
 }
 
@@ -67,7 +67,9 @@ void read_parameters(const Json& provenance, PipelineOptions& options) {
   }
   const Json tracker = found->value("tracker", Json::object());
   if (tracker.value(kQuality, Json()) == "high") options.tracker.quality = Tracker::Quality::kHigh;
-  if (tracker.value(kDetection, Json()) == "scene") options.tracker.detection = Tracker::Detection::kScene;
+  // Sessions that don't say were tracked by lines.
+  const std::string detection = tracker.value(kDetection, std::string(to_string(Tracker::Detection::kLines)));
+  options.tracker.detection = detection_from_string(detection).value_or(Tracker::Detection::kLines);
 }
 
 void read_palpation(const std::string& text, PipelineOptions& options) {

@@ -103,6 +103,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   const NeedleZone needle_zone = zone();
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
   is_read_ = frame.reader != nullptr;
+  is_doubtful_ = false;
   if (is_read_) {
     if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known)) return false;
   } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {

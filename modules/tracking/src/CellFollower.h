@@ -68,6 +68,9 @@ class CellFollower {
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
+  /// Until the next start: no more confidence than in what one way of seeing alone has shown.
+  void doubt() noexcept { is_doubtful_ = true; }
+  bool is_doubtful() const noexcept { return is_doubtful_; }
 
  private:
   NeedleZone zone() const;
@@ -108,6 +111,7 @@ class CellFollower {
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   bool touching_ = false;
+  bool is_doubtful_ = false;
   bool is_read_ = false;  // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
 };

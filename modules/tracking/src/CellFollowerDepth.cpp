@@ -7,8 +7,8 @@
 namespace pellucida {
 namespace {
 
-// The most confidence in what the scene alone has shown: nothing independent confirms where its boundaries lie.
-constexpr double kMostOfScene = 0.75;
+// The most confidence in what one way of seeing has shown: nothing independent confirms where the boundaries lie.
+constexpr double kMostOfOneWay = 0.75;
 
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift known from the far side of the cell alone.
@@ -63,7 +63,7 @@ double CellFollower::confidence() const {
   const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
   const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
   const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const double most = is_read_ ? kMostOfScene : 1.0;
+  const double most = is_read_ || is_doubtful_ ? kMostOfOneWay : 1.0;
   const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
   return bad_frames_ > 0 ? 0.3 * all : all;
 }

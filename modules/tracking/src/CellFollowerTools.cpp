@@ -107,9 +107,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
                                         : needle_.track(frame.image, frame.noise, cue);
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
     if (is_read_ && !needle_.is_read()) needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
-  } else if (options_.detection == TrackerOptions::Detection::kScene
-                 ? frame.scene != nullptr
-                 : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
+  } else if (frame.reader != nullptr ? frame.scene != nullptr : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
   }

@@ -5,8 +5,10 @@
 
 #include "CellDetector.h"
 #include "CellFollower.h"
+#include "ContourMath.h"
 #include "ObservationReport.h"
 #include "SceneReader.h"
+#include "SceneVerdict.h"
 #include "TrackerChecks.h"
 
 namespace pellucida {
@@ -19,8 +21,8 @@ constexpr double kNeedleReach_px = 34.0, kLeastNeedleConfidence = 0.1;
 constexpr int kNeedleSearch_frames = 10, kNewCell_frames = 10;
 // Of the way from where a needle without a cell was followed to, to where its tip is read.
 constexpr double kLoneTipShare = 0.5;
-// Least probability of a cell of the scene.
-constexpr double kLeastShare = 0.6;
+// While a cell is followed by lines and has no needle: frames between two looks of the network.
+constexpr int kConfirmation_frames = 30;
 
 }  // namespace
 
@@ -50,7 +52,7 @@ class MembraneTracker::Impl {
       detect(frame);
     } else if (has_cell_) {
       if (!cell_.needle().valid() && is_needle_search_due()) look(frame);
-      has_cell_ = cell_.follow(frame);
+      has_cell_ = cell_.follow(frame) && is_confirmed(frame);
       if (!has_cell_) detect(frame);
     } else if (frames_since_detection_ >= options_.redetect_interval_frames) {
       detect(frame);
@@ -84,15 +86,20 @@ class MembraneTracker::Impl {
   const TrackerTimings& timings() const noexcept { return timings_; }
 
  private:
-  bool by_scene() const noexcept { return options_.detection == TrackerOptions::Detection::kScene; }
+  using Detection = TrackerOptions::Detection;
+
+  // How the present cell is followed, and the next one looked for.
+  bool by_scene() const noexcept {
+    return options_.detection == Detection::kScene || (options_.detection == Detection::kAuto && scene_chosen_);
+  }
 
   // The whole image, and what the network shows of it.
   void look(FrameInput& frame) {
     const PartTimer timer(timings_.detection_us);
     load(frame.view, whole_);
-    if (!by_scene()) return;
+    if (options_.detection == Detection::kLines) return;
     scene_ = reader_.read(whole_);
-    frame.scene = &scene_;
+    if (by_scene()) frame.scene = &scene_;
   }
 
   // Looks for a cell with no memory of an earlier one; a person's hint serves once.
@@ -106,19 +113,64 @@ class MembraneTracker::Impl {
     ever_ = ever_ || has_cell_;
   }
 
-  bool start_at(const FrameInput& frame, const DetectionHint& hint) {
-    const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
-    return found && cell_.start(frame, *found);
+  bool start_at(FrameInput& frame, const DetectionHint& hint) {
+    const auto by_lines = [&] {
+      const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
+      return found && cell_.start(frame, *found);
+    };
+    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, hint.inside) : by_lines();
   }
 
-  bool start_best(const FrameInput& frame) {
-    if (!by_scene()) {
+  bool start_best(FrameInput& frame) {
+    const auto by_lines = [&] {
       const std::optional<DetectedCell> found = detect_cell(whole_, options_);
       return found && start_at_tools(frame, *found);
-    }
-    for (const SceneCell& seen : scene_.cells)
-      if (seen.share > kLeastShare && cell_.start(frame, detected(seen))) return true;
-    return false;
+    };
+    if (options_.detection == Detection::kAuto) return start_confirmed(frame, by_lines, std::nullopt);
+    return by_scene() ? start_seen(frame, std::nullopt) : by_lines();
+  }
+
+  // A cell of the scene; one that holds the point, if one is given.
+  bool start_seen(const FrameInput& frame, const std::optional<Eigen::Vector2d>& inside) {
+    return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
+      const bool is_meant = !inside || contour::contains(seen.outer, *inside);
+      return seen.share > kLeastCellShare && is_meant && cell_.start(frame, detected(seen));
+    });
+  }
+
+  // By the network where it is at home; else by lines, in doubt where it does not confirm them.
+  template <class ByLines>
+  bool start_confirmed(FrameInput& frame, const ByLines& by_lines, const std::optional<Eigen::Vector2d>& inside) {
+    choose_scene(frame, false);
+    const bool has_lines = by_lines();
+    const bool is_confirmed = has_lines && confirms(scene_, cell_);
+    const bool is_a_bubble = has_lines && !inside && is_bubble(cell_, scene_);
+    choose_scene(frame, true);
+    if (start_seen(frame, inside) && (!has_lines || is_familiar(cell_))) return true;
+    choose_scene(frame, false);
+    if (!has_lines || is_a_bubble || !by_lines()) return false;
+    if (!is_confirmed) cell_.doubt();
+    needle_confirmed_ = cell_.needle().valid();
+    return true;
+  }
+
+  void choose_scene(FrameInput& frame, bool scene) {
+    scene_chosen_ = scene;
+    frame.reader = scene ? &reader_ : nullptr;
+    frame.scene = scene ? &scene_ : nullptr;
+  }
+
+  // Where lines alone follow the cell: a needle that came into view is where the network sees one, and a network that
+  // sees a needle where lines see none is right.
+  bool is_confirmed(FrameInput& frame) {
+    if (options_.detection != Detection::kAuto || by_scene()) return true;
+    if (cell_.is_doubtful() || cell_.state() != CellState::kFree) return true;
+    const bool has_needle = cell_.needle().valid();
+    const bool is_due = has_needle ? !needle_confirmed_ : frames_since_detection_ % kConfirmation_frames == 0;
+    needle_confirmed_ = has_needle;
+    if (!is_due) return true;
+    look(frame);
+    return is_needle_confirmed(cell_, scene_);
   }
 
   // The cell on the holding pipette is the one that is worked on, not a bystander or a bubble that looks as round.
@@ -184,6 +236,8 @@ class MembraneTracker::Impl {
   SceneReading scene_;
   std::optional<CellHint> hint_;
   bool has_cell_ = false, ever_ = false;
+  bool scene_chosen_ = false;      // by kAuto
+  bool needle_confirmed_ = false;  // the needle that lines follow, by the scene
   int frames_since_detection_ = 0, width_px_ = 0, height_px_ = 0;
 };
 

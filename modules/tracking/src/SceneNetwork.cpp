@@ -27,8 +27,13 @@ class SceneNetwork::Impl {
 
   SceneMap read(const GrayImage& image, const SceneWindow& window, double pixel_per_px) {
     const int width = rounded_up(window.width_px * pixel_per_px), height = rounded_up(window.height_px * pixel_per_px);
-    cv::Mat1f whole(image.height, image.width, const_cast<float*>(image.pixels.data())), smooth = whole;
-    if (pixel_per_px < kReduces) cv::GaussianBlur(whole, smooth, {}, kReducingBlur / pixel_per_px);
+    const cv::Mat1f whole(image.height, image.width, const_cast<float*>(image.pixels.data()));
+    cv::Mat1f smooth;  // of its own: the image is the caller's
+    if (pixel_per_px < kReduces) {
+      cv::GaussianBlur(whole, smooth, {}, kReducingBlur / pixel_per_px);
+    } else {
+      smooth = whole;
+    }
     const Eigen::Vector2d first = window.center_px - 0.5 * Eigen::Vector2d(width - 1, height - 1) / pixel_per_px;
     const cv::Matx23d place(1.0 / pixel_per_px, 0.0, first.x(), 0.0, 1.0 / pixel_per_px, first.y());
     cv::Mat1f picture;

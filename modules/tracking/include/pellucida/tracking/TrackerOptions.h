@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <string_view>
 
 namespace pellucida {
 
@@ -12,9 +14,10 @@ struct TrackerOptions {
 
   /// How cell and tools are found. kLines: by their dark lines, as bright field shows them; the most precise where it
   /// does. kScene: by a learnt network that knows any contrast; what the membranes look like is then learnt from the
-  /// image along the outlines found.
-  enum class Detection { kLines, kScene };
-  Detection detection = Detection::kLines;
+  /// image along the outlines found. kAuto: by lines where the network sees the same cell and needle, else by the
+  /// network.
+  enum class Detection { kAuto, kLines, kScene };
+  Detection detection = Detection::kAuto;
 
   // Detection.
   double min_cell_diameter_px = 36.0;  ///< of the outer membrane
@@ -38,5 +41,10 @@ struct TrackerOptions {
   double contact_px = 0.5;           ///< an indentation below this is no evidence of contact; released below half of it
   double puncture_drop_ratio = 0.35;  ///< share of the dimple's depth that must vanish at once to call it a puncture
 };
+
+/// "auto", "lines", "scene".
+std::string_view to_string(TrackerOptions::Detection detection) noexcept;
+/// The inverse of `to_string`; nothing for an unknown name.
+std::optional<TrackerOptions::Detection> detection_from_string(std::string_view name) noexcept;
 
 }  // namespace pellucida
