@@ -41,6 +41,8 @@ ReviewViews::~ReviewViews() {
 }
 
 void ReviewViews::build(std::function<void(double)> seek) {
+  feed_.set_empty_text("No image of this frame");
+  membranes_.set_empty_text("No surface of this frame");
   setHandleWidth(4);
   setChildrenCollapsible(false);
   feed_panel_ = new FeedPanel(feed_, nullptr, false);

@@ -36,6 +36,11 @@ constexpr int kReviewTick_ms = 33;
 // While playing, the charts' cursors move no more often than this.
 constexpr int kChartPeriod_ms = 100;
 constexpr int kReviewNotice_ms = 6000;
+// Narrower than this the list beside the views would take their place: it is opened on demand.
+constexpr int kRoomForEvents_px = 1200;
+constexpr const char* kHint =
+    "Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a "
+    "node";
 
 }  // namespace
 
@@ -93,6 +98,7 @@ void ReviewWindow::build() {
   column->addWidget(pages_, 1);
   column->addWidget(task_line_ = new TaskLine([this] { export_->cancel(); }, page));
   setCentralWidget(page);
+  bar_->show_events(options_.width_px >= kRoomForEvents_px);
 }
 
 QWidget* ReviewWindow::build_session_page() {
@@ -304,7 +310,8 @@ void ReviewWindow::show_notice() {
   if (!step_error_.empty()) {
     task_line_->show_notice({step_error_, palette::kRecord});
   } else {
-    task_line_->show_notice(force_notice(shown_));
+    const Phrase doubt = force_notice(shown_);
+    task_line_->show_notice(doubt.text.empty() ? Phrase{kHint, palette::kTextDim} : doubt);
   }
 }
 
@@ -315,6 +322,7 @@ void ReviewWindow::notify(const QString& text, bool problem) {
 
 void ReviewWindow::choose_node(long node) {
   if (!session_) return;
+  bar_->show_events(true);
   views_->mark_node(node);
   node_->choose(session_->folder, node);
   node_->show_step(shown_, true);

@@ -34,10 +34,10 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 #pageTitle { font-size: 22px; font-weight: 600; }
 #pageText { color: @dim; font-size: 14px; }
 #problem { font-size: 14px; }
-QPushButton[lit="true"]:checked { border-color: @accent; background: @border; }
+QPushButton[lit="true"]:checked:enabled { border-color: @accent; background: @border; }
 QPushButton[narrow="true"] { padding: 0px; font-size: 15px; }
 QTreeWidget { background: @panel; border: none; font-size: 12px; outline: none; }
-QTreeWidget::item { padding: 3px 4px; }
+QTreeWidget::item { padding: 3px 6px; border: none; background: transparent; }
 QTreeWidget::item:selected { background: @border; color: @text; }
 QTreeWidget::item:hover { background: @raised; }
 QHeaderView::section { background: @panel; color: @dim; border: none; border-bottom: 1px solid @border; padding: 3px 6px; font-size: 11px; font-weight: 600; }
@@ -69,7 +69,7 @@ QComboBox::drop-down { border: none; width: 22px; }
 QComboBox QAbstractItemView { background: @raised; border: 1px solid @border; selection-background-color: @border; }
 QProgressBar { background: @border; border: none; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
-QToolButton::menu-indicator { image: none; }
+QToolButton::menu-indicator, QPushButton::menu-indicator { image: none; width: 0px; }
 QPushButton { padding: 0px 12px; }
 QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
 QMenu::item:selected { background: @border; }

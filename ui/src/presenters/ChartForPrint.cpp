@@ -13,6 +13,7 @@ namespace {
 
 constexpr Color kPrintCurve = Color::from_hex(0x1F77B4);
 constexpr Color kPrintFaint = Color::from_hex(0x9AA5B1);
+constexpr std::size_t kBandPlaces = 120;
 // More would cover the chart.
 constexpr std::size_t kMostNamedMarks = 5;
 constexpr Color kPrintMark = Color::from_hex(0x5A6470);
@@ -41,6 +42,12 @@ void add_parts(const Curve& curve, const std::string& name, const Color& color, 
   std::string line_name = name, band_name = "95 % interval";
   const auto flush = [&] {
     if (line.x.empty()) return;
+    if (with_band && !is_ascending(curve)) {
+      const Curve around = band_around(curve, kBandPlaces);
+      band.x = around.x;
+      band.y = around.lower;
+      band.y_upper = around.upper;
+    }
     if (with_band && band.y != band.y_upper) {
       band.name = std::exchange(band_name, {});
       band.style = ChartStyle::kBand;

@@ -76,7 +76,7 @@ std::string session_facts(const RecordedSession& session) {
   std::string facts;
   const auto add = [&facts](const std::string& fact) {
     if (fact.empty()) return;
-    if (!facts.empty()) facts += "  \u00B7  ";
+    if (!facts.empty()) facts += " \u00B7 ";
     facts += fact;
   };
   // "2026-11-20T20:15:00Z" to the minute.

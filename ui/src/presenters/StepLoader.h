@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pellucida/core/Clock.h"
+#include "pellucida/core/SharedLatest.h"
 #include "pellucida/core/Stage.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/session/SessionReader.h"

@@ -69,7 +69,8 @@ std::string timeline_tip(const Timeline& timeline, double time_s, double reach_s
       continue;
     }
     ++lines;
-    tip += "\n" + readout::time(event.time_s) + "  " + event.kind + (event.text.empty() ? "" : ": " + event.text);
+    tip.append("\n").append(readout::time(event.time_s)).append("  ").append(event.kind);
+    if (!event.text.empty()) tip.append(": ").append(event.text);
   }
   if (more > 0) tip.append("\nand ").append(std::to_string(more)).append(" more");
   return tip;

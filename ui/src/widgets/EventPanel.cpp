@@ -31,9 +31,10 @@ EventPanel::EventPanel(std::function<void(double)> seek, QTreeWidget* list, QWid
   list_->setAllColumnsShowFocus(true);
   list_->setFocusPolicy(Qt::TabFocus);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setColumnWidth(kTimeColumn, 66);
-  list_->setColumnWidth(kKindColumn, 82);
+  list_->setColumnWidth(kTimeColumn, 72);
+  list_->setColumnWidth(kKindColumn, 88);
   list_->header()->setStretchLastSection(true);
+  list_->headerItem()->setTextAlignment(kTimeColumn, Qt::AlignRight | Qt::AlignVCenter);
   list_->setMinimumHeight(80);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](QTreeWidgetItem* item) { seek_(item->data(kTimeColumn, Qt::UserRole).toDouble()); });

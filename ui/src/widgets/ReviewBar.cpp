@@ -119,6 +119,10 @@ void ReviewBar::show_session(const RecordedSession* session) {
   for (QLabel* label : {name_, facts_}) label->setToolTip("<pre>" + tip.toHtmlEscaped() + "</pre>");
 }
 
+void ReviewBar::show_events(bool shown) {
+  events_->setChecked(shown);
+}
+
 void ReviewBar::set_node_chosen(bool chosen) {
   node_->setEnabled(chosen);
 }

@@ -30,6 +30,8 @@ class ReviewBar : public QWidget {
 
   /// Null: no session, and nothing to export.
   void show_session(const RecordedSession* session);
+  /// Shows or hides the list at the side, as its button does.
+  void show_events(bool shown);
   /// A node is chosen, and has a chart.
   void set_node_chosen(bool chosen);
 

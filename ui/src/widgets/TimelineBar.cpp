@@ -126,7 +126,7 @@ void TimelineBar::draw_events(QPainter& painter) const {
 void TimelineBar::draw_ticks(QPainter& painter) const {
   const double length_s = timeline_.end_s - timeline_.begin_s;
   const double step_s = nice_ceiling(length_s / std::max(bar().width() / kTickRoom_px, 1.0), 1e-9);
-  for (double k = std::ceil(timeline_.begin_s / step_s - 1e-9); k * step_s <= timeline_.end_s + 1e-9; k += 1.0) {
+  for (double k = std::ceil(timeline_.begin_s / step_s - 1e-9) + 0.0; k * step_s <= timeline_.end_s + 1e-9; k += 1.0) {
     const double x = x_of(k * step_s);
     painter.fillRect(QRectF(x - 0.5, kTickTop_px - 2.0, 1.0, 4.0), to_qt(palette::kTextDim));
     painter.setPen(to_qt(palette::kTextDim));

@@ -22,6 +22,9 @@
 namespace pellucida {
 namespace {
 
+// Of the band round a curve that goes back and forth.
+constexpr std::size_t kBandPlaces = 120;
+
 enum CurveColumn { kCurveX, kCurveY, kCurveLower, kCurveUpper, kCurveColumnCount };
 
 vtkNew<vtkTable> make_curve_table() {
@@ -80,6 +83,7 @@ struct CurveChart::Plots {
   vtkNew<vtkChartXY> chart;
   vtkNew<vtkTable> faint_table = make_curve_table();
   vtkNew<vtkTable> table = make_curve_table();
+  vtkNew<vtkTable> band_table = make_curve_table();
   vtkPlotLine* faint = nullptr;
   vtkPlotArea* band = nullptr;
   vtkPlotLine* curve = nullptr;
@@ -96,7 +100,7 @@ CurveChart::CurveChart() : plots_(std::make_unique<Plots>()) {
   p.band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
   p.curve = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
   p.faint->SetInputData(p.faint_table, kCurveX, kCurveY);
-  p.band->SetInputData(p.table);
+  p.band->SetInputData(p.band_table);
   p.band->SetInputArray(0, "x");
   p.band->SetInputArray(1, "lower");
   p.band->SetInputArray(2, "upper");
@@ -131,6 +135,9 @@ void CurveChart::fill() {
   Plots& p = *plots_;
   fill_curve_table(p.faint_table, thinned(p.data.faint, kMostPoints));
   fill_curve_table(p.table, thinned(p.data.curve, kMostPoints));
+  // A band that goes back and forth would cover itself.
+  fill_curve_table(p.band_table, is_ascending(p.data.curve) ? thinned(p.data.curve, kMostPoints)
+                                                            : band_around(p.data.curve, kBandPlaces));
   p.faint->SetVisible(p.data.faint.size() > 1);
   p.curve->SetVisible(p.data.curve.size() > 1);
   p.band->SetVisible(p.data.curve.size() > 1);

@@ -237,6 +237,10 @@ std::optional<long> MembraneView::node_at(double x_px, double y_px) const {
   return pick_node(main_, x_px * hud_ratio(), size[1] - 1 - y_px * hud_ratio(), actors_->update_surface());
 }
 
+void MembraneView::set_empty_text(std::string utf8) {
+  empty_text_ = std::move(utf8);
+}
+
 void MembraneView::mark_node(std::optional<long> node) {
   marked_node_ = node;
 }
@@ -247,7 +251,7 @@ void MembraneView::prepare(double, double) {
 
 void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_surface_) {
-    hud.text(0.5 * width_px, 0.5 * height_px, why_empty(source_->GetScene()),
+    hud.text(0.5 * width_px, 0.5 * height_px, empty_text_.empty() ? why_empty(source_->GetScene()) : empty_text_,
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }

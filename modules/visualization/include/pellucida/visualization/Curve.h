@@ -25,4 +25,10 @@ struct Curve {
 /// the greatest remain, so that peaks keep their height. Gaps remain.
 Curve thinned(const Curve& curve, std::size_t most);
 
+/// A band round a curve that goes back and forth in `x`: at `count` places from the least `x` to the greatest the least
+/// `lower` and the greatest `upper` nearby, `y` between them. The curve's gaps are none of the band's.
+Curve band_around(const Curve& curve, std::size_t count);
+/// Whether `x` never falls.
+bool is_ascending(const Curve& curve);
+
 }  // namespace pellucida

@@ -34,6 +34,8 @@ class MembraneView : public View {
   /// The node of the surface seen at a point of the view, in logical pixels, origin at the top left; nothing beside
   /// the cell.
   std::optional<long> node_at(double x_px, double y_px) const;
+  /// Shown where there is no surface, in place of the reason as a live run has it; empty: that.
+  void set_empty_text(std::string utf8);
   /// Marks a node with a ring; nothing: none.
   void mark_node(std::optional<long> node);
 
@@ -80,6 +82,7 @@ class MembraneView : public View {
   double radius_um_ = 50.0;
   std::string contact_label_;
   double contact_tail_um_[3] = {0.0, 0.0, 0.0};
+  std::string empty_text_;
   std::optional<long> marked_node_;
 };
 
