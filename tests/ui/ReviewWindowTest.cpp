@@ -293,7 +293,7 @@ TEST_F(ReviewWindowTest, AClickOnTheMembranePicksANodeAndReadsItsHistory) {
   const auto surface = window_->views().source().GetScene().surface.shallow_copy();
   const double now_uN = surface_node(surface, node)->force_magnitude_uN;
   const Curve& force = panel.curve().chart().data().curve;
-  EXPECT_EQ(force.x.back(), kStep_s * (kFrames - 1));
+  EXPECT_NEAR(force.x.back(), kStep_s * (kFrames - 1), 1e-9);
   EXPECT_NEAR(force.y.back(), now_uN, 1e-9);
   panel.choose_meridian(true);
   const CurveChartData& meridian = panel.curve().chart().data();

@@ -126,10 +126,9 @@ void ReviewExport::report() {
   const std::string before = is_standard ? "" : page.stem().string() + "_";
   if (!may_write({page.parent_path() / (before + "cells.csv"), page.parent_path() / (before + "contacts.csv")})) return;
   run("Writing the report", [this, session = session_, page, is_standard](const BackgroundTask::Control& control) {
-    const PassportReport report =
-        write_report(session, is_standard ? fs::path() : page,
-                     [&](std::size_t done, std::size_t all) { control.progress(done, all); });
-    return [this, page = report.files.empty() ? page : report.files.front()] {
+    write_report(session, is_standard ? fs::path() : page,
+                 [&](std::size_t done, std::size_t all) { control.progress(done, all); });
+    return [this, page] {
       notify_("Report written: " + shown(page), false);
       choice_.show_page(page);
     };
