@@ -114,8 +114,9 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
 // A recorded session in the window; nothing is measured.
 void run_review_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
-    throw DeviceError("--mode review needs a window: set DISPLAY to a running X server; without one, use pellucida "
-                      "report or pellucida export");
+    throw DeviceError(
+        "--mode review needs a window: set DISPLAY to a running X server; without one, use pellucida "
+        "report or pellucida export");
   }
   ReviewOptions options;
   options.screenshot = arguments.screenshot;
@@ -130,10 +131,6 @@ void run_review_mode(const WorkstationArguments& arguments) {
 }
 
 void run_workstation_command(const WorkstationArguments& arguments) {
-  if (arguments.mode == "review") {
-    run_review_mode(arguments);
-    return;
-  }
   if (!has_display()) {
     run_headless(arguments);
     return;
@@ -166,7 +163,8 @@ void add_workstation_command(CLI::App& app) {
       ->capture_default_str();
   add_range_options(*command, arguments->playback);
   add_showing_options(*command, arguments->playback, arguments->speed_ratio);
-  command->add_option("--mode", arguments->mode,
+  command
+      ->add_option("--mode", arguments->mode,
                    "guide: a source live, with its forces; review: a recorded session, as it was recorded")
       ->check(CLI::IsMember({"guide", "review"}))
       ->capture_default_str();
@@ -175,8 +173,10 @@ void add_workstation_command(CLI::App& app) {
                    "what moves the needle of a virtual source: demonstration (its default), mouse, or none (the "
                    "scenario's own motion)")
       ->check(CLI::IsMember({"demonstration", "mouse", "none"}));
-  command->add_option("--session", arguments->session, "guide: folder to record into (default: a new one in ~/Pellucida); review: folder of the session to open "
-                      "(default: the window asks)");
+  command->add_option(
+      "--session", arguments->session,
+      "guide: folder to record into (default: a new one in ~/Pellucida); review: folder of the session to open "
+      "(default: the window asks)");
   command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then close");
   command->add_option("--after", arguments->after_s, "seconds before the screenshot")
       ->check(number_in({0.0, 86400.0}))
@@ -188,6 +188,16 @@ void add_workstation_command(CLI::App& app) {
       ->check(CLI::Range(500, 8000))
       ->capture_default_str();
   command->callback([command, arguments] {
+    if (arguments->mode == "review") {
+      for (const char* option : {"--source", "--profile", "--hand", "--pixel-size-um", "--fps", "--to", "--every"}) {
+        if (command->count(option) == 0) continue;
+        throw UsageError(std::string(option) +
+                         " has no meaning with --mode review, which shows a session as it was "
+                         "recorded; leave it out, or use --mode guide");
+      }
+      run_review_mode(*arguments);
+      return;
+    }
     arguments->pipeline = options_for(arguments->source, *command, arguments->pipeline);
     run_workstation_command(*arguments);
   });

@@ -44,7 +44,9 @@ RecordedSession two_touches() {
   for (int i = 0; i < 3; ++i) add(5.0 + 0.1 * i, std::nullopt, none, none);
   for (int i = 3; i < 8; ++i) add(5.0 + 0.1 * i, CellState::kContact, i == 5 ? none : 0.2 * i, i);
   for (int i = 8; i < 10; ++i) add(5.0 + 0.1 * i, CellState::kFree, none, 0.0);
-  session.events = {{0.5, "contact", "first"}, {0.7, "warning", "slip: 1.2 um"}, {5.3, "contact", "second"},
+  session.events = {{0.5, "contact", "first"},
+                    {0.7, "warning", "slip: 1.2 um"},
+                    {5.3, "contact", "second"},
                     {5.4, "note", "<b>ours</b>"}};
   session.profile.name = "mouse-oocyte";
   session.complete = true;
@@ -307,7 +309,8 @@ TEST(NodeHistory, HoldsEveryStepAndNamesWhatCantBeRead) {
 TEST(NodeHistory, EndsWhenItIsTold) {
   const TemporaryFolder folder;
   test::write_session(folder / "S", 5);
-  const NodeHistory history = read_node_history(folder / "S", 1, [](std::size_t done, std::size_t) { return done < 2; });
+  const NodeHistory history =
+      read_node_history(folder / "S", 1, [](std::size_t done, std::size_t) { return done < 2; });
   EXPECT_FALSE(history.whole);
   EXPECT_EQ(history.states.size(), 2U);
 }

@@ -333,7 +333,8 @@ TEST_F(ReviewWindowTest, ADamagedFrameSaysSoAndSteppingGoesOn) {
   input_.tap(test::kRightKey);
   ASSERT_TRUE(shows(1));
   // Once the first notice has been there for its time.
-  EXPECT_TRUE(pass_until([&] { return text("notice").find("surface_00000001") != std::string::npos; })) << text("notice");
+  EXPECT_TRUE(pass_until([&] { return text("notice").find("surface_00000001") != std::string::npos; }))
+      << text("notice");
   input_.tap(test::kRightKey);
   ASSERT_TRUE(shows(2));
   EXPECT_TRUE(pass_until([&] { return text("notice").find("surface_00000001") == std::string::npos; }));

@@ -5,7 +5,6 @@
 #include <vtkPNGReader.h>
 #include <vtkRenderWindow.h>
 
-
 #include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/core_vtk/StageSource.h"

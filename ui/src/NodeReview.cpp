@@ -21,8 +21,8 @@ void NodeReview::choose(const std::filesystem::path& session, long node) {
   panel_->show_progress(0, 1);
   reading_.run(
       [this, session, node](const BackgroundTask::Control& control) -> std::function<void()> {
-        auto history = read_node_history(
-            session, node, [&](std::size_t done, std::size_t all) { return control.go_on(done, all); });
+        auto history = read_node_history(session, node,
+                                         [&](std::size_t done, std::size_t all) { return control.go_on(done, all); });
         return [this, history = std::move(history)] {
           panel_->show_progress(0, 0);
           panel_->show_history(history);
@@ -42,10 +42,13 @@ void NodeReview::clear() {
   panel_->hide();
 }
 
-void NodeReview::show_step(const Scene& scene, bool chart_too) {
+void NodeReview::show_step(const Scene& scene) {
   if (!node_) return;
   panel_->show_frame(scene.surface.shallow_copy(), scene.measurement.time_s);
-  if (chart_too) panel_->render();
+}
+
+void NodeReview::draw_chart() {
+  if (node_) panel_->render();
 }
 
 }  // namespace pellucida

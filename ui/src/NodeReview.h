@@ -25,7 +25,8 @@ class NodeReview : public QObject {
   void choose(const std::filesystem::path& session, long node);
   void clear();
   /// What this step says of the node.
-  void show_step(const Scene& scene, bool chart_too);
+  void show_step(const Scene& scene);
+  void draw_chart();
 
  private:
   std::optional<long> node_;

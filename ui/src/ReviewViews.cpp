@@ -77,13 +77,13 @@ void ReviewViews::set_session(const RecordedSession& session) {
   mark_node(std::nullopt);
 }
 
-void ReviewViews::show_step(const Scene& scene, std::size_t step, bool charts_too) {
+void ReviewViews::show_step(const Scene& scene, std::size_t step) {
   source_->SetScene(scene);
   feed_.refresh();
   membranes_.refresh();
   feed_panel_->view().render();
   membrane_panel_->view().render();
-  if (!charts_too || !session_) return;
+  if (!session_) return;
   const std::size_t touch = touch_of(*session_, step);
   if (touch != touch_shown_) {
     touch_->chart().set_data(pellucida::force_over_indentation(*session_, step));
@@ -93,6 +93,9 @@ void ReviewViews::show_step(const Scene& scene, std::size_t step, bool charts_to
   time_->chart().set_cursor(session_->times_s[step], row.contact_force_uN, true);
   const bool on_curve = row.state == CellState::kContact && std::isfinite(row.contact_force_uN);
   touch_->chart().set_cursor(on_curve ? row.indentation_um : CurveChart::kNowhere, row.contact_force_uN, false);
+}
+
+void ReviewViews::draw_charts() {
   time_->render();
   touch_->render();
 }

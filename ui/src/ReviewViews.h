@@ -26,8 +26,9 @@ class ReviewViews : public QSplitter {
 
   /// `session` must outlive its showing.
   void set_session(const RecordedSession& session);
-  /// Shows a step everywhere. `charts_too` false: the charts' cursors follow with a later step.
-  void show_step(const Scene& scene, std::size_t step, bool charts_too);
+  /// Shows a step; the charts are drawn by `draw_charts`.
+  void show_step(const Scene& scene, std::size_t step);
+  void draw_charts();
   void mark_node(std::optional<long> node);
 
   const StageSource& source() const { return *source_; }

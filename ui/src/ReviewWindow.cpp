@@ -38,8 +38,11 @@ constexpr int kChartPeriod_ms = 100;
 constexpr int kReviewNotice_ms = 6000;
 // Narrower than this the list beside the views would take their place: it is opened on demand.
 constexpr int kRoomForEvents_px = 1200;
+// Lower than this the node takes the place of the list.
+constexpr int kRoomForBoth_px = 780;
 constexpr const char* kHint =
-    "Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a "
+    "Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks "
+    "a "
     "node";
 
 }  // namespace
@@ -60,7 +63,11 @@ ReviewWindow::ReviewWindow(ReviewOptions options, std::shared_ptr<const Clock> c
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   timer_.start(0);
-  screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] { tick(); });
+  // What is on screen may lag behind by a tick or two: views, then charts.
+  screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
+    tick();
+    if (charts_due_) draw_charts();
+  });
 }
 
 ReviewWindow::~ReviewWindow() {
@@ -108,8 +115,10 @@ QWidget* ReviewWindow::build_session_page() {
   column->setSpacing(0);
   column->addWidget(readouts_ = new ReadoutBar(page));
   const auto to_time = [this](double time_s) { seek(time_s); };
-  views_ = new ReviewViews(to_time, [this](long node) { choose_node(node); }, nullptr);
-  node_ = new NodeReview(to_time, [this] { clear_node(); }, this);
+  views_ = new ReviewViews(
+      to_time, [this](long node) { choose_node(node); }, nullptr);
+  node_ = new NodeReview(
+      to_time, [this] { clear_node(); }, this);
   side_ = new QSplitter(Qt::Vertical);
   side_->setHandleWidth(4);
   side_->setChildrenCollapsible(false);
@@ -226,6 +235,7 @@ void ReviewWindow::adopt(Opened& opened) {
   open_page_->show_problem({});
   pages_->setCurrentIndex(1);
 
+  since_charts_.start();
   const double now_s = clock_->now_s();
   playback_ = Playback(session_->times_s);
   playback_.set_speed_ratio(options_.speed_ratio, now_s);
@@ -266,14 +276,13 @@ void ReviewWindow::tick() {
   if (session_) {
     const bool was_playing = playback_.playing();
     if (playback_.tick(clock_->now_s())) loader_->request(playback_.step());
-    const auto loaded = loader_->take();
-    if (loaded) show_step(*loaded);
-    if (was_playing) show_place();
-    // The last step of a run is shown in full.
-    if (!loaded && charts_due_ && !playback_.playing() && !loader_->busy()) {
-      views_->show_step(shown_, *shown_step_, true);
-      charts_due_ = false;
+    // Views and charts in turns: together they would keep the mouse waiting.
+    if (charts_due_ && (!playback_.playing() || since_charts_.elapsed() >= kChartPeriod_ms)) {
+      draw_charts();
+    } else if (const auto loaded = loader_->take()) {
+      show_step(*loaded);
     }
+    if (was_playing) show_place();
     show_notice();
   }
   // A slow renderer must leave time for the mouse and the other threads.
@@ -288,14 +297,18 @@ void ReviewWindow::show_step(const LoadedStep& loaded) {
   step_error_ = loaded.error;
   shown_.remarks.warning = doubts_at(events_, session_->times_s[loaded.step]);
   readouts_->show_texts(readout_texts(&shown_, session_->profile));
-  const bool charts_too =
-      !playback_.playing() || !since_charts_.isValid() || since_charts_.elapsed() >= kChartPeriod_ms;
-  views_->show_step(shown_, loaded.step, charts_too);
-  node_->show_step(shown_, charts_too);
+  views_->show_step(shown_, loaded.step);
+  node_->show_step(shown_);
   event_panel_->set_position_s(session_->times_s[loaded.step]);
-  if (charts_too) since_charts_.start();
-  charts_due_ = !charts_too;
+  charts_due_ = true;
   show_place();
+}
+
+void ReviewWindow::draw_charts() {
+  views_->draw_charts();
+  node_->draw_chart();
+  charts_due_ = false;
+  since_charts_.start();
 }
 
 void ReviewWindow::show_place() {
@@ -325,14 +338,26 @@ void ReviewWindow::choose_node(long node) {
   bar_->show_events(true);
   views_->mark_node(node);
   node_->choose(session_->folder, node);
-  node_->show_step(shown_, true);
+  node_->show_step(shown_);
   bar_->set_node_chosen(true);
+  arrange_side();
+  charts_due_ = true;
 }
 
 void ReviewWindow::clear_node() {
   node_->clear();
   views_->mark_node(std::nullopt);
   bar_->set_node_chosen(false);
+  arrange_side();
+}
+
+// A low window has room for one of the two.
+void ReviewWindow::arrange_side() {
+  event_panel_->setVisible(!node_->node() || height() >= kRoomForBoth_px);
+}
+
+void ReviewWindow::resizeEvent(QResizeEvent*) {
+  if (node_) arrange_side();
 }
 
 void ReviewWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -58,6 +58,7 @@ class ReviewWindow : public QMainWindow {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Opened;
@@ -75,6 +76,8 @@ class ReviewWindow : public QMainWindow {
   void seek(double time_s);
   void follow();
   void show_step(const LoadedStep& loaded);
+  void draw_charts();
+  void arrange_side();
   void show_place();
   void show_notice();
   void notify(const QString& text, bool problem);
@@ -107,7 +110,7 @@ class ReviewWindow : public QMainWindow {
 
   QTimer timer_;
   QElapsedTimer since_charts_;  // since the charts were drawn
-  bool charts_due_ = false;
+  bool charts_due_ = false;     // they show an earlier step than the views
   QElapsedTimer since_notice_;
   BackgroundTask opening_;
   std::unique_ptr<TimedScreenshot> screenshot_;

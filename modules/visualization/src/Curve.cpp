@@ -59,7 +59,8 @@ Curve band_around(const Curve& curve, std::size_t count) {
   std::vector<double> lower(count, nan), upper(count, nan);
   for (std::size_t i = 0; i < curve.size(); ++i) {
     if (std::isnan(curve.y[i])) continue;
-    const auto place = static_cast<std::size_t>(std::lround((curve.x[i] - begin) / width * static_cast<double>(count - 1)));
+    const auto place =
+        static_cast<std::size_t>(std::lround((curve.x[i] - begin) / width * static_cast<double>(count - 1)));
     lower[place] = std::fmin(lower[place], curve.lower[i]);
     upper[place] = std::fmax(upper[place], curve.upper[i]);
   }

@@ -90,9 +90,9 @@ std::vector<NodeFact> node_facts(const SurfaceNode& node) {
   facts.push_back({"Force", with_unit(node.force_magnitude_uN, kForceDecimals, "µN")});
   const auto [low, high] = sigma_interval(node.force_magnitude_uN, node.force_sigma_uN);
   const bool known = std::isfinite(low) && std::isfinite(high);
-  facts.push_back({"95 %", known ? readout::number(low, kForceDecimals) + " \u2013 " +
-                                       readout::number(high, kForceDecimals) + " µN"
-                                 : readout::number(SurfaceNode::kNone, 0)});
+  facts.push_back(
+      {"95 %", known ? readout::number(low, kForceDecimals) + " \u2013 " + readout::number(high, kForceDecimals) + " µN"
+                     : readout::number(SurfaceNode::kNone, 0)});
   facts.push_back({"Sigma", with_unit(node.force_sigma_uN, kForceDecimals, "µN")});
   facts.push_back({"Along x, y, z", three(node.force_uN, kForceDecimals, "µN")});
   facts.push_back({"Tension", with_unit(node.tension_uN_per_um, kForceDecimals, "µN/µm")});

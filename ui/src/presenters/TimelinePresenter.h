@@ -18,9 +18,9 @@ struct TimelineSpan {
 /// What the timeline shows.
 struct Timeline {
   double begin_s = 0.0;
-  double end_s = 0.0;                ///< greater than `begin_s`
-  std::vector<TimelineSpan> spans;   ///< in the order of time; between two of them nothing was recorded
-  std::vector<ReviewEvent> events;   ///< marks; those with `is_doubt` stretches too
+  double end_s = 0.0;               ///< greater than `begin_s`
+  std::vector<TimelineSpan> spans;  ///< in the order of time; between two of them nothing was recorded
+  std::vector<ReviewEvent> events;  ///< marks; those with `is_doubt` stretches too
 };
 
 /// Rows further apart than half a second and than five usual steps leave a hole.

@@ -104,8 +104,7 @@ void NodePanel::show_frame(vtkPolyData* surface, double time_s) {
   time_s_ = time_s;
   const auto node = surface_node(surface, number_);
   show_facts(node ? node_facts(*node)
-                  : std::vector<NodeFact>{{"Node", std::to_string(number_)},
-                                          {"Frame", "no surface with this node"}});
+                  : std::vector<NodeFact>{{"Node", std::to_string(number_)}, {"Frame", "no surface with this node"}});
   if (axis_->currentIndex() == kMeridianAxis) fill_chart();
   place_cursor();
 }

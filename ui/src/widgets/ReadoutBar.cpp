@@ -71,7 +71,7 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
 
 // A narrow window keeps its figures whole.
 void ReadoutBar::resizeEvent(QResizeEvent*) {
-  layout()->setSpacing(width() < kRoomy_px ? 16 : 34);
+  layout()->setSpacing(width() < kRoomy_px ? 14 : 34);
 }
 
 void ReadoutBar::show_texts(const ReadoutTexts& texts) {

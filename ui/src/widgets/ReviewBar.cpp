@@ -113,8 +113,8 @@ void ReviewBar::show_session(const RecordedSession* session) {
   }
   const std::string facts = session_facts(*session), caution = session_caution(*session);
   show_phrase(*facts_, {facts, caution.empty() ? palette::kTextDim : palette::kWarning});
-  const QString tip = QString::fromStdString(session->folder.string() + "\n" + facts +
-                                             (caution.empty() ? "" : "\n" + caution));
+  const QString tip =
+      QString::fromStdString(session->folder.string() + "\n" + facts + (caution.empty() ? "" : "\n" + caution));
   // Text of a session is never taken for markup.
   for (QLabel* label : {name_, facts_}) label->setToolTip("<pre>" + tip.toHtmlEscaped() + "</pre>");
 }

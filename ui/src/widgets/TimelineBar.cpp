@@ -100,8 +100,8 @@ void TimelineBar::draw_spans(QPainter& painter) const {
   painter.fillRect(bar(), to_qt(palette::kWindow));
   for (const TimelineSpan& span : timeline_.spans) {
     const QRectF box = stretch(x_of(span.begin_s), x_of(span.end_s), kBarTop_px, kBarHeight_px);
-    painter.fillRect(box, span.state ? QBrush(to_qt(state_color(span.state)))
-                                     : QBrush(to_qt(palette::kTextDim), Qt::BDiagPattern));
+    painter.fillRect(
+        box, span.state ? QBrush(to_qt(state_color(span.state))) : QBrush(to_qt(palette::kTextDim), Qt::BDiagPattern));
   }
 }
 

@@ -39,17 +39,17 @@ TransportBar::TransportBar(Actions actions, QWidget* parent) : QFrame(parent), a
   row->setSpacing(6);
   const auto step = [this](long count) { return [this, count] { actions_.step_by(count); }; };
   add_button(row, Pictogram::kRestart, Qt::Key_Home, "First frame", [this] { actions_.to_end(false); });
-  add_button(row, Pictogram::kEventBack, Qt::Key_PageUp, "Event before", [this] { actions_.to_event(false); }, true);
-  add_button(row, Pictogram::kTenBack, QKeySequence("Shift+Left"), "Ten frames back", step(-kManyFrames),
-             true);
+  add_button(
+      row, Pictogram::kEventBack, Qt::Key_PageUp, "Event before", [this] { actions_.to_event(false); }, true);
+  add_button(row, Pictogram::kTenBack, QKeySequence("Shift+Left"), "Ten frames back", step(-kManyFrames), true);
   add_button(row, Pictogram::kStepBack, Qt::Key_Left, "One frame back", step(-1), true);
   play_ = add_button(row, Pictogram::kPlay, Qt::Key_Space, "Play or pause", [this] { actions_.toggle_play(); });
   play_->setObjectName("play");
   play_->setFixedWidth(96);
   add_button(row, Pictogram::kStepForward, Qt::Key_Right, "One frame forward", step(1), true);
-  add_button(row, Pictogram::kTenForward, QKeySequence("Shift+Right"), "Ten frames forward",
-             step(kManyFrames), true);
-  add_button(row, Pictogram::kEventForward, Qt::Key_PageDown, "Next event", [this] { actions_.to_event(true); }, true);
+  add_button(row, Pictogram::kTenForward, QKeySequence("Shift+Right"), "Ten frames forward", step(kManyFrames), true);
+  add_button(
+      row, Pictogram::kEventForward, Qt::Key_PageDown, "Next event", [this] { actions_.to_event(true); }, true);
   add_button(row, Pictogram::kEnd, Qt::Key_End, "Last frame", [this] { actions_.to_end(true); });
   row->addSpacing(10);
   add_speed(row);
@@ -119,10 +119,9 @@ void TransportBar::show_state(const Playback& playback, long frame) {
   loop_->setChecked(playback.loop());
   backwards_->setChecked(playback.backwards());
   // A speed of the command line may lie between those of the list: the nearest one is shown.
-  const auto nearest =
-      std::min_element(speeds().begin(), speeds().end(), [&](double a, double b) {
-        return std::abs(std::log(a / playback.speed_ratio())) < std::abs(std::log(b / playback.speed_ratio()));
-      });
+  const auto nearest = std::min_element(speeds().begin(), speeds().end(), [&](double a, double b) {
+    return std::abs(std::log(a / playback.speed_ratio())) < std::abs(std::log(b / playback.speed_ratio()));
+  });
   speed_->setCurrentIndex(static_cast<int>(nearest - speeds().begin()));
   place_->setText(QString("%1  \u00B7  frame %2  \u00B7  %3 of %4")
                       .arg(QString::fromStdString(readout::time(playback.position_s())))

@@ -105,7 +105,8 @@ CurveChart::CurveChart() : plots_(std::make_unique<Plots>()) {
   p.band->SetInputArray(1, "lower");
   p.band->SetInputArray(2, "upper");
   p.curve->SetInputData(p.table, kCurveX, kCurveY);
-  for (vtkPlot* plot : {static_cast<vtkPlot*>(p.faint), static_cast<vtkPlot*>(p.band), static_cast<vtkPlot*>(p.curve)}) {
+  for (vtkPlot* plot :
+       {static_cast<vtkPlot*>(p.faint), static_cast<vtkPlot*>(p.band), static_cast<vtkPlot*>(p.curve)}) {
     plot->SelectableOff();
     plot->SetVisible(false);
   }
