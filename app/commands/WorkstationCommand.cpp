@@ -17,8 +17,8 @@
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/LiveRun.h"
+#include "pellucida/review/Review.h"
 #include "pellucida/ui/Guide.h"
-#include "pellucida/ui/Review.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "BackgroundTask.h"
+#include "review/ReviewWindowFixture.h"
 #include "support/Files.h"
 #include "support/WaitUntil.h"
-#include "ui/ReviewWindowFixture.h"
 
 namespace pellucida {
 namespace {

@@ -1,4 +1,4 @@
-#include "pellucida/ui/Review.h"
+#include "pellucida/review/Review.h"
 
 #include "ReviewWindow.h"
 #include "WindowProgram.h"

@@ -10,7 +10,7 @@
 #include "FileChoice.h"
 #include "TimedScreenshot.h"
 #include "pellucida/core/Clock.h"
-#include "pellucida/ui/Review.h"
+#include "pellucida/review/Review.h"
 #include "presenters/Playback.h"
 #include "presenters/RecordedSession.h"
 #include "presenters/ReviewEvents.h"
