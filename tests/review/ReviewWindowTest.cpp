@@ -183,6 +183,22 @@ TEST_F(ReviewWindowTest, ABadSessionIsASentenceAndTheWindowStaysUsable) {
   ASSERT_TRUE(shows(2));
 }
 
+TEST_F(ReviewWindowTest, AnotherSessionTakesThePlaceOfTheFirst) {
+  open();
+  input_.tap(kEndKey);
+  ASSERT_TRUE(shows(kFrames - 1));
+  auto& views = const_cast<ReviewViews&>(window_->views());
+  click(views.membranes().view(), views.membranes().view().rect().center());
+  ASSERT_TRUE(pass_until([&] { return window_->node().node().has_value(); }));
+  write_touch(*folder_ / "second");
+  answer_ = *folder_ / "second";
+  window_->findChild<QAbstractButton*>("openSession")->click();
+  ASSERT_TRUE(pass_until([&] { return text("sourceName") == "second"; }));
+  ASSERT_TRUE(shows(0));
+  EXPECT_FALSE(window_->node().node());
+  EXPECT_FALSE(window_->findChild<QWidget*>("nodePanel")->isVisible());
+}
+
 TEST_F(ReviewWindowTest, ADamagedFrameSaysSoAndSteppingGoesOn) {
   write_touch(*folder_ / "damaged", false);
   test::put(*folder_ / "damaged" / "surface" / "surface_00000001.vtp", "broken");
