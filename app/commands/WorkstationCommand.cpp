@@ -17,6 +17,7 @@
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/LiveRun.h"
+#include "pellucida/review/Review.h"
 #include "pellucida/ui/Guide.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
@@ -110,10 +111,26 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   return run_guide(std::move(run), std::move(console), options);
 }
 
-void run_workstation_command(const WorkstationArguments& arguments) {
-  if (arguments.mode != "guide") {
-    throw UsageError("--mode " + arguments.mode + ": this version has the mode guide only");
+// A recorded session in the window; nothing is measured.
+void run_review_mode(const WorkstationArguments& arguments) {
+  if (!has_display()) {
+    throw DeviceError(
+        "--mode review needs a window: set DISPLAY to a running X server; without one, use pellucida "
+        "report or pellucida export");
   }
+  ReviewOptions options;
+  options.screenshot = arguments.screenshot;
+  options.screenshot_after_s = arguments.after_s;
+  options.width_px = arguments.width_px;
+  options.height_px = arguments.height_px;
+  options.from_s = arguments.playback.from_s;
+  options.speed_ratio = arguments.speed_ratio;
+  options.loop = arguments.playback.loop_count != 1;
+  options.backwards = arguments.playback.backwards;
+  if (run_review(arguments.session, options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+}
+
+void run_workstation_command(const WorkstationArguments& arguments) {
   if (!has_display()) {
     run_headless(arguments);
     return;
@@ -146,13 +163,20 @@ void add_workstation_command(CLI::App& app) {
       ->capture_default_str();
   add_range_options(*command, arguments->playback);
   add_showing_options(*command, arguments->playback, arguments->speed_ratio);
-  command->add_option("--mode", arguments->mode, "guide")->capture_default_str();
+  command
+      ->add_option("--mode", arguments->mode,
+                   "guide: a source live, with its forces; review: a recorded session, as it was recorded")
+      ->check(CLI::IsMember({"guide", "review"}))
+      ->capture_default_str();
   command
       ->add_option("--hand", arguments->hand,
                    "what moves the needle of a virtual source: demonstration (its default), mouse, or none (the "
                    "scenario's own motion)")
       ->check(CLI::IsMember({"demonstration", "mouse", "none"}));
-  command->add_option("--session", arguments->session, "folder to record into (default: a new one in ~/Pellucida)");
+  command->add_option(
+      "--session", arguments->session,
+      "guide: folder to record into (default: a new one in ~/Pellucida); review: folder of the session to open "
+      "(default: the window asks)");
   command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then close");
   command->add_option("--after", arguments->after_s, "seconds before the screenshot")
       ->check(number_in({0.0, 86400.0}))
@@ -164,6 +188,16 @@ void add_workstation_command(CLI::App& app) {
       ->check(CLI::Range(500, 8000))
       ->capture_default_str();
   command->callback([command, arguments] {
+    if (arguments->mode == "review") {
+      for (const char* option : {"--source", "--profile", "--hand", "--pixel-size-um", "--fps", "--to", "--every"}) {
+        if (command->count(option) == 0) continue;
+        throw UsageError(std::string(option) +
+                         " has no meaning with --mode review, which shows a session as it was "
+                         "recorded; leave it out, or use --mode guide");
+      }
+      run_review_mode(*arguments);
+      return;
+    }
     arguments->pipeline = options_for(arguments->source, *command, arguments->pipeline);
     run_workstation_command(*arguments);
   });

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "pellucida/core/Error.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core/Version.h"
@@ -213,6 +214,18 @@ TEST(Commands, WorkstationWithoutADisplayLeavesASessionAndAPicture) {
   cv::Scalar deviation;
   cv::meanStdDev(picture, mean, deviation);
   EXPECT_GT(deviation[1], 10.0);  // a picture, not one colour
+}
+
+TEST(Commands, ReviewNeedsADisplayAndTakesNoOptionsOfARun) {
+  const auto folder = test::fresh_folder("commands_review", testing::TempDir());
+  const auto blind = test::run_program("workstation --mode review --session S", folder);
+  EXPECT_EQ(blind.exit_code, static_cast<int>(ExitCode::kDeviceMissing));
+  EXPECT_NE(blind.err.find("set DISPLAY"), std::string::npos) << blind.err;
+  for (const char* option : {"--source virtual", "--profile mouse-embryo", "--hand mouse", "--every 2"}) {
+    const auto refused = test::run_program("workstation --mode review " + std::string(option), folder);
+    EXPECT_EQ(refused.exit_code, static_cast<int>(ExitCode::kWrongUsage)) << option;
+    EXPECT_NE(refused.err.find("has no meaning with --mode review"), std::string::npos) << refused.err;
+  }
 }
 
 TEST(Commands, BenchWritesItsFigures) {

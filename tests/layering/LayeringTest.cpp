@@ -51,7 +51,7 @@ std::string part_of(const std::string& header) {
 }
 
 fs::path folder_of(const std::string& part) {
-  return part == "ui" || part == "app" ? kRoot / part : kRoot / "modules" / part;
+  return part == "ui" || part == "review" || part == "app" ? kRoot / part : kRoot / "modules" / part;
 }
 
 std::map<std::string, std::set<std::string>> allowed_parts() {

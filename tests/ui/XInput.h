@@ -55,6 +55,8 @@ class XInput {
   xcb_window_t root_;
 };
 
-inline constexpr std::uint32_t kEscapeKey = 0xff1b, kShiftKey = 0xffe1, kHomeKey = 0xff50, kVKey = 0x76, kPKey = 0x70;
+inline constexpr std::uint32_t kEscapeKey = 0xff1b, kShiftKey = 0xffe1, kHomeKey = 0xff50, kVKey = 0x76, kPKey = 0x70,
+                               kEndKey = 0xff57, kLeftKey = 0xff51, kRightKey = 0xff53, kPageUpKey = 0xff55,
+                               kPageDownKey = 0xff56, kSpaceKey = 0x20, kLKey = 0x6c, kBKey = 0x62, kMinusKey = 0x2d;
 
 }  // namespace pellucida::test

@@ -20,16 +20,32 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #handBar { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #handBar, #transportBar, #nodeFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
-#sourceCaption, #statusText, #notice { color: @dim; font-size: 12px; }
+#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName { color: @dim; font-size: 12px; }
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
 #forceNote { color: @dim; font-size: 12px; }
 #statePill { border-radius: 15px; padding: 0px 18px; font-size: 15px; font-weight: 700; color: @window; }
+#nodeFact { font-size: 12px; }
+#pageTitle { font-size: 22px; font-weight: 600; }
+#pageText { color: @dim; font-size: 14px; }
+#problem { font-size: 14px; }
+QPushButton[lit="true"]:checked:enabled { border-color: @accent; background: @border; }
+QPushButton[narrow="true"] { padding: 0px; font-size: 15px; }
+QTreeWidget { background: @panel; border: none; font-size: 12px; outline: none; }
+QTreeWidget::item { padding: 3px 6px; border: none; background: transparent; }
+QTreeWidget::item:selected { background: @border; color: @text; }
+QTreeWidget::item:hover { background: @raised; }
+QHeaderView::section { background: @panel; color: @dim; border: none; border-bottom: 1px solid @border; padding: 3px 6px; font-size: 11px; font-weight: 600; }
+QScrollBar:vertical { background: @panel; width: 10px; margin: 0px; }
+QScrollBar::handle:vertical { background: @border; border-radius: 5px; min-height: 24px; }
+QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0px; }
+QMenu::item:disabled { color: @faint; }
+QMenu::separator { height: 1px; background: @border; margin: 4px 6px; }
 #handBar { border-top: 1px solid @border; }
 #handPill { border-radius: 11px; font-size: 12px; font-weight: 700; color: @window; }
 QToolButton, QPushButton { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 4px 10px; font-size: 12px; }
@@ -53,7 +69,7 @@ QComboBox::drop-down { border: none; width: 22px; }
 QComboBox QAbstractItemView { background: @raised; border: 1px solid @border; selection-background-color: @border; }
 QProgressBar { background: @border; border: none; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
-QToolButton::menu-indicator { image: none; }
+QToolButton::menu-indicator, QPushButton::menu-indicator { image: none; width: 0px; }
 QPushButton { padding: 0px 12px; }
 QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
 QMenu::item:selected { background: @border; }

@@ -9,11 +9,11 @@ QString tip_with_key(const QString& text, const QKeySequence& key) {
   return text + " (" + key.toString(QKeySequence::PortableText) + ")";
 }
 
-void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& tip) {
+void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& tip, bool repeats) {
   button.setToolTip(tip_with_key(tip, key));
   // Not the button's own shortcut: that is lost with each new text, and acts a tenth of a second late.
   auto* shortcut = new QShortcut(key, &button);
-  shortcut->setAutoRepeat(false);
+  shortcut->setAutoRepeat(repeats);
   QObject::connect(shortcut, &QShortcut::activated, &button, &QAbstractButton::click);
 }
 

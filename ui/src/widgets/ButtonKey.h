@@ -10,7 +10,7 @@ namespace pellucida {
 QString tip_with_key(const QString& text, const QKeySequence& key);
 
 /// The key clicks the button, wherever the window has its focus, and the button's tip names the key. A key may be given
-/// once in a window: one given twice does nothing.
-void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& tip);
+/// once in a window: one given twice does nothing. `repeats`: again and again while the key is held.
+void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& tip, bool repeats = false);
 
 }  // namespace pellucida

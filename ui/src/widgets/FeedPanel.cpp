@@ -8,16 +8,17 @@
 
 namespace pellucida {
 
-FeedPanel::FeedPanel(FeedView& feed, QWidget* parent) : FeedPanel(feed, new ViewWidget(feed, 0, nullptr), parent) {}
+FeedPanel::FeedPanel(FeedView& feed, QWidget* parent, bool has_model)
+    : FeedPanel(feed, new ViewWidget(feed, 0, nullptr), parent, has_model) {}
 
-FeedPanel::FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent)
+FeedPanel::FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent, bool has_model)
     : Panel("Microscope", view, parent), view_(view) {
   vtkNew<PanZoomStyle> style;
   view_->set_style(style);
-  add_buttons(feed);
+  add_buttons(feed, has_model);
 }
 
-void FeedPanel::add_buttons(FeedView& feed) {
+void FeedPanel::add_buttons(FeedView& feed, bool has_model) {
   const auto toggle = [&](const char* text, const char* tip, const QKeySequence& key, bool on, auto change) {
     connect(add_toggle(text, tip, key, on), &QToolButton::toggled, this, [this, &feed, change](bool now) {
       change(feed, now);
@@ -26,8 +27,10 @@ void FeedPanel::add_buttons(FeedView& feed) {
   };
   toggle("Contours", "Membranes found in the image", Qt::Key_1, true,
          [](FeedView& view, bool on) { view.show_contours(on); });
-  toggle("Model", "Section through the mechanical model", Qt::Key_2, true,
-         [](FeedView& view, bool on) { view.show_model_section(on); });
+  if (has_model) {
+    toggle("Model", "Section through the mechanical model", Qt::Key_2, true,
+           [](FeedView& view, bool on) { view.show_model_section(on); });
+  }
   toggle("Tools", "Needle and holding pipette", Qt::Key_3, true, [](FeedView& view, bool on) { view.show_tools(on); });
   toggle("Whole frame", "The whole image instead of the cell", Qt::Key_W, false,
          [](FeedView& view, bool on) { view.set_framing(on ? FeedFraming::kFrame : FeedFraming::kCell); });

@@ -9,13 +9,13 @@ class ViewWidget;
 /// The microscope's picture with the buttons that say what is drawn over it and how much of it is seen.
 class FeedPanel : public Panel {
  public:
-  /// `feed` must outlive the panel.
-  FeedPanel(FeedView& feed, QWidget* parent);
+  /// `feed` must outlive the panel. `has_model`: its scenes hold the mechanical model, and there is a button for it.
+  FeedPanel(FeedView& feed, QWidget* parent, bool has_model = true);
   ViewWidget& view() noexcept { return *view_; }
 
  private:
-  FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent);
-  void add_buttons(FeedView& feed);
+  FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent, bool has_model);
+  void add_buttons(FeedView& feed, bool has_model);
 
   ViewWidget* view_;
 };

@@ -4,7 +4,26 @@
 namespace pellucida {
 
 /// The window's pictograms, drawn in the palette's colours at any size.
-enum class Pictogram { kProgram, kRecord, kStop, kPause, kPlay, kCamera, kNote, kRestart };
+enum class Pictogram {
+  kProgram,
+  kRecord,
+  kStop,
+  kPause,
+  kPlay,
+  kCamera,
+  kNote,
+  kRestart,
+  kEnd,
+  kStepBack,
+  kStepForward,
+  kTenBack,
+  kTenForward,
+  kEventBack,
+  kEventForward,
+  kLoop,
+  kBackwards,
+  kOpen,
+};
 QIcon make_icon(Pictogram pictogram);
 
 }  // namespace pellucida

@@ -18,9 +18,9 @@ Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(p
   head_ = new QHBoxLayout(head);
   head_->setContentsMargins(12, 0, 6, 0);
   head_->setSpacing(4);
-  auto* name = new QLabel(title, head);
-  name->setObjectName("panelTitle");
-  head_->addWidget(name);
+  title_ = new QLabel(title, head);
+  title_->setObjectName("panelTitle");
+  head_->addWidget(title_);
   head_->addStretch(1);
 
   auto* column = new QVBoxLayout(this);
@@ -28,6 +28,16 @@ Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(p
   column->setSpacing(0);
   column->addWidget(head);
   column->addWidget(content, 1);
+}
+
+void Panel::resizeEvent(QResizeEvent*) {
+  const QMargins margins = head_->contentsMargins();
+  int needed_px = margins.left() + margins.right() + title_->sizeHint().width();
+  for (int i = 0; i < head_->count(); ++i) {
+    const QWidget* control = head_->itemAt(i)->widget();
+    if (control && control != title_) needed_px += head_->spacing() + control->sizeHint().width();
+  }
+  title_->setVisible(needed_px <= width());
 }
 
 void Panel::add_control(QWidget* control) {

@@ -4,11 +4,12 @@
 #include <QString>
 
 class QHBoxLayout;
+class QLabel;
 class QToolButton;
 
 namespace pellucida {
 
-/// A view with a head line: title on the left, controls on the right.
+/// A view with a head line: title on the left, controls on the right. Where there is no room for both, the controls.
 class Panel : public QFrame {
  public:
   Panel(const QString& title, QWidget* content, QWidget* parent);
@@ -20,7 +21,11 @@ class Panel : public QFrame {
   /// A plain button; without `key` the mouse alone reaches it.
   QToolButton* add_button(const QString& text, const QString& tip, const QKeySequence& key = {});
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  QLabel* title_;
   QHBoxLayout* head_;
 };
 

@@ -9,6 +9,11 @@
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
+namespace {
+
+constexpr int kRoomy_px = 1200;
+
+}  // namespace
 
 ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   setObjectName("readoutBar");
@@ -16,7 +21,6 @@ ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   setFixedHeight(66);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 6, 16, 8);
-  row->setSpacing(34);
 
   state_ = new QLabel(this);
   state_->setObjectName("statePill");
@@ -63,6 +67,11 @@ ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, co
   box->addLayout(line);
   row->addLayout(box);
   return figure;
+}
+
+// A narrow window keeps its figures whole.
+void ReadoutBar::resizeEvent(QResizeEvent*) {
+  layout()->setSpacing(width() < kRoomy_px ? 14 : 34);
 }
 
 void ReadoutBar::show_texts(const ReadoutTexts& texts) {

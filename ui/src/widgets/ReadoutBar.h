@@ -15,6 +15,9 @@ class ReadoutBar : public QFrame {
   explicit ReadoutBar(QWidget* parent);
   void show_texts(const ReadoutTexts& texts);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Figure {
     QLabel* value = nullptr;

@@ -8,20 +8,24 @@
 #include <vtkContextScene.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkPDFExporter.h>
 #include <vtkPen.h>
 #include <vtkPlotArea.h>
 #include <vtkPlotPoints.h>
 #include <vtkRect.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSVGExporter.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
 #include <cmath>
+#include <system_error>
 
 #include "Letters.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/OutputFile.h"
 #include "pellucida/core/RoundNumbers.h"
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization/VirtualDisplay.h"
@@ -136,11 +140,36 @@ void fill(vtkChartXY* chart, const ChartPanel& panel) {
   chart->SetHiddenAxisBorder(24);
 }
 
+// The exporters report a file they can't write to the log alone: what they leave is looked at.
+void save_drawing(vtkRenderWindow* window, const std::filesystem::path& file, const std::string& kind) {
+  OutputFile output(file);
+  if (kind == ".svg") {
+    vtkNew<vtkSVGExporter> exporter;
+    exporter->SetRenderWindow(window);
+    exporter->SetFileName(output.temporary().c_str());
+    exporter->Write();
+  } else {
+    vtkNew<vtkPDFExporter> exporter;
+    exporter->SetRenderWindow(window);
+    exporter->SetFileName(output.temporary().c_str());
+    exporter->Write();
+  }
+  std::error_code unknown;
+  if (std::filesystem::file_size(output.temporary(), unknown) == 0 || unknown) {
+    throw OutputError(file.string() + ": the chart can't be written; free some space, or choose another folder");
+  }
+  output.finish();
+}
+
 }  // namespace
 
-void render_charts(std::span<const ChartPanel> panels, int columns, const std::filesystem::path& png,
+void render_charts(std::span<const ChartPanel> panels, int columns, const std::filesystem::path& file,
                    const PictureSize& size) {
   check_picture_size(size);
+  const std::string kind = file.extension().string();
+  if (kind != ".png" && kind != ".svg" && kind != ".pdf") {
+    throw UsageError(file.string() + ": a chart is written as .png, .svg or .pdf; choose one of these endings");
+  }
   if (panels.empty() || columns < 1) throw UsageError("charts: there is nothing to draw");
   MessageLog::install();
   VirtualDisplay display;
@@ -170,7 +199,11 @@ void render_charts(std::span<const ChartPanel> panels, int columns, const std::f
                             static_cast<float>(size.height_px) / static_cast<float>(rows) - 2.0F * kMargin));
   }
   window->Render();
-  save_window(window, png);
+  if (kind == ".png") {
+    save_window(window, file);
+  } else {
+    save_drawing(window, file, kind);
+  }
 }
 
 }  // namespace pellucida

@@ -26,6 +26,8 @@ namespace pellucida {
 namespace {
 
 constexpr double kLineWidth = 2.0;
+// Width of legend and margins.
+constexpr double kLegendRoom_px = 205.0;
 constexpr double kCellMargin = 1.7;  // half the view's height, in radii of the cell
 
 bool has_points(const Frozen<vtkPolyData>& part) {
@@ -241,6 +243,10 @@ void FeedView::set_caption(std::string utf8) {
   caption_ = std::move(utf8);
 }
 
+void FeedView::set_empty_text(std::string utf8) {
+  empty_text_ = std::move(utf8);
+}
+
 void FeedView::prepare(double width_px, double height_px) {
   if (!has_frame_ || width_px < 1.0 || height_px < 1.0) return;
   vtkCamera* camera = main_->GetActiveCamera();
@@ -286,7 +292,7 @@ void FeedView::prepare(double width_px, double height_px) {
 
 void FeedView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_frame_) {
-    hud.text(0.5 * width_px, 0.5 * height_px, "Waiting for the first frame",
+    hud.text(0.5 * width_px, 0.5 * height_px, empty_text_,
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }
@@ -303,6 +309,7 @@ void FeedView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!caption_.empty()) {
     const HudText style{.color = palette::kText, .align = HudAlign::kRight};
     const double caption_width = hud.text_width_px(caption_, style);
+    if (!legend_.empty() && caption_width + kLegendRoom_px > width_px) return;
     hud.rounded(width_px - caption_width - 28.0, height_px - 38.0, caption_width + 18.0, 26.0, 5.0, palette::kWindow,
                 0.72);
     hud.text(width_px - 19.0, height_px - 25.0, caption_, style);

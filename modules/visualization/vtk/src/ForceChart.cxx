@@ -11,16 +11,13 @@
 #include <vtkPlotLine.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "Letters.h"
-#include "pellucida/core/RoundNumbers.h"
+#include "ChartAxes.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
@@ -30,34 +27,6 @@ namespace {
 constexpr double kLeastTime_s = 5.0;
 
 enum Column { kX, kForce, kLower, kUpper, kColumnCount };
-
-void set_color(vtkPen* pen, const Color& c, double opacity = 1.0) {
-  pen->SetColorF(c.red, c.green, c.blue, opacity);
-}
-
-// The end of an axis from 0: close above the data, on a round number.
-double axis_end(double greatest, double least_end) {
-  if (!(greatest > least_end)) return least_end;
-  const double decade = std::pow(10.0, std::floor(std::log10(greatest)));
-  for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}) {
-    if (greatest <= step * decade) return step * decade;
-  }
-  return 10.0 * decade;
-}
-
-// Ticks on round numbers, as many as have room at `spacing` pixels each.
-void set_ticks(vtkAxis* axis, double begin, double end, double length_px, double spacing_px) {
-  const double most = std::max(2.0, length_px / spacing_px);
-  const double step = nice_ceiling((end - begin) / most, 1e-9);
-  vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkStringArray> labels;
-  for (double at = std::ceil(begin / step - 1e-6) * step; at <= end + 1e-6 * step; at += step) {
-    places->InsertNextValue(at);
-    labels->InsertNextValue(readout::plain(std::abs(at) < 1e-9 * step ? 0.0 : at));
-  }
-  axis->SetRange(begin, end);
-  axis->SetCustomTickPositions(places, labels);
-}
 
 vtkNew<vtkTable> make_table() {
   vtkNew<vtkTable> table;
@@ -168,20 +137,7 @@ void ForceChart::style_axes(double ratio) {
   Plots& p = *plots_;
   const char* x_title = kind_ == ForceChartKind::kForceTime ? "Time (s)" : "Indentation (µm)";
   for (const auto& [side, title] : {std::pair{vtkAxis::BOTTOM, x_title}, std::pair{vtkAxis::LEFT, "Force (µN)"}}) {
-    vtkAxis* axis = p.chart->GetAxis(side);
-    axis->SetTitle(title);
-    axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetNotation(vtkAxis::STANDARD_NOTATION);
-    for (vtkTextProperty* letters : {axis->GetTitleProperties(), axis->GetLabelProperties()}) {
-      const Color& c = letters == axis->GetTitleProperties() ? palette::kText : palette::kTextDim;
-      letters->SetFontSize(static_cast<int>(std::lround(font_size::kSmall * ratio)));
-      set_typeface(letters, false);
-      letters->SetColor(c.red, c.green, c.blue);
-    }
-    axis->GetPen()->SetWidth(static_cast<float>(ratio));
-    axis->GetGridPen()->SetWidth(static_cast<float>(ratio));
-    set_color(axis->GetPen(), palette::kBorder);
-    set_color(axis->GetGridPen(), palette::kGrid);
+    style_axis(p.chart->GetAxis(side), title, ratio);
   }
   p.before->SetWidth(static_cast<float>(1.5 * ratio));
   set_color(p.before->GetPen(), palette::kCurveBefore);
@@ -232,7 +188,7 @@ void ForceChart::set_ranges() {
   if (!over_time) measure(history_.previous_touch());
   const double ratio = std::max(hud_ratio(), 1e-3);
   const int* size = main_->GetSize();
-  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), 0.0, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio, 36.0);
+  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), 0.0, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio, kTickRoomUp_px);
 
   // Time: all of it, or the last part once that is full.
   double begin = 0.0;
@@ -245,7 +201,7 @@ void ForceChart::set_ranges() {
     begin = time_window_s_ > 0.0 ? std::max(first_s, last_s - time_window_s_) : first_s;
     end = std::max(last_s + 0.03 * (last_s - begin), begin + kLeastTime_s);
   }
-  set_ticks(p.chart->GetAxis(vtkAxis::BOTTOM), begin, end, size[0] / ratio, 90.0);
+  set_ticks(p.chart->GetAxis(vtkAxis::BOTTOM), begin, end, size[0] / ratio, kTickRoomAcross_px);
 }
 
 void ForceChart::prepare(double width_px, double height_px) {

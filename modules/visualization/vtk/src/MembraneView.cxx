@@ -17,6 +17,7 @@
 #include "AxesTriad.h"
 #include "ColorMap.h"
 #include "MembraneActors.h"
+#include "NodePick.h"
 #include "ToolShapes.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/visualization/Readout.h"
@@ -230,13 +231,27 @@ void MembraneView::set_arrow_log_scale(bool on) {
   refresh();
 }
 
+std::optional<long> MembraneView::node_at(double x_px, double y_px) const {
+  if (!has_surface_) return std::nullopt;
+  const int* size = main_->GetSize();
+  return pick_node(main_, x_px * hud_ratio(), size[1] - 1 - y_px * hud_ratio(), actors_->update_surface());
+}
+
+void MembraneView::set_empty_text(std::string utf8) {
+  empty_text_ = std::move(utf8);
+}
+
+void MembraneView::mark_node(std::optional<long> node) {
+  marked_node_ = node;
+}
+
 void MembraneView::prepare(double, double) {
   main_->ResetCameraClippingRange();
 }
 
 void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_surface_) {
-    hud.text(0.5 * width_px, 0.5 * height_px, why_empty(source_->GetScene()),
+    hud.text(0.5 * width_px, 0.5 * height_px, empty_text_.empty() ? why_empty(source_->GetScene()) : empty_text_,
              {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
     return;
   }
@@ -254,6 +269,7 @@ void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   }
   draw_axes_triad(hud, main_->GetActiveCamera());
   draw_contact_label(hud);
+  draw_node_mark(hud);
 }
 
 void MembraneView::draw_contact_label(HudCanvas& hud) const {
@@ -263,6 +279,15 @@ void MembraneView::draw_contact_label(HudCanvas& hud) const {
   const double width = hud.text_width_px(contact_label_, style) + 18.0;
   hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, palette::kWindow, 0.78);
   hud.text(x, y + 35.0, contact_label_, style);
+}
+
+void MembraneView::draw_node_mark(HudCanvas& hud) const {
+  vtkPolyData* surface = actors_->update_surface();
+  if (!marked_node_ || *marked_node_ < 0 || *marked_node_ >= surface->GetNumberOfPoints()) return;
+  const auto [x, y] = to_hud(surface->GetPoint(*marked_node_));
+  hud.disc(x, y, 8.0, palette::kWindow, 0.85);
+  hud.disc(x, y, 6.0, palette::kModel);
+  hud.disc(x, y, 3.0, palette::kWindow);
 }
 
 }  // namespace pellucida

@@ -35,11 +35,12 @@ struct ChartPanel {
   std::vector<ChartSeries> series;
 };
 
-/// Charts side by side in rows of `columns`, dark on white, for print; as PNG, whole or not at all, drawn off screen.
-/// Needs an X server, its own (VirtualDisplay) where there is none. Main thread only. Throws DeviceError when there is
-/// no way to draw, OutputError when the file can't be written, UsageError for a size below 400 x 300 or above 8000 x
-/// 8000, or a series whose columns differ in length.
-void render_charts(std::span<const ChartPanel> panels, int columns, const std::filesystem::path& png,
+/// Charts side by side in rows of `columns`, dark on white, for print, drawn off screen; whole or not at all. The
+/// ending of `file` says as what: `.png` in dots, `.svg` or `.pdf` in lines that keep their sharpness. Needs an X
+/// server, its own (VirtualDisplay) where there is none. Main thread only. Throws DeviceError when there is no way to
+/// draw, OutputError when the file can't be written, UsageError for another ending, a size below 400 x 300 or above
+/// 8000 x 8000, or a series whose columns differ in length.
+void render_charts(std::span<const ChartPanel> panels, int columns, const std::filesystem::path& file,
                    const PictureSize& size = {});
 
 }  // namespace pellucida

@@ -48,8 +48,10 @@ class FeedView : public View {
   /// The injection plan: the straight path with its corridor, entry, depth stop and target. Nothing: none is drawn.
   void set_plan(const std::optional<PlanMarks>& plan);
 
-  /// A line in the upper right corner, empty for none.
+  /// A line in the upper right corner, empty for none; left out where the legend leaves no room for it.
   void set_caption(std::string utf8);
+  /// Shown in place of a frame that isn't there. Default: "Waiting for the first frame".
+  void set_empty_text(std::string utf8);
 
  protected:
   void prepare(double width_px, double height_px) override;
@@ -66,6 +68,7 @@ class FeedView : public View {
   std::unique_ptr<Pipeline> pipeline_;
   std::vector<LegendRow> legend_;
   std::string caption_;
+  std::string empty_text_ = "Waiting for the first frame";
   std::optional<PlanMarks> plan_;
   bool contours_shown_ = true;
   bool model_shown_ = true;

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "pellucida/core_vtk/StageSource.h"
@@ -30,6 +31,14 @@ class MembraneView : public View {
   /// The needle's force as it is written beside the bold arrow; empty where the arrow isn't drawn.
   const std::string& contact_label() const noexcept { return contact_label_; }
 
+  /// The node of the surface seen at a point of the view, in logical pixels, origin at the top left; nothing beside
+  /// the cell.
+  std::optional<long> node_at(double x_px, double y_px) const;
+  /// Shown where there is no surface, in place of the reason as a live run has it; empty: that.
+  void set_empty_text(std::string utf8);
+  /// Marks a node with a ring; nothing: none.
+  void mark_node(std::optional<long> node);
+
   void set_coloring(SurfaceColoring coloring);
   void show_arrows(bool shown);
   void show_tools(bool shown);
@@ -52,6 +61,7 @@ class MembraneView : public View {
   void refresh_tools();
   void refresh_contact_force();
   void draw_contact_label(HudCanvas& hud) const;
+  void draw_node_mark(HudCanvas& hud) const;
 
   StageSource* source_;
   std::unique_ptr<MembraneActors> actors_;
@@ -72,6 +82,8 @@ class MembraneView : public View {
   double radius_um_ = 50.0;
   std::string contact_label_;
   double contact_tail_um_[3] = {0.0, 0.0, 0.0};
+  std::string empty_text_;
+  std::optional<long> marked_node_;
 };
 
 }  // namespace pellucida

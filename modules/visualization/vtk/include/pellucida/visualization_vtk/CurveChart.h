@@ -1,0 +1,74 @@
+#pragma once
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pellucida/visualization/Curve.h"
+#include "pellucida/visualization_vtk/View.h"
+
+namespace pellucida {
+
+/// An upright line at a place of the x axis, named at its upper end where there is room.
+struct CurveMark {
+  double x = 0.0;
+  std::string name;
+  Color color;
+};
+
+/// What a `CurveChart` shows.
+struct CurveChartData {
+  std::string x_title;  ///< with its unit
+  std::string y_title;
+  Curve faint;  ///< behind the curve, in grey, without a band
+  Curve curve;  ///< with its band
+  std::vector<CurveMark> marks;
+  double x_begin = 0.0;  ///< ends of the x axis; equal: 0 and a round number above the data
+  double x_end = 0.0;
+  std::string empty_text;  ///< in place of the curves where both are empty
+};
+
+/// A finished curve of any length with its 95 % band, a grey one behind it, and a cursor: an upright line at a place of
+/// the x axis, a dot on the curve. Long curves are thinned to what a screen can show; their peaks remain.
+class CurveChart : public View {
+ public:
+  static constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  /// Points a drawn curve has at most.
+  static constexpr std::size_t kMostPoints = 4000;
+
+  CurveChart();
+  ~CurveChart() override;
+
+  void set_data(CurveChartData data);
+  /// As it was given.
+  const CurveChartData& data() const noexcept;
+  /// `y` NaN: an upright line at `x`; `line` false: the dot alone. NaN for both: none.
+  void set_cursor(double x, double y, bool line);
+  double cursor_x() const noexcept { return cursor_x_; }
+  double cursor_y() const noexcept { return cursor_y_; }
+
+  /// The value of the x axis under a point `x_px` logical pixels from the left, held within the axis; nothing before
+  /// the first rendering.
+  std::optional<double> x_at(double x_px) const;
+
+ protected:
+  void prepare(double width_px, double height_px) override;
+  void draw_hud(HudCanvas& hud, double width_px, double height_px) override;
+
+ private:
+  struct Plots;
+  void fill();
+  void set_ranges(double width_px, double height_px);
+  void draw_marks(HudCanvas& hud) const;
+  void draw_cursor(HudCanvas& hud) const;
+
+  std::unique_ptr<Plots> plots_;
+  bool changed_ = true;
+  double styled_ratio_ = 0.0;
+  double cursor_x_ = kNowhere;
+  double cursor_y_ = kNowhere;
+  bool cursor_line_ = true;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,246 @@
+#include "pellucida/visualization_vtk/CurveChart.h"
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkPen.h>
+#include <vtkPlotArea.h>
+#include <vtkPlotLine.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ChartAxes.h"
+#include "pellucida/core/RoundNumbers.h"
+
+namespace pellucida {
+namespace {
+
+// Of the band round a curve that goes back and forth.
+constexpr std::size_t kBandPlaces = 120;
+
+enum CurveColumn { kCurveX, kCurveY, kCurveLower, kCurveUpper, kCurveColumnCount };
+
+vtkNew<vtkTable> make_curve_table() {
+  vtkNew<vtkTable> table;
+  for (const char* name : {"x", "y", "lower", "upper"}) {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    table->AddColumn(column);
+  }
+  return table;
+}
+
+// The band can't have a gap: it narrows to nothing there, on both sides.
+void fill_curve_table(vtkTable* table, const Curve& curve) {
+  std::array<vtkDoubleArray*, kCurveColumnCount> columns{};
+  for (int c = 0; c < kCurveColumnCount; ++c) {
+    columns[static_cast<std::size_t>(c)] = vtkDoubleArray::SafeDownCast(table->GetColumn(c));
+    columns[static_cast<std::size_t>(c)]->Reset();
+  }
+  const auto add = [&](double x, double y, double lower, double upper) {
+    columns[kCurveX]->InsertNextValue(x);
+    columns[kCurveY]->InsertNextValue(y);
+    columns[kCurveLower]->InsertNextValue(lower);
+    columns[kCurveUpper]->InsertNextValue(upper);
+  };
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (!std::isnan(curve.y[i])) {
+      add(curve.x[i], curve.y[i], curve.lower[i], curve.upper[i]);
+      continue;
+    }
+    if (i == 0 || i + 1 == curve.size()) continue;
+    add(curve.x[i - 1], curve.y[i], curve.y[i - 1], curve.y[i - 1]);
+    add(curve.x[i + 1], curve.y[i], curve.y[i + 1], curve.y[i + 1]);
+  }
+  for (vtkDoubleArray* column : columns) column->Modified();
+  table->Modified();
+}
+
+struct Extent {
+  double low = 0.0;
+  double high = 0.0;
+  void include(const std::vector<double>& values) {
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+};
+
+}  // namespace
+
+struct CurveChart::Plots {
+  CurveChartData data;
+  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkChartXY> chart;
+  vtkNew<vtkTable> faint_table = make_curve_table();
+  vtkNew<vtkTable> table = make_curve_table();
+  vtkNew<vtkTable> band_table = make_curve_table();
+  vtkPlotLine* faint = nullptr;
+  vtkPlotArea* band = nullptr;
+  vtkPlotLine* curve = nullptr;
+};
+
+CurveChart::CurveChart() : plots_(std::make_unique<Plots>()) {
+  Plots& p = *plots_;
+  main_->SetUseFXAA(false);
+  main_->SetBackground(palette::kPanel.data());
+  p.actor->GetScene()->AddItem(p.chart);
+  p.actor->GetScene()->SetRenderer(main_);
+  main_->AddActor(p.actor);
+  p.faint = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
+  p.band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
+  p.curve = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
+  p.faint->SetInputData(p.faint_table, kCurveX, kCurveY);
+  p.band->SetInputData(p.band_table);
+  p.band->SetInputArray(0, "x");
+  p.band->SetInputArray(1, "lower");
+  p.band->SetInputArray(2, "upper");
+  p.curve->SetInputData(p.table, kCurveX, kCurveY);
+  for (vtkPlot* plot :
+       {static_cast<vtkPlot*>(p.faint), static_cast<vtkPlot*>(p.band), static_cast<vtkPlot*>(p.curve)}) {
+    plot->SelectableOff();
+    plot->SetVisible(false);
+  }
+  p.chart->SetShowLegend(false);
+  p.chart->SetInteractive(false);
+  p.chart->SetHiddenAxisBorder(12);
+}
+
+CurveChart::~CurveChart() = default;
+
+void CurveChart::set_data(CurveChartData data) {
+  plots_->data = std::move(data);
+  changed_ = true;
+}
+
+const CurveChartData& CurveChart::data() const noexcept {
+  return plots_->data;
+}
+
+void CurveChart::set_cursor(double x, double y, bool line) {
+  cursor_x_ = x;
+  cursor_y_ = y;
+  cursor_line_ = line;
+}
+
+void CurveChart::fill() {
+  Plots& p = *plots_;
+  fill_curve_table(p.faint_table, thinned(p.data.faint, kMostPoints));
+  fill_curve_table(p.table, thinned(p.data.curve, kMostPoints));
+  // A band that goes back and forth would cover itself.
+  fill_curve_table(p.band_table, is_ascending(p.data.curve) ? thinned(p.data.curve, kMostPoints)
+                                                            : band_around(p.data.curve, kBandPlaces));
+  p.faint->SetVisible(p.data.faint.size() > 1);
+  p.curve->SetVisible(p.data.curve.size() > 1);
+  p.band->SetVisible(p.data.curve.size() > 1);
+}
+
+void CurveChart::set_ranges(double width_px, double height_px) {
+  Plots& p = *plots_;
+  const CurveChartData& data = p.data;
+  Extent y;
+  for (const Curve* curve : {&data.faint, &data.curve}) {
+    y.include(curve->lower);
+    y.include(curve->upper);
+  }
+  const double bottom = y.low < 0.0 ? -axis_end(-1.04 * y.low, 1e-9) : 0.0;
+  const double top = y.high > 0.0 ? axis_end(1.04 * y.high, 1e-9) : bottom < 0.0 ? 0.0 : 1.0;
+  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), bottom, top, height_px, kTickRoomUp_px);
+  double begin = data.x_begin, end = data.x_end;
+  if (!(end > begin)) {
+    Extent x;
+    x.include(data.faint.x);
+    x.include(data.curve.x);
+    begin = 0.0;
+    end = axis_end(1.02 * x.high, 10.0);
+  }
+  set_ticks(p.chart->GetAxis(vtkAxis::BOTTOM), begin, end, width_px, kTickRoomAcross_px);
+}
+
+void CurveChart::prepare(double width_px, double height_px) {
+  if (width_px < 1.0 || height_px < 1.0) return;
+  Plots& p = *plots_;
+  const double ratio = std::max(hud_ratio(), 1e-3);
+  if (changed_ || ratio != styled_ratio_) {
+    style_axis(p.chart->GetAxis(vtkAxis::BOTTOM), p.data.x_title, ratio);
+    style_axis(p.chart->GetAxis(vtkAxis::LEFT), p.data.y_title, ratio);
+    p.faint->SetWidth(static_cast<float>(1.5 * ratio));
+    set_color(p.faint->GetPen(), palette::kCurveBefore);
+    p.curve->SetWidth(static_cast<float>(2.0 * ratio));
+    set_color(p.curve->GetPen(), palette::kCurve);
+    p.band->GetBrush()->SetColorF(palette::kCurve.red, palette::kCurve.green, palette::kCurve.blue, 0.22);
+    set_color(p.band->GetPen(), palette::kCurve, 0.0);
+    styled_ratio_ = ratio;
+  }
+  if (changed_) fill();
+  set_ranges(width_px / ratio, height_px / ratio);
+  if (changed_) p.chart->RecalculateBounds();
+  changed_ = false;
+}
+
+std::optional<double> CurveChart::x_at(double x_px) const {
+  vtkAxis* bottom = plots_->chart->GetAxis(vtkAxis::BOTTOM);
+  const double x0 = bottom->GetPoint1()[0] / hud_ratio();
+  const double x1 = bottom->GetPoint2()[0] / hud_ratio();
+  if (!(x1 > x0)) return std::nullopt;
+  const double share = std::clamp((x_px - x0) / (x1 - x0), 0.0, 1.0);
+  return bottom->GetMinimum() + share * (bottom->GetMaximum() - bottom->GetMinimum());
+}
+
+void CurveChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
+  const CurveChartData& data = plots_->data;
+  if (data.curve.empty() && data.faint.empty()) {
+    hud.text(0.5 * width_px, 0.55 * height_px, data.empty_text,
+             {.size_pt = font_size::kNormal, .color = palette::kTextDim, .align = HudAlign::kCentre});
+  } else {
+    draw_marks(hud);
+  }
+  draw_cursor(hud);
+}
+
+void CurveChart::draw_marks(HudCanvas& hud) const {
+  vtkAxis* bottom = plots_->chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
+  const double x0 = bottom->GetPoint1()[0] / hud_ratio(), x1 = bottom->GetPoint2()[0] / hud_ratio();
+  const double y0 = left->GetPoint1()[1] / hud_ratio(), y1 = left->GetPoint2()[1] / hud_ratio();
+  double free_from = x0;
+  for (const CurveMark& mark : plots_->data.marks) {
+    if (mark.x < bottom->GetMinimum() || mark.x > bottom->GetMaximum()) continue;
+    const double share = (mark.x - bottom->GetMinimum()) / (bottom->GetMaximum() - bottom->GetMinimum());
+    const double x = x0 + (x1 - x0) * share;
+    hud.line(x, y0, x, y1, 1.25, mark.color, 0.8);
+    const double width = hud.text_width_px(mark.name) + 10.0;
+    if (x < free_from || x + width > x1) continue;
+    hud.text(x + 6.0, y1 - 9.0, mark.name, {.color = mark.color});
+    free_from = x + width;
+  }
+}
+
+void CurveChart::draw_cursor(HudCanvas& hud) const {
+  vtkAxis* bottom = plots_->chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
+  if (!(cursor_x_ >= bottom->GetMinimum() && cursor_x_ <= bottom->GetMaximum())) return;
+  const auto at = [&](vtkAxis* axis, int k, double value) {
+    const double share = (value - axis->GetMinimum()) / (axis->GetMaximum() - axis->GetMinimum());
+    return (axis->GetPoint1()[k] + share * (axis->GetPoint2()[k] - axis->GetPoint1()[k])) / hud_ratio();
+  };
+  const double x = at(bottom, 0, cursor_x_);
+  if (cursor_line_) {
+    hud.line(x, at(left, 1, left->GetMinimum()), x, at(left, 1, left->GetMaximum()), 1.5, palette::kText, 0.9);
+  }
+  if (std::isfinite(cursor_y_)) {
+    hud.disc(x, at(left, 1, cursor_y_), 5.5, palette::kPanel);
+    hud.disc(x, at(left, 1, cursor_y_), 4.0, palette::kText);
+  }
+}
+
+}  // namespace pellucida

@@ -1,0 +1,17 @@
+#include "pellucida/review/Review.h"
+
+#include "ReviewWindow.h"
+#include "WindowProgram.h"
+
+namespace pellucida {
+
+int run_review(const std::string& session, const ReviewOptions& options) {
+  WindowProgram program;
+  ReviewWindow window(options);
+  if (!session.empty()) window.open(session);
+  const int status = program.show(window);
+  window.screenshot().rethrow_fault();
+  return status;
+}
+
+}  // namespace pellucida

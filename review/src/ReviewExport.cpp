@@ -1,0 +1,143 @@
+#include "ReviewExport.h"
+
+#include <QImage>
+#include <QPixmap>
+#include <QWidget>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/report/PassportReport.h"
+#include "pellucida/session/SessionExport.h"
+#include "presenters/ChartForPrint.h"
+#include "presenters/RecordedSession.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPictureKinds = "Picture (*.png)";
+constexpr const char* kChartKinds = "Drawing (*.svg);;Page (*.pdf);;Picture (*.png)";
+constexpr PictureSize kChartSize{.width_px = 1200, .height_px = 800};
+// Files that a table export writes; the last one only where a hand was recorded.
+constexpr const char* kTables[] = {"measurements.csv", "events.csv", "contours.csv", "nodes.csv", "haptics.csv"};
+
+QString shown(const fs::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+}  // namespace
+
+ReviewExport::ReviewExport(FileChoice choice, Notify notify, Work work, QObject* parent)
+    : QObject(parent), choice_(std::move(choice)), notify_(std::move(notify)), work_(std::move(work)) {}
+
+void ReviewExport::set_session(const fs::path& folder) {
+  cancel();
+  session_ = folder;
+}
+
+fs::path ReviewExport::proposal(const std::string& what, const char* ending) const {
+  const fs::path beside = fs::absolute(session_).lexically_normal();
+  return beside.parent_path() / (session_name_of(session_) + "-" + what + ending);
+}
+
+void ReviewExport::save_image(const QImage& image, const fs::path& file) {
+  const bool saved = image.save(shown(file), "PNG");
+  notify_(saved ? "Saved " + shown(file)
+                : shown(file) + ": the picture can't be written; choose a folder that exists and may be written",
+          !saved);
+}
+
+void ReviewExport::save_window(QWidget& window) {
+  const QImage image = window.grab().toImage();
+  const fs::path file = choice_.file_to_write("Window as PNG", proposal("window", ".png"), kPictureKinds);
+  if (!file.empty()) save_image(image, file);
+}
+
+void ReviewExport::save_view(ViewWidget& view, const std::string& what) {
+  const QImage image = view.grabFramebuffer();
+  const fs::path file = choice_.file_to_write("View as PNG", proposal(what, ".png"), kPictureKinds);
+  if (!file.empty()) save_image(image, file);
+}
+
+void ReviewExport::save_chart(const CurveChart& chart, const QString& title, const std::string& what) {
+  const ChartPanel panel = chart_for_print(chart.data(), title.toStdString());
+  const fs::path file = choice_.file_to_write(title, proposal(what, ".svg"), kChartKinds);
+  if (file.empty()) return;
+  try {
+    render_charts({&panel, 1}, 1, file, kChartSize);
+    notify_("Saved " + shown(file), false);
+  } catch (const Error& error) {
+    notify_(error.what(), true);
+  }
+}
+
+bool ReviewExport::may_write(const std::vector<fs::path>& files) const {
+  std::vector<fs::path> present;
+  for (const fs::path& file : files) {
+    if (fs::exists(file)) present.push_back(file);
+  }
+  return present.empty() || choice_.may_replace(present);
+}
+
+void ReviewExport::run(const QString& text, std::function<std::function<void()>(const BackgroundTask::Control&)> work) {
+  if (task_.running()) {
+    notify_("Wait for the export that is running, or cancel it", true);
+    return;
+  }
+  work_(text, 0, 0);
+  task_.run(
+      [this, work = std::move(work)](const BackgroundTask::Control& control) -> std::function<void()> {
+        auto done = work(control);
+        return [this, done = std::move(done)] {
+          work_({}, 0, 0);
+          done();
+        };
+      },
+      [this, text](std::size_t done, std::size_t all) { work_(text, done, all); },
+      [this](const std::string& error) {
+        work_({}, 0, 0);
+        notify_(QString::fromStdString(error), true);
+      });
+}
+
+void ReviewExport::save_tables() {
+  const fs::path folder = choice_.folder_to_write("Folder for the tables", proposal("tables", ""));
+  if (folder.empty()) return;
+  std::vector<fs::path> files;
+  for (const char* table : kTables) files.push_back(folder / table);
+  if (!may_write(files)) return;
+  run("Writing tables", [this, session = session_, folder](const BackgroundTask::Control& control) {
+    ExportOptions options;
+    options.progress = [&](std::size_t done, std::size_t all) { control.progress(done, all); };
+    const ExportReport report = export_session(session, folder, options);
+    return [this, folder, count = report.files.size()] {
+      notify_(QString("%1 tables written to %2").arg(count).arg(shown(folder)), false);
+    };
+  });
+}
+
+void ReviewExport::report() {
+  const fs::path standard = session_ / kReportFolder / "report.html";
+  const fs::path page = choice_.file_to_write("Report", standard, "Page (*.html)");
+  if (page.empty()) return;
+  // The standard place has tables with the standard names.
+  const bool is_standard = page.lexically_normal() == standard.lexically_normal();
+  const std::string before = is_standard ? "" : page.stem().string() + "_";
+  if (!may_write({page.parent_path() / (before + "cells.csv"), page.parent_path() / (before + "contacts.csv")})) return;
+  run("Writing the report", [this, session = session_, page, is_standard](const BackgroundTask::Control& control) {
+    write_report(session, is_standard ? fs::path() : page,
+                 [&](std::size_t done, std::size_t all) { control.progress(done, all); });
+    return [this, page] {
+      notify_("Report written: " + shown(page), false);
+      choice_.show_page(page);
+    };
+  });
+}
+
+void ReviewExport::cancel() {
+  task_.cancel();
+  work_({}, 0, 0);
+}
+
+}  // namespace pellucida

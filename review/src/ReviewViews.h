@@ -1,0 +1,59 @@
+#pragma once
+#include <vtkNew.h>
+
+#include <QPoint>
+#include <QSplitter>
+#include <functional>
+
+#include "pellucida/core_vtk/StageSource.h"
+#include "pellucida/visualization_vtk/FeedView.h"
+#include "pellucida/visualization_vtk/MembraneView.h"
+
+namespace pellucida {
+
+class CurvePanel;
+class FeedPanel;
+class MembranePanel;
+struct RecordedSession;
+
+/// The views of a recorded session: image and 3-D membranes above, both charts of the whole session below, with a
+/// cursor at the frame shown. A press in the time chart seeks, a click on the membrane picks a node.
+class ReviewViews : public QSplitter {
+ public:
+  /// `seek`: a time, s. `pick`: a node's number.
+  ReviewViews(std::function<void(double)> seek, std::function<void(long)> pick, QWidget* parent);
+  ~ReviewViews() override;
+
+  /// `session` must outlive its showing.
+  void set_session(const RecordedSession& session);
+  /// Shows a step; the charts are drawn by `draw_charts`.
+  void show_step(const Scene& scene, std::size_t step);
+  void draw_charts();
+  void mark_node(std::optional<long> node);
+
+  const StageSource& source() const { return *source_; }
+  FeedPanel& feed() noexcept { return *feed_panel_; }
+  MembranePanel& membranes() noexcept { return *membrane_panel_; }
+  CurvePanel& force_over_time() noexcept { return *time_; }
+  CurvePanel& force_over_indentation() noexcept { return *touch_; }
+
+ protected:
+  bool eventFilter(QObject* target, QEvent* event) override;
+
+ private:
+  void build(std::function<void(double)> seek);
+
+  vtkNew<StageSource> source_;
+  FeedView feed_{source_};
+  MembraneView membranes_{source_};
+  FeedPanel* feed_panel_ = nullptr;
+  MembranePanel* membrane_panel_ = nullptr;
+  CurvePanel* time_ = nullptr;
+  CurvePanel* touch_ = nullptr;
+  std::function<void(long)> pick_;
+  const RecordedSession* session_ = nullptr;
+  std::optional<std::size_t> touch_shown_;
+  std::optional<QPoint> pressed_px_;
+};
+
+}  // namespace pellucida

@@ -1,0 +1,110 @@
+#include "presenters/ChartForPrint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "pellucida/core/RoundNumbers.h"
+#include "pellucida/visualization/Readout.h"
+
+namespace pellucida {
+namespace {
+
+constexpr Color kPrintCurve = Color::from_hex(0x1F77B4);
+constexpr Color kPrintFaint = Color::from_hex(0x9AA5B1);
+constexpr std::size_t kBandPlaces = 120;
+// More would cover the chart.
+constexpr std::size_t kMostNamedMarks = 5;
+constexpr Color kPrintMark = Color::from_hex(0x5A6470);
+
+struct PrintRange {
+  double low = 0.0;
+  double high = 0.0;
+  void include(const std::vector<double>& values) {
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  // Ends on round numbers; never empty.
+  std::pair<double, double> ends() const {
+    const double top = high > low ? high : low + 1.0;
+    const auto ticks = round_ticks(low, top, TickEnds::kOutside);
+    return {ticks.front(), ticks.back()};
+  }
+};
+
+// A series without gaps for each unbroken part of the curve; only the first is named in the legend.
+void add_parts(const Curve& curve, const std::string& name, const Color& color, bool with_band, ChartPanel& panel) {
+  ChartSeries line, band;
+  std::string line_name = name, band_name = "95 % interval";
+  const auto flush = [&] {
+    if (line.x.empty()) return;
+    if (with_band && !is_ascending(curve)) {
+      const Curve around = band_around(curve, kBandPlaces);
+      band.x = around.x;
+      band.y = around.lower;
+      band.y_upper = around.upper;
+    }
+    if (with_band && band.y != band.y_upper) {
+      band.name = std::exchange(band_name, {});
+      band.style = ChartStyle::kBand;
+      band.color = color;
+      band.opacity = 0.25;
+      panel.series.push_back(band);
+    }
+    line.name = std::exchange(line_name, {});
+    line.color = color;
+    panel.series.push_back(line);
+    line = band = ChartSeries{};
+  };
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    if (std::isnan(curve.y[i])) {
+      flush();
+      continue;
+    }
+    line.x.push_back(curve.x[i]);
+    line.y.push_back(curve.y[i]);
+    band.x.push_back(curve.x[i]);
+    band.y.push_back(curve.lower[i]);
+    band.y_upper.push_back(curve.upper[i]);
+  }
+  flush();
+}
+
+}  // namespace
+
+ChartPanel chart_for_print(const CurveChartData& data, const std::string& title) {
+  ChartPanel panel;
+  panel.title = title;
+  panel.x_title = data.x_title;
+  panel.y_title = data.y_title;
+  PrintRange x, y;
+  for (const Curve* curve : {&data.faint, &data.curve}) {
+    x.include(curve->x);
+    y.include(curve->lower);
+    y.include(curve->upper);
+  }
+  std::tie(panel.y_begin, panel.y_end) = y.ends();
+  std::tie(panel.x_begin, panel.x_end) = x.ends();
+  if (data.x_end > data.x_begin) std::tie(panel.x_begin, panel.x_end) = std::pair(data.x_begin, data.x_end);
+  add_parts(thinned(data.faint, CurveChart::kMostPoints), "other touches", kPrintFaint, false, panel);
+  const std::string quantity = data.y_title.substr(0, data.y_title.find(" ("));
+  add_parts(thinned(data.curve, CurveChart::kMostPoints), quantity, kPrintCurve, true, panel);
+  for (const CurveMark& mark : data.marks) {
+    ChartSeries line;
+    if (data.marks.size() <= kMostNamedMarks) line.name = mark.name + " at " + readout::time(mark.x);
+    line.style = ChartStyle::kDashedLine;
+    line.x = {mark.x, mark.x};
+    line.y = {panel.y_begin, panel.y_end};
+    line.color = kPrintMark;
+    line.width_px = 1.2;
+    panel.series.push_back(line);
+  }
+  panel.legend_right = true;
+  return panel;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,106 @@
+#include "presenters/RecordedSession.h"
+
+#include <algorithm>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/visualization/Readout.h"
+#include "presenters/SourcePresenter.h"
+
+namespace pellucida {
+namespace {
+
+// A time read back from a table has nine digits.
+constexpr double kTimeSlack_s = 1e-6;
+
+CellProfile profile_of(const SessionInfo& info) {
+  CellProfile unknown;
+  unknown.name = info.profile_name.empty() ? "unknown" : info.profile_name;
+  unknown.description = "The session does not hold this profile";
+  if (info.profile_json.empty()) return unknown;
+  try {
+    return parse_profile(info.profile_json, "session.json");
+  } catch (const Error& error) {
+    unknown.description = error.what();
+    return unknown;
+  }
+}
+
+}  // namespace
+
+std::size_t RecordedSession::step_at(double time_s) const noexcept {
+  const auto later = std::upper_bound(times_s.begin(), times_s.end(), time_s + kTimeSlack_s);
+  return later == times_s.begin() ? 0 : static_cast<std::size_t>(later - times_s.begin()) - 1;
+}
+
+double RecordedSession::usual_step_s() const {
+  if (times_s.size() < 2) return 0.0;
+  std::vector<double> steps_s;
+  steps_s.reserve(times_s.size() - 1);
+  for (std::size_t i = 1; i < times_s.size(); ++i) steps_s.push_back(times_s[i] - times_s[i - 1]);
+  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+  std::nth_element(steps_s.begin(), middle, steps_s.end());
+  return *middle;
+}
+
+RecordedSession recorded_session(const SessionReader& reader) {
+  RecordedSession session;
+  session.folder = reader.folder();
+  session.info = reader.info();
+  session.created = reader.created();
+  session.complete = reader.complete();
+  session.head_changed = reader.head_changed();
+  session.skipped_row_count = reader.skipped_row_count();
+  session.rows = reader.measurements();
+  session.events = reader.events();
+  session.profile = profile_of(session.info);
+  if (session.rows.empty()) {
+    throw InputError(session.folder.string() + ": the session holds no frame; choose another one");
+  }
+  session.times_s.reserve(session.rows.size());
+  double newest_s = session.rows.front().time_s;
+  for (const Measurement& row : session.rows) {
+    newest_s = std::max(newest_s, row.time_s);
+    session.times_s.push_back(newest_s);
+  }
+  return session;
+}
+
+std::string session_name_of(const std::filesystem::path& folder) {
+  SourceInfo info;
+  info.name = folder.string();
+  return source_label(info);
+}
+
+std::string session_facts(const RecordedSession& session) {
+  const auto& info = session.info;
+  std::string facts;
+  const auto add = [&facts](const std::string& fact) {
+    if (fact.empty()) return;
+    if (!facts.empty()) facts += " \u00B7 ";
+    facts += fact;
+  };
+  // "2026-11-20T20:15:00Z" to the minute.
+  std::string created = session.created.substr(0, 16);
+  std::replace(created.begin(), created.end(), 'T', ' ');
+  add(created.empty() ? "" : created + " UTC");
+  add(session.profile.name);
+  add(readout::plain(info.source.pixel_size_um) + " µm/px");
+  add(std::to_string(session.step_count()) + (session.step_count() == 1 ? " frame" : " frames"));
+  add(readout::time(session.end_s() - session.begin_s()));
+  add(session.complete ? "complete" : "interrupted");
+  return facts;
+}
+
+std::string session_caution(const RecordedSession& session) {
+  std::string caution;
+  const auto add = [&caution](const std::string& text) { caution += (caution.empty() ? "" : "; ") + text; };
+  if (!session.complete) add("The recording was interrupted, or is still being written");
+  if (session.head_changed) add("session.json was changed after it was written: don't trust calibration and profile");
+  if (session.skipped_row_count > 0) {
+    add(std::to_string(session.skipped_row_count) + (session.skipped_row_count == 1 ? " row" : " rows") +
+        " can't be read and are left out; pellucida check names them");
+  }
+  return caution;
+}
+
+}  // namespace pellucida

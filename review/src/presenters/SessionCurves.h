@@ -1,0 +1,19 @@
+#pragma once
+#include "pellucida/visualization_vtk/CurveChart.h"
+#include "presenters/RecordedSession.h"
+
+namespace pellucida {
+
+/// The contact force of the whole session over time with its 95 % interval, contact, puncture and loss marked. Rows
+/// without a force for more than half a second are a gap, as in the live chart.
+CurveChartData force_over_time(const RecordedSession& session);
+
+/// The contact force over the indentation: all touches of the session in grey, the one that `step` belongs to (or the
+/// last before it) on top with its interval.
+CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step);
+
+/// Number of the touch that `step` belongs to, or the last before it; 0 before the first one. A passing loss and frames
+/// that were not measured don't end a touch.
+std::size_t touch_of(const RecordedSession& session, std::size_t step);
+
+}  // namespace pellucida

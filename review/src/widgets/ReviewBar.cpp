@@ -1,0 +1,130 @@
+#include "widgets/ReviewBar.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "presenters/Phrase.h"
+#include "presenters/RecordedSession.h"
+#include "widgets/ButtonKey.h"
+#include "widgets/Icons.h"
+#include "widgets/PhraseLabel.h"
+
+namespace pellucida {
+
+ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) {
+  setObjectName("topBar");
+  setAttribute(Qt::WA_StyledBackground);
+  setFixedHeight(46);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(16, 0, 16, 0);
+  row->setSpacing(8);
+  auto* mark = new QLabel(this);
+  mark->setPixmap(make_icon(Pictogram::kProgram).pixmap(22, 22));
+  row->addWidget(mark);
+  auto* brand = new QLabel("Pellucida", this);
+  brand->setObjectName("brand");
+  row->addWidget(brand);
+  row->addSpacing(18);
+  QPushButton* open = add_button(row, "Open", QKeySequence::Open, "Open another session");
+  open->setIcon(make_icon(Pictogram::kOpen));
+  connect(open, &QPushButton::clicked, this, actions.open);
+  add_export(row, actions);
+  events_ = add_button(row, "Events", Qt::Key_E, "Show the events and doubts beside the views");
+  events_->setIcon(make_icon(Pictogram::kNote));
+  events_->setCheckable(true);
+  events_->setChecked(true);
+  events_->setProperty("lit", true);
+  connect(events_, &QPushButton::toggled, this, actions.show_events);
+  row->addSpacing(8);
+
+  auto* session = new QVBoxLayout;
+  session->setSpacing(0);
+  session->setContentsMargins(0, 5, 0, 5);
+  name_ = new QLabel(this);
+  name_->setObjectName("sourceName");
+  facts_ = new QLabel(this);
+  facts_->setObjectName("facts");
+  for (QLabel* label : {name_, facts_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    // A long line is cut off rather than widening the window.
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    session->addWidget(label);
+  }
+  row->addLayout(session, 1);
+  show_session(nullptr);
+}
+
+QPushButton* ReviewBar::add_button(QHBoxLayout* row, const QString& text, const QKeySequence& key, const QString& tip) {
+  auto* button = new QPushButton(text, this);
+  button->setFixedHeight(30);
+  button->setFocusPolicy(Qt::TabFocus);
+  bind_key(*button, key, tip);
+  row->addWidget(button);
+  return button;
+}
+
+void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
+  export_ = new QPushButton(QString::fromUtf8("Export \u25BE"), this);
+  export_->setObjectName("export");
+  export_->setFixedHeight(30);
+  export_->setFocusPolicy(Qt::TabFocus);
+  export_->setToolTip("Pictures, charts, tables and the report of this session");
+  auto* menu = new QMenu(export_);
+  const auto add = [&](const QString& text, const char* name, const std::function<void()>& act) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(name);
+    connect(action, &QAction::triggered, this, act);
+    return action;
+  };
+  const QString dots = QString::fromUtf8("\u2026");
+  QAction* window = add("Window as PNG" + dots, "exportWindow", actions.export_window);
+  window->setShortcut(QKeySequence::Save);
+  add("Microscope image as PNG" + dots, "exportFeed", actions.export_feed);
+  add("3-D view as PNG" + dots, "exportView", actions.export_view);
+  menu->addSeparator();
+  add("Force over time as SVG, PDF or PNG" + dots, "exportTime", actions.export_time);
+  add("Force over indentation as SVG, PDF or PNG" + dots, "exportTouch", actions.export_touch);
+  node_ = add("Chart of the node as SVG, PDF or PNG" + dots, "exportNode", actions.export_node);
+  menu->addSeparator();
+  add("Tables as CSV" + dots, "exportTables", actions.export_tables);
+  QAction* report = add("Report" + dots, "report", actions.report);
+  report->setShortcut(QKeySequence::Print);
+  // Keys of a menu that isn't open act too.
+  addActions({window, report});
+  export_->setMenu(menu);
+  row->addWidget(export_);
+}
+
+void ReviewBar::show_session(const RecordedSession* session) {
+  export_->setEnabled(session != nullptr);
+  for (QAction* action : export_->menu()->actions()) action->setEnabled(session != nullptr);
+  events_->setEnabled(session != nullptr);
+  set_node_chosen(false);
+  name_->setText(session ? QString::fromStdString(session_name_of(session->folder)) : QString());
+  if (!session) {
+    facts_->setText({});
+    setToolTip({});
+    return;
+  }
+  const std::string facts = session_facts(*session), caution = session_caution(*session);
+  show_phrase(*facts_, {facts, caution.empty() ? palette::kTextDim : palette::kWarning});
+  const QString tip =
+      QString::fromStdString(session->folder.string() + "\n" + facts + (caution.empty() ? "" : "\n" + caution));
+  // Text of a session is never taken for markup.
+  for (QLabel* label : {name_, facts_}) label->setToolTip("<pre>" + tip.toHtmlEscaped() + "</pre>");
+}
+
+void ReviewBar::show_events(bool shown) {
+  events_->setChecked(shown);
+}
+
+void ReviewBar::set_node_chosen(bool chosen) {
+  node_->setEnabled(chosen);
+}
+
+}  // namespace pellucida
