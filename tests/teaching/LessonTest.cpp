@@ -8,6 +8,8 @@
 #include <set>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/membrane/Indenter.h"
+#include "pellucida/teaching/PokedCell.h"
 #include "support/DocsPage.h"
 
 namespace pellucida {
@@ -64,6 +66,39 @@ TEST_F(DamagedLesson, SaysWhatIsWrong) {
   EXPECT_NE(fault_of("\"setting\": {", "\"setting\": {\"time_step_us\": -1,").find("time_step_us"), std::string::npos);
   EXPECT_NE(fault_of("\"right\": true", "\"right\": false").find("one of them must be right"), std::string::npos);
   EXPECT_NE(fault_of("\"do\": [", "\"do\": 7, \"was\": [").find("do must be a list"), std::string::npos);
+}
+
+double force_uN(TeachingParameters p, double depth_um) {
+  const CellProfile profile = profile_of(p);
+  return Indenter(profile, setup_of(profile, p)).advance_to(depth_um).push_force_uN;
+}
+
+// What the lessons say in numbers, computed.
+TEST(Lesson, TheirNumbersAreTrue) {
+  const TeachingParameters oocyte;
+  ASSERT_EQ(oocyte.mesh_frequency, 9);
+  EXPECT_NEAR(force_uN(oocyte, 44.0), 7.5, 0.05);
+  EXPECT_NEAR(force_uN(oocyte, 40.0), 6.3, 0.05);
+  EXPECT_NEAR(force_uN(oocyte, 30.0), 3.7, 0.05);
+  EXPECT_NEAR(force_uN(oocyte, 10.0), 1.03, 0.005);
+  EXPECT_NEAR(force_uN(oocyte, 45.0) - force_uN(oocyte, 44.0), 0.3, 0.05);
+  TeachingParameters leaking = oocyte;
+  leaking.keeps_volume = false;
+  EXPECT_NEAR(force_uN(leaking, 44.0), 1.9, 0.05);
+  EXPECT_NEAR(force_uN(leaking, 10.0), 0.89, 0.005);
+  TeachingParameters embryo = oocyte;
+  embryo.profile = "mouse-embryo";
+  EXPECT_NEAR(force_uN(embryo, 30.0), 4.6, 0.05);
+  EXPECT_NEAR(profile_of(oocyte).effective_young_modulus_kPa, 141.0, 0.5);
+  EXPECT_NEAR(profile_of(embryo).effective_young_modulus_kPa, 179.0, 0.5);
+  EXPECT_EQ(profile_of(oocyte).mid_radius_um, profile_of(embryo).mid_radius_um);
+  TeachingParameters coarse = oocyte;
+  coarse.mesh_frequency = 6;
+  EXPECT_NEAR(force_uN(coarse, 44.0), 9.6, 0.05);
+  coarse.mesh_frequency = 4;
+  EXPECT_NEAR(force_uN(coarse, 44.0), 12.8, 0.05);
+  const double limit_s = PokedCell(load_lesson("time-steps").setting).stability().stable_step_s;
+  EXPECT_NEAR(1e6 * limit_s, 146.0, 0.5);
 }
 
 // The page of the keys is printed from the tables.

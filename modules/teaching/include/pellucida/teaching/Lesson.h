@@ -23,6 +23,7 @@ struct Lesson {
   std::vector<std::string> text;     ///< paragraphs
   TeachingParameters setting;        ///< of the parameters when the lesson begins
   double hand_depth_um = -10.0;      ///< where the hand is then
+  bool explains_tip = false;         ///< the forces on the node under the needle are shown
   std::vector<std::string> to_do;    ///< steps
   std::vector<std::string> observe;  ///< what to look for
   std::string question;
