@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QShortcut>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -37,6 +38,14 @@ constexpr double kWithdrawn_um = -10.0;
 constexpr double kHandRest_s = 0.15;
 constexpr double kKeyStep_um = 1.0;
 constexpr int kSideWidth_px = 330;
+
+/// The node nearest to the needle's tip.
+int node_under_tip(const CellSnapshot& s) {
+  const Eigen::Vector3d tip_um = s.mesh->mid_radius_um * Eigen::Vector3d::UnitZ() + s.tip_um;
+  Eigen::Index nearest = 0;
+  (s.x_um.colwise() - tip_um).colwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
 
 }  // namespace
 
@@ -107,7 +116,9 @@ void TeachWindow::build(LessonChoice& lessons) {
   all->addWidget(middle);
   all->addWidget(build_side());
   all->setStretchFactor(1, 1);
-  all->setSizes({kSideWidth_px, std::max(360, options_.width_px - 2 * kSideWidth_px), kSideWidth_px});
+  const int lesson_px = std::min(kSideWidth_px, options_.width_px / 4);
+  const int side_px = std::min(kSideWidth_px + 30, 3 * options_.width_px / 10);
+  all->setSizes({lesson_px, options_.width_px - lesson_px - side_px, side_px});
   column->addWidget(all, 1);
   setCentralWidget(page);
   add_keys();
@@ -117,15 +128,16 @@ QWidget* TeachWindow::build_top_bar() {
   auto* bar = new TitleBar(nullptr);
   bar->add_button("Start again", Qt::Key_Home, "The cell at rest", [this] { restart(); })->setObjectName("restart");
   bar->add_button("Withdraw", Qt::Key_W, "The needle out of the cell", [this] { move_hand(kWithdrawn_um, 0.0); });
-  auto* light = bar->add_button("Light", Qt::Key_L, "Dark on white, for projectors", [this] {
-    options_.light_theme = !options_.light_theme;
-    apply_look();
-  });
-  light->setObjectName("light");
-  bar->add_button("Large letters", Qt::Key_T, "For the last row", [this] {
-    options_.large_letters = !options_.large_letters;
-    apply_look();
-  });
+  const auto add_look = [&](const char* text, Qt::Key key, const char* tip, bool& option) {
+    auto* button = bar->add_button(text, key, tip, [this, &option] {
+      option = !option;
+      apply_look();
+    });
+    button->setCheckable(true);
+    button->setChecked(option);
+  };
+  add_look("Light", Qt::Key_L, "Dark on white, for projectors", options_.light_theme);
+  add_look("Large letters", Qt::Key_T, "For the last row", options_.large_letters);
   bar->add_button("Full screen", Qt::Key_F11, "All of the screen, and back", [this] {
     isFullScreen() ? showNormal() : showFullScreen();
   });
@@ -162,7 +174,7 @@ QWidget* TeachWindow::build_cell() {
   column->addWidget(banner_);
   column->addWidget(cell_widget_, 1);
 
-  auto* panel = new pellucida::Panel("Drag: needle. Right drag: turn. Click: forces on a node", content, nullptr);
+  auto* panel = new pellucida::Panel("Cell", content, nullptr);
   connect(panel->add_toggle("Springs", "Connectors, coloured by their pull", Qt::Key_1, true), &QToolButton::toggled,
           this, [this](bool on) { cell_view_.show_springs(on); });
   connect(panel->add_toggle("Surface", "The membrane", Qt::Key_2, true), &QToolButton::toggled, this,
@@ -182,6 +194,7 @@ QWidget* TeachWindow::build_chart() {
 QWidget* TeachWindow::build_side() {
   side_ = new QTabWidget;
   side_->setDocumentMode(true);
+  side_->tabBar()->setDrawBase(false);
   parameter_panel_ = new ParameterPanel([this](const TeachingParameters& p) { change(p); }, nullptr);
   auto* scroll = new QScrollArea;
   scroll->setWidget(parameter_panel_);
@@ -263,6 +276,8 @@ void TeachWindow::tick() {
   spent.start();
   runner_.rethrow();
   curve_stage_.rethrow();
+  // The first drawings take long: the lesson's push begins once it can be seen.
+  if (unseen_ticks_ > 0 && --unseen_ticks_ == 0) restart();
   if (const auto sequence = runner_.sequence(); sequence != shown_sequence_) {
     shown_sequence_ = sequence;
     show(runner_.newest());
@@ -287,9 +302,7 @@ void TeachWindow::show(const CellSnapshotPtr& snapshot) {
   }
   if (!s.blow_up) chart_.append(chart_row(s, row_index_++));
   if (explains_tip_) {
-    Eigen::Index tip = 0;
-    s.x_um.row(2).maxCoeff(&tip);
-    runner_.explain(static_cast<int>(tip));
+    runner_.explain(node_under_tip(s));
     explains_tip_ = false;
   }
   if (clock_.now_s() - hand_moved_s_ > kHandRest_s) {

@@ -101,6 +101,7 @@ class TeachWindow : public QMainWindow {
   std::uint64_t shown_run_ = 0;
   double slow_shown_s_ = -1.0;
   long row_index_ = 0;
+  int unseen_ticks_ = 3;
   QTimer timer_;
   std::unique_ptr<TimedScreenshot> screenshot_;
 };

@@ -54,11 +54,17 @@ QProgressBar { background: @border; border: none; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
 QToolButton::menu-indicator { image: none; }
 QPushButton { padding: 0px 12px; }
+#topBar QPushButton:checked { border-color: @accent; color: @accent; }
 QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
 QMenu::item:selected { background: @border; }
 QMenu { background: @raised; border: 1px solid @border; padding: 6px; }
 QMenu QLabel { font-size: 12px; }
 QCheckBox { font-size: 12px; spacing: 8px; }
+QCheckBox::indicator, QRadioButton::indicator { width: 13px; height: 13px; border: 1px solid @faint; background: @raised; }
+QCheckBox::indicator { border-radius: 3px; }
+QRadioButton::indicator { border-radius: 7px; }
+QCheckBox::indicator:hover, QRadioButton::indicator:hover { border-color: @accent; }
+QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @accent; border-color: @accent; }
 QSlider::groove:horizontal { height: 4px; background: @border; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: @text; }
@@ -80,7 +86,8 @@ QListWidget::item:selected { background: @border; color: @text; }
 QTableWidget { background: @panel; border: none; gridline-color: @border; font-size: 12px; }
 QHeaderView::section { background: @raised; color: @dim; border: none; padding: 4px; font-size: 12px; }
 QTabWidget::pane { border: none; }
-QTabBar::tab { background: transparent; color: @dim; padding: 8px 14px; font-size: 13px; border-bottom: 2px solid transparent; }
+QTabBar { font-size: 13px; }
+QTabBar::tab { background: transparent; color: @dim; padding: 8px 12px; border-bottom: 2px solid transparent; }
 QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
 QScrollArea { border: none; background: @panel; }
 #page { background: @panel; }

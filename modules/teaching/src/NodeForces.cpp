@@ -7,7 +7,7 @@ namespace pellucida {
 namespace {
 
 constexpr std::array<std::string_view, kForceTermCount> kForceTermNames = {
-    "Springs, meridian", "Springs, parallel", "Springs, X diagonals", "Hinges",        "Pressure",
+    "Meridian springs", "Parallel springs", "Diagonals (X)", "Hinges",        "Pressure",
     "Needle",            "Holder",            "Dampers",              "Inertia, \u2212m a"};
 
 Eigen::Vector3d force_of(const EnergyTerm& term, const Eigen::Matrix3Xd& x_um, int node) {

@@ -20,7 +20,7 @@ const ThemeColors& dark_theme() noexcept {
                                      .grid = palette::kGrid,
                                      .curve = palette::kCurve,
                                      .curve_before = Color::from_hex(0x8494A5),
-                                     .cell = palette::kOuterSolid,
+                                     .cell = Color::from_hex(0x3A5568),
                                      .glass = palette::kGlass};
   return kDark;
 }
@@ -43,7 +43,7 @@ const ThemeColors& light_theme() noexcept {
                                       .grid = Color::from_hex(0xDCE3EA),
                                       .curve = Color::from_hex(0x0B5FA8),
                                       .curve_before = Color::from_hex(0x6F7C89),
-                                      .cell = Color::from_hex(0x5BA9CF),
+                                      .cell = Color::from_hex(0xD3DFE8),
                                       .glass = Color::from_hex(0x7F93A8),
                                       .is_light = true};
   return kLight;

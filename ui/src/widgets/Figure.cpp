@@ -24,6 +24,7 @@ Figure add_figure(QHBoxLayout& row, QWidget& parent, const char* name, const cha
   box->addWidget(title);
 
   Figure figure;
+  figure.heading = title;
   figure.value = new FigureLabel(widest, &parent);
   figure.value->setObjectName(name);
   figure.value->setProperty("figure", true);

@@ -20,6 +20,7 @@ class FigureLabel : public QLabel {
 
 /// A large number below its heading, with a small note beside it where there is one.
 struct Figure {
+  QLabel* heading = nullptr;
   QLabel* value = nullptr;
   QLabel* note = nullptr;
 };

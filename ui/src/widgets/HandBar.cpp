@@ -1,10 +1,8 @@
 #include "widgets/HandBar.h"
 
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -16,6 +14,7 @@
 #include "pellucida/visualization/Palette.h"
 #include "presenters/HandPresenter.h"
 #include "widgets/ButtonKey.h"
+#include "widgets/Choice.h"
 #include "widgets/HoldButton.h"
 #include "widgets/PhraseLabel.h"
 
@@ -25,24 +24,7 @@ namespace {
 constexpr int kForceSteps = 1000;
 constexpr double kShallowest_um = 1.0;
 constexpr double kDeepest_um = 200.0;
-constexpr int kArrowMargin_px = 9;
 constexpr const char* kStopText = "STOP";
-
-// A choice with the same arrow as the window's other menus. The wheel does not change it.
-class Choice final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-  void paintEvent(QPaintEvent* event) override {
-    QComboBox::paintEvent(event);
-    QPainter painter(this);
-    painter.setPen(to_qt(isEnabled() ? palette::kTextDim : palette::kBorder));
-    painter.drawText(rect().adjusted(0, 0, -kArrowMargin_px, 0), Qt::AlignRight | Qt::AlignVCenter,
-                     QString::fromUtf8("\u25BE"));
-  }
-};
 
 // A number that the wheel changes only while the box has the focus.
 class DepthBox final : public QDoubleSpinBox {

@@ -52,6 +52,20 @@ void LessonPanel::show_titles() {
   }
 }
 
+// All titles, whatever the letters.
+void LessonPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange) fit_list();
+}
+void LessonPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  fit_list();
+}
+void LessonPanel::fit_list() {
+  list_->ensurePolished();
+  list_->setFixedHeight(count() * list_->sizeHintForRow(0) + 2 * list_->frameWidth() + 2);
+}
+
 void LessonPanel::open(int index) {
   if (index < 0 || index >= count()) return;
   current_ = index;

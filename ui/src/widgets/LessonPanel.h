@@ -25,7 +25,12 @@ class LessonPanel : public QWidget {
   /// Whether the lesson's question was answered rightly.
   bool is_done(int index) const { return done_[static_cast<std::size_t>(index)]; }
 
+ protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void fit_list();
   void build_page(const Lesson& lesson);
   QLabel* add_text(const QString& html, const char* object_name);
   void add_list(const QString& head, const std::vector<std::string>& points, bool numbered);

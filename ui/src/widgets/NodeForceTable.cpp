@@ -27,8 +27,8 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(10);
-  auto* law = new QLabel(QString::fromUtf8("<b>m a = \u03a3 f</b> &nbsp;(2), &nbsp; f<sub>ij</sub> = k (L/|p| \u2212 1) p "
-                                           "\u2212 b (v\u00b7p)/(p\u00b7p) p &nbsp;(1)"),
+  auto* law = new QLabel(QString::fromUtf8("(1) &nbsp;<b>f<sub>ij</sub></b> = k (L/|p| \u2212 1) p \u2212 b (v\u00b7p)/(p\u00b7p) p"
+                                           "<br>(2) &nbsp;<b>m a</b> = \u03a3 <b>f</b>"),
                          this);
   law->setObjectName("lessonText");
   law->setWordWrap(true);
@@ -59,9 +59,13 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
       table_->setItem(row, k, item);
     }
   }
-  column->addWidget(table_, 1);
+  table_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  table_->setWordWrap(false);
+  column->addWidget(table_);
   head_to_tail_ = new QCheckBox("Arrows head to tail: a balance closes", this);
   column->addWidget(head_to_tail_);
+  column->addStretch(1);
   show_hint();
 }
 

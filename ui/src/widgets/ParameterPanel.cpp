@@ -1,13 +1,12 @@
 #include "widgets/ParameterPanel.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include "pellucida/core/Resources.h"
+#include "widgets/Choice.h"
 #include "widgets/ParameterSlider.h"
 
 namespace pellucida {
@@ -17,15 +16,6 @@ constexpr std::pair<const char*, const char*> kIntegratorNames[] = {
     {"Implicit Euler", "implicit-euler"},
     {"Symplectic Euler, eq. (4)", "symplectic-euler"},
     {"Linear acceleration (Newmark)", "linear-acceleration"}};
-
-// The wheel scrolls the page, not the choice under the pointer.
-class QuietChoice final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
 
 }  // namespace
 
@@ -63,7 +53,7 @@ ParameterPanel::ParameterPanel(std::function<void(const TeachingParameters&)> ch
 QComboBox* ParameterPanel::add_choice(const char* name, const char* object_name, const char* tip) {
   auto* label = new QLabel(name, this);
   label->setObjectName("parameterName");
-  auto* choice = new QuietChoice(this);
+  auto* choice = new Choice(this);
   choice->setObjectName(object_name);
   choice->setToolTip(tip);
   choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

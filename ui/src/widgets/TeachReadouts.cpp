@@ -10,9 +10,11 @@ namespace pellucida {
 TeachReadouts::TeachReadouts(QWidget* parent) : QFrame(parent) {
   setObjectName("readoutBar");
   setAttribute(Qt::WA_StyledBackground);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* row = new QHBoxLayout(this);
+  row->setSizeConstraint(QLayout::SetNoConstraint);
   row->setContentsMargins(16, 6, 16, 8);
-  row->setSpacing(24);
+  row->setSpacing(22);
   state_ = new FigureLabel("   In contact   ", this);
   state_->setObjectName("statePill");
   state_->setAlignment(Qt::AlignCenter);
@@ -27,9 +29,31 @@ TeachReadouts::TeachReadouts(QWidget* parent) : QFrame(parent) {
   row->addStretch(1);
 }
 
+void TeachReadouts::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  show_what_fits();
+}
+
+void TeachReadouts::show_what_fits() {
+  // The first to go first.
+  const std::initializer_list<QLabel*> optional[] = {{force_.note},
+                                                     {speed_.heading, speed_.value},
+                                                     {energy_.heading, energy_.value},
+                                                     {volume_.heading, volume_.value}};
+  for (const auto& labels : optional) {
+    for (QLabel* label : labels) label->show();
+  }
+  for (const auto& labels : optional) {
+    layout()->invalidate();
+    if (layout()->minimumSize().width() <= width()) break;
+    for (QLabel* label : labels) label->hide();
+  }
+}
+
 void TeachReadouts::show_texts(const TeachTexts& texts) {
   state_->setText(QString::fromStdString(texts.state.text));
   state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
+  show_what_fits();
   show_phrase(*depth_.value, texts.depth);
   show_phrase(*force_.value, texts.force);
   show_phrase(*force_.note, texts.force_note);

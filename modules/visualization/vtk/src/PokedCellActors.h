@@ -23,6 +23,9 @@ namespace pellucida {
 
 /// What the view of a poked cell draws.
 struct PokedCellActors {
+  static constexpr double kWallOpacity = 0.93;       ///< hides the connectors of the far side
+  static constexpr double kExplainedOpacity = 0.35;  ///< while arrows may point inwards
+
   vtkNew<vtkPoints> points;
   vtkNew<vtkPolyData> surface;
   vtkNew<vtkPolyDataNormals> normals;

@@ -2,6 +2,7 @@
 
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace {
 constexpr double kViewAngle_deg = 22.0;
 constexpr double kLongestArrow_ratio = 0.55;  // of the cell's radius
 constexpr double kPickReach_px = 16.0;
-constexpr double kSpringWidth_px = 1.6;
+constexpr double kSpringWidth_px = 1.4;
+constexpr double kExplainedSprings = 0.45;  // opacity, beside arrows
 // The colour scale ends above all but the few connectors at the tip.
 constexpr double kPullShare = 0.98;
 // The hand shows once it is so far from the tip.
@@ -69,7 +71,7 @@ void PokedCellView::set_theme(const ThemeColors& theme) {
   theme_ = &theme;
   main_->SetBackground(theme.view_bottom.data());
   main_->SetBackground2(theme.view_top.data());
-  actors_->set_theme(theme, kSpringWidth_px * hud_ratio());
+  actors_->set_theme(theme, kSpringWidth_px);
   refresh();
 }
 
@@ -126,6 +128,8 @@ void PokedCellView::refresh_surface() {
 
 void PokedCellView::refresh_arrows() {
   const auto& forces = snapshot_->node_forces;
+  actors_->spring_actor->GetProperty()->SetOpacity(forces ? kExplainedSprings : 1.0);
+  actors_->wall.set_opacity(forces ? PokedCellActors::kExplainedOpacity : PokedCellActors::kWallOpacity);
   if (!forces) {
     actors_->arrows.hide();
     return;
@@ -137,9 +141,9 @@ void PokedCellView::refresh_arrows() {
 void PokedCellView::reset_camera() {
   const double radius_um = snapshot_ ? snapshot_->mesh->mid_radius_um : 50.0;
   const Eigen::Vector3d from = Eigen::Vector3d(0.32, 1.0, 0.55).normalized();
-  const double distance_um = 1.75 * radius_um / std::sin(0.5 * kViewAngle_deg * EIGEN_PI / 180.0);
+  const double distance_um = 1.42 * radius_um / std::sin(0.5 * kViewAngle_deg * EIGEN_PI / 180.0);
   // A little room for the needle on the right.
-  const Eigen::Vector3d middle_um(0.0, 0.0, 0.25 * radius_um);
+  const Eigen::Vector3d middle_um(0.0, 0.0, 0.15 * radius_um);
   const Eigen::Vector3d at_um = middle_um + distance_um * from;
   vtkCamera* camera = main_->GetActiveCamera();
   camera->SetViewAngle(kViewAngle_deg);
@@ -204,6 +208,7 @@ void PokedCellView::draw_hud(HudCanvas& hud, double, double height_px) {
                    "Pull of a connector (µN)", HudAlign::kLeft, true, *theme_);
   }
   draw_hand(hud);
+  hud.text(16.0, 18.0, "Drag: needle    Right drag: turn    Click: forces on a node", {.color = theme_->text_dim});
 }
 
 // The hand as a ring, tied to the tip: its way ahead of the tip is the force.

@@ -22,7 +22,7 @@ enum class ForceTerm {
   kInertia,  ///< -m a
 };
 inline constexpr std::size_t kForceTermCount = 9;
-/// "Springs, meridian", "Hinges", "Inertia, -m a" ...
+/// "Meridian springs", "Hinges" ...
 std::string_view to_string(ForceTerm term) noexcept;
 
 /// Each term's force on a node.
