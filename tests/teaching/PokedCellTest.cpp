@@ -67,7 +67,8 @@ TEST(PokedCell, TheCurveBehindTheChartIsThatOfTheEquilibria) {
   const TeachingParameters p = implicit_parameters();
   const auto curve = QuasiStaticStep().process(p);
   ASSERT_TRUE(curve);
-  const auto& [of, depth_um, force_uN] = **curve;
+  const auto& [of, depth_um, force_uN, fault] = **curve;
+  EXPECT_EQ(fault, "");
   EXPECT_TRUE(have_same_curve(of, p));
   ASSERT_EQ(depth_um.size(), force_uN.size());
   ASSERT_GT(depth_um.size(), 20u);
@@ -102,16 +103,25 @@ TEST(PokedCell, EachTermOfANodeHasItsOwnCause) {
   PokedCell cell(p);
   cell.set_hand(20.0, 0.0);
   run(cell, 0.5);
-  const auto& rest = cell.model().rest().points_um;
-  int top = 0, bottom = 0, side = 0;
+  const Eigen::Matrix3Xd rest = cell.model().rest().points_um;
+  int side = 0;
   for (int node = 0; node < rest.cols(); ++node) {
-    if (rest(2, node) > rest(2, top)) top = node;
-    if (rest(2, node) < rest(2, bottom)) bottom = node;
     if (rest(0, node) > rest(0, side)) side = node;
   }
-  const NodeForces at_tip = cell.forces_on(top), at_side = cell.forces_on(side);
-  // The needle pushes down there and nowhere else; the liquid pushes outwards.
-  EXPECT_LT(at_tip.of(ForceTerm::kNeedle).z(), -0.05);
+  const NodeForces at_side = cell.forces_on(side);
+  // The needle acts on its patch and nowhere else, in all with the force of the chart; the liquid pushes outwards.
+  Eigen::Vector3d needle_uN = Eigen::Vector3d::Zero(), inside_uN = needle_uN;
+  for (int node = 0; node < rest.cols(); ++node) {
+    const NodeForces forces = cell.forces_on(node);
+    needle_uN += forces.of(ForceTerm::kNeedle);
+    for (const ForceTerm term : {ForceTerm::kMeridianSprings, ForceTerm::kParallelSprings, ForceTerm::kDiagonalSprings,
+                                 ForceTerm::kHinges, ForceTerm::kPressure}) {
+      inside_uN += forces.of(term);
+    }
+  }
+  EXPECT_GT(cell.push_force_uN(), 1.0);
+  EXPECT_NEAR(needle_uN.z(), -cell.push_force_uN(), 1e-9);
+  EXPECT_LT(inside_uN.norm(), 1e-9) << "what acts between nodes adds up to nothing";
   EXPECT_EQ(at_side.of(ForceTerm::kNeedle).norm(), 0.0);
   EXPECT_GT(at_side.of(ForceTerm::kPressure).x(), 0.01);
   EXPECT_GT(at_side.of(ForceTerm::kParallelSprings).norm(), 0.0);

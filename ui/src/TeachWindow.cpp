@@ -63,8 +63,11 @@ LessonChoice choose_lessons(const std::string& name) {
 TeachWindow::TeachWindow(LessonChoice lessons, TeachOptions options)
     : options_(std::move(options)),
       runner_(lessons.lessons.at(static_cast<std::size_t>(lessons.first)).setting),
-      curve_stage_(curve_step_, curve_orders_, [this](QuasiStaticCurvePtr curve) { curves_.publish(std::move(curve)); },
-                   clock_) {
+      curve_stage_(
+          curve_step_, curve_orders_, [this](QuasiStaticCurvePtr curve) { curves_.publish(std::move(curve)); }, clock_,
+          [this](const TeachingParameters& parameters, const StepFailure& failure) {
+            curves_.publish(std::make_shared<QuasiStaticCurve>(QuasiStaticCurve{parameters, {}, {}, failure.reason}));
+          }) {
   curve_stage_.start();
   const int first = lessons.first;
   build(lessons);
@@ -291,11 +294,7 @@ void TeachWindow::tick() {
 
 void TeachWindow::show(const CellSnapshotPtr& snapshot) {
   const CellSnapshot& s = *snapshot;
-  if (const auto sequence = curves_.sequence(); sequence != shown_curve_) {
-    shown_curve_ = sequence;
-    const auto curve = *curves_.peek();
-    chart_.set_reference("quasi-static", curve->depth_um, curve->force_uN);
-  }
+  show_curve(s);
   if (s.run != shown_run_) {
     shown_run_ = s.run;
     chart_.clear();
@@ -316,6 +315,20 @@ void TeachWindow::show(const CellSnapshotPtr& snapshot) {
   }
   cell_widget_->render();
   chart_widget_->render();
+}
+
+// The curve of the cell as it is; another cell's would be wrong.
+void TeachWindow::show_curve(const CellSnapshot& s) {
+  QuasiStaticCurvePtr fitting = curves_.peek().value_or(nullptr);
+  if (fitting && !have_same_curve(fitting->parameters, s.parameters)) fitting.reset();
+  if (fitting == shown_curve_) return;
+  shown_curve_ = fitting;
+  if (!fitting) {
+    chart_.set_reference("quasi-static: is computed", {}, {});
+  } else {
+    chart_.set_reference(fitting->fault.empty() ? "quasi-static" : "quasi-static: " + fitting->fault, fitting->depth_um,
+                         fitting->force_uN);
+  }
 }
 
 // Writing changes ten times a second: faster nobody reads.

@@ -64,6 +64,7 @@ class TeachWindow : public QMainWindow {
 
   void tick();
   void show(const CellSnapshotPtr& snapshot);
+  void show_curve(const CellSnapshot& snapshot);
   void show_slowly(const CellSnapshot& snapshot);
   void begin(const Lesson& lesson);
   void change(const TeachingParameters& parameters);
@@ -97,7 +98,7 @@ class TeachWindow : public QMainWindow {
   double hand_moved_s_ = 0.0;
   bool explains_tip_ = false;  // once its mesh is known
   std::uint64_t shown_sequence_ = 0;
-  std::uint64_t shown_curve_ = 0;
+  QuasiStaticCurvePtr shown_curve_;
   std::uint64_t shown_run_ = 0;
   double slow_shown_s_ = -1.0;
   long row_index_ = 0;

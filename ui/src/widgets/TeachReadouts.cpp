@@ -1,11 +1,17 @@
 #include "widgets/TeachReadouts.h"
 
 #include <QHBoxLayout>
+#include <algorithm>
 
 #include "presenters/TeachPresenter.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
+namespace {
+
+constexpr int kNoteGap_px = 10;
+
+}  // namespace
 
 TeachReadouts::TeachReadouts(QWidget* parent) : QFrame(parent) {
   setObjectName("readoutBar");
@@ -34,20 +40,22 @@ void TeachReadouts::resizeEvent(QResizeEvent* event) {
   show_what_fits();
 }
 
+// By the labels' own widths: a layout knows of hidden ones only later.
 void TeachReadouts::show_what_fits() {
-  // The first to go first.
-  const std::initializer_list<QLabel*> optional[] = {{force_.note},
-                                                     {speed_.heading, speed_.value},
-                                                     {energy_.heading, energy_.value},
-                                                     {volume_.heading, volume_.value}};
-  for (const auto& labels : optional) {
-    for (QLabel* label : labels) label->show();
+  const auto width_of = [](const Figure& figure) {
+    return std::max(figure.heading->sizeHint().width(), figure.value->sizeHint().width());
+  };
+  const auto* row = static_cast<QHBoxLayout*>(layout());
+  int room = width() - row->contentsMargins().left() - row->contentsMargins().right() - state_->sizeHint().width();
+  for (const Figure& figure : {depth_, force_, rate_}) room -= row->spacing() + width_of(figure);
+  // The more important ones first.
+  for (const Figure& figure : {volume_, energy_, speed_}) {
+    room -= row->spacing() + width_of(figure);
+    figure.heading->setVisible(room >= 0);
+    figure.value->setVisible(room >= 0);
   }
-  for (const auto& labels : optional) {
-    layout()->invalidate();
-    if (layout()->minimumSize().width() <= width()) break;
-    for (QLabel* label : labels) label->hide();
-  }
+  room -= kNoteGap_px + force_.note->sizeHint().width();
+  force_.note->setVisible(room >= 0);
 }
 
 void TeachReadouts::show_texts(const TeachTexts& texts) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "pellucida/core/Step.h"
@@ -12,6 +13,7 @@ struct QuasiStaticCurve {
   TeachingParameters parameters;
   std::vector<double> depth_um;
   std::vector<double> force_uN;
+  std::string fault;  ///< why there are no points; empty otherwise
 };
 using QuasiStaticCurvePtr = std::shared_ptr<const QuasiStaticCurve>;
 
