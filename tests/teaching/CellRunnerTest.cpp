@@ -56,6 +56,29 @@ TEST(CellRunner, RefusesWrongParametersOnTheCallersThread) {
   EXPECT_THROW(runner.set_parameters(p), UsageError);
 }
 
+TEST(CellRunner, TheCurveHasEveryMomentOfARun) {
+  TeachingParameters p = quick_parameters();
+  p.time_step_us = 1000.0;
+  CellRunner runner(p);
+  runner.set_hand(15.0, 0.0);
+  std::vector<CurvePoint> points;
+  ASSERT_TRUE(wait_until([&] {
+    for (const CurvePoint& point : runner.take_curve()) points.push_back(point);
+    return !points.empty() && points.back().depth_um > 8.0;
+  }));
+  ASSERT_GT(points.size(), 20u);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    EXPECT_NEAR(points[k].time_s - points[k - 1].time_s, 2e-3, 1.001e-3);
+    EXPECT_EQ(points[k].run, 0u);
+  }
+  EXPECT_GT(points.back().force_uN, 0.5);
+  runner.restart();
+  ASSERT_TRUE(wait_until([&] {
+    const auto more = runner.take_curve();
+    return !more.empty() && more.back().run == 1;
+  }));
+}
+
 TEST(CellRunner, SlowMotionIsSlow) {
   TeachingParameters p = quick_parameters();
   p.pace_ratio = 0.01;

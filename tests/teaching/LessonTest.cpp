@@ -97,8 +97,30 @@ TEST(Lesson, TheirNumbersAreTrue) {
   EXPECT_NEAR(force_uN(coarse, 44.0), 9.6, 0.05);
   coarse.mesh_frequency = 4;
   EXPECT_NEAR(force_uN(coarse, 44.0), 12.8, 0.05);
+  const CellProfile profile = profile_of(leaking);
+  Indenter leak(profile, setup_of(profile, leaking));
+  EXPECT_NEAR(leak.advance_to(40.0).volume_um3 / leak.model().volume().rest_volume_um3(), 7.0 / 8.0, 0.005);
   const double limit_s = PokedCell(load_lesson("time-steps").setting).stability().stable_step_s;
   EXPECT_NEAR(1e6 * limit_s, 146.0, 0.5);
+}
+
+// Lesson "invented-mass": the force overshoots and pulls on the way in, and still swings half a second later.
+TEST(Lesson, InventedMassRings) {
+  const Lesson lesson = load_lesson("invented-mass");
+  const double rest_uN = force_uN(lesson.setting, lesson.hand_depth_um);
+  PokedCell cell(lesson.setting);
+  cell.set_hand(lesson.hand_depth_um, 0.0);
+  double least_uN = 0.0, late_least_uN = rest_uN, late_most_uN = rest_uN;
+  while (cell.time_s() < 0.8) {
+    ASSERT_TRUE(cell.step());
+    least_uN = std::min(least_uN, cell.push_force_uN());
+    if (cell.time_s() < 0.5) continue;
+    late_least_uN = std::min(late_least_uN, cell.push_force_uN());
+    late_most_uN = std::max(late_most_uN, cell.push_force_uN());
+  }
+  EXPECT_LT(least_uN, -1.0);
+  EXPECT_LT(late_least_uN, 0.9 * rest_uN);
+  EXPECT_GT(late_most_uN, 1.1 * rest_uN);
 }
 
 // The page of the keys is printed from the tables.

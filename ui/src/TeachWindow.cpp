@@ -295,11 +295,11 @@ void TeachWindow::tick() {
 void TeachWindow::show(const CellSnapshotPtr& snapshot) {
   const CellSnapshot& s = *snapshot;
   show_curve(s);
-  if (s.run != shown_run_) {
-    shown_run_ = s.run;
-    chart_.clear();
+  for (const CurvePoint& point : runner_.take_curve()) {
+    if (point.run != shown_run_) chart_.clear();
+    shown_run_ = point.run;
+    chart_.append(chart_row(point, row_index_++));
   }
-  if (!s.blow_up) chart_.append(chart_row(s, row_index_++));
   if (explains_tip_) {
     runner_.explain(node_under_tip(s));
     explains_tip_ = false;

@@ -14,6 +14,8 @@ constexpr double kPublishPeriod_s = 1.0 / 60.0;
 constexpr double kLongestWork_s = 0.012;
 // A computer that is too slow falls behind the clock, and doesn't catch up.
 constexpr double kMostOwed_s = 0.05;
+constexpr double kCurvePeriod_s = 2e-3;
+constexpr std::size_t kMostCurvePoints = 20000;
 constexpr double kRatesPeriod_s = 0.5;
 constexpr double kStabilityPeriod_s = 0.25;
 
@@ -24,7 +26,7 @@ const SteadyClock& runner_clock() {
 
 }  // namespace
 
-CellRunner::CellRunner(const TeachingParameters& parameters) : cell_(parameters) {
+CellRunner::CellRunner(const TeachingParameters& parameters) : cell_(parameters), curve_(kMostCurvePoints) {
   thread_ = std::jthread([this](std::stop_token stop) { run(stop); });
 }
 
@@ -114,10 +116,24 @@ void CellRunner::work(double now_s) {
     owed_s_ -= dt_s;
     rates_.simulated_s += dt_s;
     ++rates_.steps;
+    record();
   }
   if (now_s - stability_renewed_s_ < kStabilityPeriod_s) return;
   stability_renewed_s_ = now_s;
   cell_.renew_stability();
+}
+
+void CellRunner::record() {
+  const double since_s = cell_.time_s() - curve_time_s_;
+  if (since_s >= 0.0 && since_s < kCurvePeriod_s) return;
+  curve_time_s_ = cell_.time_s();
+  curve_.push({run_, curve_time_s_, cell_.depth_um(), cell_.push_force_uN()});
+}
+
+std::vector<CurvePoint> CellRunner::take_curve() {
+  std::vector<CurvePoint> points;
+  for (std::size_t left = curve_.size(); left > 0; --left) points.push_back(curve_.wait({}).value());
+  return points;
 }
 
 void CellRunner::publish(double now_s) {

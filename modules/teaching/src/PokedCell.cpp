@@ -17,7 +17,8 @@ constexpr double kTipLag_s = 0.03;
 constexpr double kStartOut_um = 10.0;
 // Kinetic energy is never more than what was put in; the factor covers the strays of symplectic Euler near its limit.
 constexpr double kMostEnergy_ratio = 10.0;
-constexpr double kEnergyFloor_um2 = 0.01;  // times E h
+// So much more may be in motion that the shape shows it: a broken step is seen, not only reported.
+constexpr double kEnergyFloor_um2 = 500.0;  // times E h
 constexpr int kFirstLanczosSteps = 40;
 constexpr int kNextLanczosSteps = 10;
 // How often the energy supplied is brought down to what is left of it.

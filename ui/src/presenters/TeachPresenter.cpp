@@ -92,13 +92,13 @@ std::vector<ForceRow> force_rows(const NodeForces& forces) {
   return rows;
 }
 
-Measurement chart_row(const CellSnapshot& s, long index) {
+Measurement chart_row(const CurvePoint& point, long index) {
   Measurement row;
-  row.time_s = s.time_s;
+  row.time_s = point.time_s;
   row.frame = index;
-  row.state = s.depth_um > 0.0 ? CellState::kContact : CellState::kFree;
-  row.indentation_um = s.depth_um;
-  row.contact_force_uN = s.force_uN;
+  row.state = point.depth_um > 0.0 ? CellState::kContact : CellState::kFree;
+  row.indentation_um = point.depth_um;
+  row.contact_force_uN = point.force_uN;
   return row;
 }
 

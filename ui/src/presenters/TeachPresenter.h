@@ -32,6 +32,6 @@ struct ForceRow {
 std::vector<ForceRow> force_rows(const NodeForces& forces);
 
 /// A row for the chart of force over depth.
-Measurement chart_row(const CellSnapshot& snapshot, long index);
+Measurement chart_row(const CurvePoint& point, long index);
 
 }  // namespace pellucida

@@ -7,7 +7,9 @@
 #include <optional>
 #include <stop_token>
 #include <thread>
+#include <vector>
 
+#include "pellucida/core/Ring.h"
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/teaching/CellSnapshot.h"
 #include "pellucida/teaching/PokedCell.h"
@@ -37,6 +39,9 @@ class CellRunner {
   /// The newest snapshot; null before the first.
   CellSnapshotPtr newest() const { return snapshots_.peek().value_or(nullptr); }
   std::uint64_t sequence() const { return snapshots_.sequence(); }
+  /// The points of the force curve since the last call, 2 ms of simulated time apart or a time step, whichever is
+  /// longer; the first 20000 of them. One thread at a time.
+  std::vector<CurvePoint> take_curve();
   /// Throws what the thread threw, if it did.
   void rethrow() const;
 
@@ -66,10 +71,13 @@ class CellRunner {
   void obey(const Orders& orders);
   void run(std::stop_token stop);
   void work(double now_s);
+  void record();
   void publish(double now_s);
 
   PokedCell cell_;
   SharedLatest<CellSnapshotPtr> snapshots_;
+  Ring<CurvePoint> curve_;
+  double curve_time_s_ = 0.0;  // of its newest point
   std::optional<int> node_;
   std::uint64_t run_ = 0;
   double owed_s_ = 0.0;  // simulated time behind the clock

@@ -40,6 +40,14 @@ struct CellSnapshot {
   std::optional<BlowUp> blow_up;
 };
 
+/// Force and depth at one moment of a run, for curves.
+struct CurvePoint {
+  std::uint64_t run = 0;
+  double time_s = 0.0;
+  double depth_um = 0.0;
+  double force_uN = 0.0;
+};
+
 /// All but rates and run.
 CellSnapshot snapshot_of(const PokedCell& cell, std::optional<int> node);
 
