@@ -174,7 +174,8 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--mode", arguments->mode, "guide: a cell under the needle; teach: a simulated cell and lessons")
       ->check(CLI::IsMember({"guide", "teach"}))
       ->capture_default_str();
-  command->add_option("--lesson", arguments->lesson, "of Teach mode to begin with, by name or file (default: the first)");
+  command->add_option("--lesson", arguments->lesson,
+                      "of Teach mode to begin with, by name or file (default: the first)");
   command->add_option("--theme", arguments->theme, "of Teach mode: dark, or light for projectors")
       ->check(CLI::IsMember({"dark", "light"}))
       ->capture_default_str();

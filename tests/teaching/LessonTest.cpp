@@ -126,8 +126,9 @@ TEST(Lesson, InventedMassRings) {
 // The page of the keys is printed from the tables.
 TEST(Lesson, TheDocumentationNamesEveryKey) {
   Lesson lesson;
-  EXPECT_TRUE(docs_section_is("lessons.md", "## Keys",
-                              markdown(fields_of(lesson)) + "\nof `setting`:\n\n" + markdown(fields_of(lesson.setting))));
+  EXPECT_TRUE(
+      docs_section_is("lessons.md", "## Keys",
+                      markdown(fields_of(lesson)) + "\nof `setting`:\n\n" + markdown(fields_of(lesson.setting))));
 }
 
 }  // namespace

@@ -55,9 +55,10 @@ TEST(Stability, StiffestModeIsTheHessiansLargestEigenvalue) {
 }
 
 TEST(Stability, LimitPredictsBlowUpOnEitherSide) {
-  for (const auto& [integrator, damping_ratio] :
-       {std::pair{"symplectic-euler", 0.0}, {"symplectic-euler", 0.3}, {"symplectic-euler", 1.5},
-        {"linear-acceleration", 0.0}}) {
+  for (const auto& [integrator, damping_ratio] : {std::pair{"symplectic-euler", 0.0},
+                                                  {"symplectic-euler", 0.3},
+                                                  {"symplectic-euler", 1.5},
+                                                  {"linear-acceleration", 0.0}}) {
     const TeachingParameters p = parameters_for(integrator, damping_ratio);
     const auto below = end_of(p, 0.97, 1500);
     EXPECT_FALSE(below) << integrator << ", damping ratio " << damping_ratio;

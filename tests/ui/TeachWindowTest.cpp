@@ -153,7 +153,8 @@ TEST_F(TeachWindowTest, ALessonIsCompletedWithTheKeyboard) {
   // A wrong answer is explained, the right one is remembered.
   const Lesson lesson = load_lesson("spring-network");
   int wrong = 0, right = 0;
-  for (std::size_t k = 0; k < lesson.answers.size(); ++k) (lesson.answers[k].is_right ? right : wrong) = static_cast<int>(k);
+  for (std::size_t k = 0; k < lesson.answers.size(); ++k)
+    (lesson.answers[k].is_right ? right : wrong) = static_cast<int>(k);
   child<QRadioButton>(("answer" + std::to_string(wrong)).c_str()).click();
   EXPECT_FALSE(lessons.is_done(0));
   EXPECT_TRUE(child<QLabel>("wrongAnswer").text().startsWith("No. "));

@@ -141,9 +141,8 @@ QWidget* TeachWindow::build_top_bar() {
   };
   add_look("Light", Qt::Key_L, "Dark on white, for projectors", options_.light_theme);
   add_look("Large letters", Qt::Key_T, "For the last row", options_.large_letters);
-  bar->add_button("Full screen", Qt::Key_F11, "All of the screen, and back", [this] {
-    isFullScreen() ? showNormal() : showFullScreen();
-  });
+  bar->add_button("Full screen", Qt::Key_F11, "All of the screen, and back",
+                  [this] { isFullScreen() ? showNormal() : showFullScreen(); });
   bar->add_name("Teach", "A simulated cell to poke");
   return bar;
 }
@@ -205,7 +204,8 @@ QWidget* TeachWindow::build_side() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   side_->addTab(scroll, "Parameters");
   force_table_ = new NodeForceTable(nullptr);
-  connect(&force_table_->head_to_tail(), &QCheckBox::toggled, this, [this](bool on) { cell_view_.set_head_to_tail(on); });
+  connect(&force_table_->head_to_tail(), &QCheckBox::toggled, this,
+          [this](bool on) { cell_view_.set_head_to_tail(on); });
   side_->addTab(force_table_, "Forces on a node");
   return side_;
 }
@@ -335,8 +335,8 @@ void TeachWindow::show_curve(const CellSnapshot& s) {
 void TeachWindow::show_slowly(const CellSnapshot& s) {
   const auto curve = curves_.peek().value_or(nullptr);
   const bool fits = curve && have_same_curve(curve->parameters, s.parameters) && s.depth_um > 0.0;
-  const double rest_uN = fits ? force_at_uN(curve->depth_um, curve->force_uN, s.depth_um)
-                              : std::numeric_limits<double>::quiet_NaN();
+  const double rest_uN =
+      fits ? force_at_uN(curve->depth_um, curve->force_uN, s.depth_um) : std::numeric_limits<double>::quiet_NaN();
   const TeachTexts texts = teach_texts(s, rest_uN, current_theme());
   readouts_->show_texts(texts);
   banner_text_->setText(QString::fromStdString(texts.blow_up));

@@ -141,9 +141,9 @@ void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale)
 
   QString sheet = QString::fromUtf8(kSheet);
   const std::pair<const char*, Color> names[] = {
-      {"@window", theme.window}, {"@panel", theme.panel},   {"@raised", theme.raised},   {"@border", theme.border},
-      {"@text", theme.text},     {"@dim", theme.text_dim},  {"@accent", theme.accent},   {"@record", theme.record},
-      {"@plan", theme.plan},     {"@faint", theme.faint},   {"@good", theme.good}};
+      {"@window", theme.window}, {"@panel", theme.panel},  {"@raised", theme.raised}, {"@border", theme.border},
+      {"@text", theme.text},     {"@dim", theme.text_dim}, {"@accent", theme.accent}, {"@record", theme.record},
+      {"@plan", theme.plan},     {"@faint", theme.faint},  {"@good", theme.good}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
   app.setStyleSheet(scaled(sheet, type_scale));
 }

@@ -20,7 +20,8 @@ constexpr Field<Lesson> kLessonHead[] = {
     {"order", "", &Lesson::order, {0, 1000}, "its place in the list", FieldNeed::kRequired},
     {"title", "", &Lesson::title, kAnyLessonText, "one line", FieldNeed::kRequired},
     {"hand_depth_um", "um", &Lesson::hand_depth_um, {-50, 100}, "where the hand is at the start; below 0: outside"},
-    {"explains_tip", "", &Lesson::explains_tip, kAnyLessonText, "true: the forces on the node under the needle are shown"},
+    {"explains_tip", "", &Lesson::explains_tip, kAnyLessonText,
+     "true: the forces on the node under the needle are shown"},
     {"question", "", &Lesson::question, kAnyLessonText, "asked at the end", FieldNeed::kRequired},
 };
 constexpr Field<LessonAnswer> kAnswer[] = {

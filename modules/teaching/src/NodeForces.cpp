@@ -7,8 +7,8 @@ namespace pellucida {
 namespace {
 
 constexpr std::array<std::string_view, kForceTermCount> kForceTermNames = {
-    "Meridian springs", "Parallel springs", "Diagonals (X)", "Hinges",        "Pressure",
-    "Needle",            "Holder",            "Dampers",              "Inertia, \u2212m a"};
+    "Meridian springs", "Parallel springs", "Diagonals (X)",     "Hinges", "Pressure", "Needle",
+    "Holder",           "Dampers",          "Inertia, \u2212m a"};
 
 Eigen::Vector3d force_of(const EnergyTerm& term, const Eigen::Matrix3Xd& x_um, int node) {
   Eigen::Matrix3Xd gradient_uN = Eigen::Matrix3Xd::Zero(3, x_um.cols());

@@ -63,9 +63,9 @@ void PokedCell::build() {
 void PokedCell::make_integrator() {
   integrator_.reset();
   kind_ = integrator_kind(parameters_.integrator);
-  dynamics_.emplace(Dynamics{
-      model_->energy(), model_->springs(), parameters_.node_mass_kg,
-      parameters_.damping_ratio * critical_damping_uN_s_per_um(model_->springs(), parameters_.node_mass_kg)});
+  dynamics_.emplace(
+      Dynamics{model_->energy(), model_->springs(), parameters_.node_mass_kg,
+               parameters_.damping_ratio * critical_damping_uN_s_per_um(model_->springs(), parameters_.node_mass_kg)});
   integrator_ = integrator_of(kind_, *dynamics_);
   // A shape torn apart has no limit that would help.
   const Eigen::Matrix3Xd& shape_um = blow_up_ ? model_->rest().points_um : state_.x_um;
@@ -164,12 +164,7 @@ void PokedCell::check_energy() {
 
 void PokedCell::end_motion(BlowUpKind kind) {
   const double kinetic_pJ = kinetic_energy_pJ();
-  blow_up_ = BlowUp{kind,
-                    time_s_,
-                    1e-6 * parameters_.time_step_us,
-                    stability_.stable_step_s,
-                    kinetic_pJ,
-                    supplied_pJ_};
+  blow_up_ = BlowUp{kind, time_s_, 1e-6 * parameters_.time_step_us, stability_.stable_step_s, kinetic_pJ, supplied_pJ_};
   // The last shape that can be drawn.
   state_ = before_;
 }

@@ -12,8 +12,8 @@ constexpr double kCurveStep_um = 2.0;
 }  // namespace
 
 bool have_same_curve(const TeachingParameters& a, const TeachingParameters& b) {
-  return a.profile == b.profile && a.mesh_frequency == b.mesh_frequency &&
-         a.young_modulus_kPa == b.young_modulus_kPa && a.keeps_volume == b.keeps_volume;
+  return a.profile == b.profile && a.mesh_frequency == b.mesh_frequency && a.young_modulus_kPa == b.young_modulus_kPa &&
+         a.keeps_volume == b.keeps_volume;
 }
 
 expected<QuasiStaticCurvePtr, StepFailure> QuasiStaticStep::process(const TeachingParameters& parameters) {
@@ -26,8 +26,8 @@ expected<QuasiStaticCurvePtr, StepFailure> QuasiStaticStep::process(const Teachi
     if (state.report.status != SolveStatus::kConverged) {
       // The curve ends where the equilibrium does.
       if (curve->depth_um.size() > 1) break;
-      return unexpected(StepFailure{"no equilibrium at " + std::to_string(depth_um) + " um: " +
-                                         std::string(to_string(state.report.status))});
+      return unexpected(StepFailure{"no equilibrium at " + std::to_string(depth_um) +
+                                    " um: " + std::string(to_string(state.report.status))});
     }
     curve->depth_um.push_back(depth_um);
     curve->force_uN.push_back(state.push_force_uN);

@@ -32,7 +32,7 @@ std::string reason_of(const BlowUp& end) {
 
 std::string blow_up_text(const BlowUp& end, const std::string& integrator) {
   const std::string step = duration_text(1e6 * end.time_step_s);
-  std::string text = "Blown up after " + fixed_number(end.time_s, 3) + " s: " + reason_of(end) + ". ";
+  std::string text = "Blown up after " + duration_text(1e6 * end.time_s) + ": " + reason_of(end) + ". ";
   if (end.is_beyond_limit()) {
     const std::string limit = duration_text(1e6 * end.stable_step_s);
     return text + "The time step, " + step + ", is above the stability limit of " + integrator + ", " + limit +
@@ -41,7 +41,8 @@ std::string blow_up_text(const BlowUp& end, const std::string& integrator) {
   if (std::isfinite(end.stable_step_s)) {
     return text + "The time step, " + step + ", is below the limit of linear vibration, " +
            duration_text(1e6 * end.stable_step_s) +
-           ": the shape left the range where that holds. Push more slowly or take a shorter step, then start again (Home).";
+           ": the shape left the range where that holds. Push more slowly or take a shorter step, then start again "
+           "(Home).";
   }
   return text + "Take a shorter step than " + step + " or push more slowly, then start again (Home).";
 }
@@ -76,7 +77,8 @@ TeachTexts teach_texts(const CellSnapshot& s, double quasi_static_uN, const Them
                       theme.text_dim};
   texts.volume = plain(fixed_number(100.0 * s.volume_change_ratio, 2) + " %");
   texts.energy = plain(three_digits(s.potential_energy_pJ + s.kinetic_energy_pJ) + " pJ");
-  texts.speed = plain(s.largest_speed_um_per_s < 1e5 ? fixed_number(s.largest_speed_um_per_s, 0) + " µm/s" : "> 0.1 m/s");
+  texts.speed =
+      plain(s.largest_speed_um_per_s < 1e5 ? fixed_number(s.largest_speed_um_per_s, 0) + " µm/s" : "> 0.1 m/s");
   const bool late = !s.blow_up && s.pace_ratio > 0.0 && s.pace_ratio < kInTime_ratio * s.parameters.pace_ratio;
   texts.rate = {fixed_number(s.steps_per_s, 0) + " /s, " + fixed_number(s.pace_ratio, 2) + "\u00d7",
                 late ? theme.warning : theme.text};

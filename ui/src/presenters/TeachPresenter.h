@@ -12,7 +12,7 @@ namespace pellucida {
 struct TeachTexts {
   Phrase state;  ///< its colour is the pill's
   Phrase depth, force, volume, energy, speed, rate;
-  Phrase force_note;  ///< the quasi-static force at that depth
+  Phrase force_note;    ///< the quasi-static force at that depth
   std::string blow_up;  ///< what ended the motion and what helps; empty while it runs
 };
 

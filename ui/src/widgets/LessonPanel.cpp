@@ -48,7 +48,8 @@ LessonPanel::LessonPanel(std::vector<Lesson> lessons, std::function<void(const L
 void LessonPanel::show_titles() {
   for (int k = 0; k < count(); ++k) {
     const QString mark = is_done(k) ? QString::fromUtf8("\u2713 ") : QString();
-    list_->item(k)->setText(QString("%1  %2%3").arg(k + 1).arg(mark, QString::fromStdString(lessons_[static_cast<std::size_t>(k)].title)));
+    list_->item(k)->setText(
+        QString("%1  %2%3").arg(k + 1).arg(mark, QString::fromStdString(lessons_[static_cast<std::size_t>(k)].title)));
   }
 }
 
@@ -131,8 +132,7 @@ void LessonPanel::build_page(const Lesson& lesson) {
   again->setFixedHeight(30);
   again->setToolTip("The lesson's parameters, and the cell at rest");
   page_->addWidget(again);
-  connect(again, &QPushButton::clicked, this,
-          [this] { opened_(lessons_[static_cast<std::size_t>(current_)]); });
+  connect(again, &QPushButton::clicked, this, [this] { opened_(lessons_[static_cast<std::size_t>(current_)]); });
   page_->addStretch(1);
   scroll_->setWidget(page);
   scroll_->verticalScrollBar()->setValue(0);

@@ -27,9 +27,10 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(10);
-  auto* law = new QLabel(QString::fromUtf8("(1) &nbsp;<b>f<sub>ij</sub></b> = k (L/|p| \u2212 1) p \u2212 b (v\u00b7p)/(p\u00b7p) p"
-                                           "<br>(2) &nbsp;<b>m a</b> = \u03a3 <b>f</b>"),
-                         this);
+  auto* law = new QLabel(
+      QString::fromUtf8("(1) &nbsp;<b>f<sub>ij</sub></b> = k (L/|p| \u2212 1) p \u2212 b (v\u00b7p)/(p\u00b7p) p"
+                        "<br>(2) &nbsp;<b>m a</b> = \u03a3 <b>f</b>"),
+      this);
   law->setObjectName("lessonText");
   law->setWordWrap(true);
   column->addWidget(law);
@@ -76,8 +77,9 @@ void NodeForceTable::show_hint() {
 }
 
 void NodeForceTable::show_forces(const NodeForces& forces, const ThemeColors& theme) {
-  title_->setText(QString::fromUtf8("Node %1. z: the needle's axis, outwards. The residual is the error of the time step.")
-                      .arg(forces.node));
+  title_->setText(
+      QString::fromUtf8("Node %1. z: the needle's axis, outwards. The residual is the error of the time step.")
+          .arg(forces.node));
   table_->show();
   head_to_tail_->show();
   const auto rows = force_rows(forces);

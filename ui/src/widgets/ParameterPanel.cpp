@@ -82,8 +82,7 @@ void ParameterPanel::set_parameters(const TeachingParameters& parameters) {
   integrator_->setCurrentIndex(integrator_->findData(QString::fromStdString(parameters.integrator)));
   volume_->setChecked(parameters.keeps_volume);
   for (int k = 0; k < kTeachSliderCount; ++k) {
-    sliders_[static_cast<std::size_t>(k)]->show_value(
-        ParameterScale(static_cast<TeachSlider>(k)).value_in(parameters));
+    sliders_[static_cast<std::size_t>(k)]->show_value(ParameterScale(static_cast<TeachSlider>(k)).value_in(parameters));
   }
 }
 

@@ -22,9 +22,9 @@ Color color_at(ColorMapKind kind, double t) noexcept;
 /// A table of 256 colours over 0..1; its range is set by `SetTableRange`.
 vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind);
 
-/// An upright colour scale with title and five labels from 0 (kPull: -`upper`) to `upper`, lower left corner at (x, y), bar `height_px`
-/// high. Stands at the view edge `side`; takes about 110 logical pixels in width. `open_end`: some values
-/// lie beyond the scale, which the last label says.
+/// An upright colour scale with title and five labels from 0 (kPull: -`upper`) to `upper`, lower left corner at (x, y),
+/// bar `height_px` high. Stands at the view edge `side`; takes about 110 logical pixels in width. `open_end`: some
+/// values lie beyond the scale, which the last label says.
 void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height_px, double upper,
                     const std::string& title, HudAlign side, bool open_end = false,
                     const ThemeColors& theme = dark_theme());

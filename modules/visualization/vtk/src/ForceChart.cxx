@@ -28,6 +28,7 @@ namespace {
 
 // A time axis is never shorter than this.
 constexpr double kLeastTime_s = 5.0;
+constexpr double kLeastPull_uN = 0.1;
 
 enum Column { kX, kForce, kLower, kUpper, kColumnCount };
 
@@ -167,10 +168,8 @@ void ForceChart::set_reference(std::string name, const std::vector<double>& dept
   reference_name_ = std::move(name);
   reference_.clear();
   for (std::size_t k = 0; k < std::min(depth_um.size(), force_uN.size()); ++k) {
-    reference_.push_back({.indentation_um = depth_um[k],
-                          .force_uN = force_uN[k],
-                          .lower_uN = force_uN[k],
-                          .upper_uN = force_uN[k]});
+    reference_.push_back(
+        {.indentation_um = depth_um[k], .force_uN = force_uN[k], .lower_uN = force_uN[k], .upper_uN = force_uN[k]});
   }
   changed_ = true;
 }
@@ -245,9 +244,11 @@ void ForceChart::set_ranges() {
   const bool over_time = kind_ == ForceChartKind::kForceTime;
   double greatest_uN = 0.0;
   double greatest_um = 0.0;
+  double least_uN = 0.0;
   const auto measure = [&](const std::vector<TracePoint>& points) {
     for (const TracePoint& point : points) {
       greatest_uN = std::max(greatest_uN, point.upper_uN);
+      least_uN = std::min(least_uN, point.force_uN);
       if (std::isfinite(point.indentation_um)) greatest_um = std::max(greatest_um, point.indentation_um);
     }
   };
@@ -255,7 +256,9 @@ void ForceChart::set_ranges() {
   if (!over_time) measure(behind());
   const double ratio = std::max(hud_ratio(), 1e-3);
   const int* size = main_->GetSize();
-  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), 0.0, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio, 36.0);
+  // Beside a reference a pull counts too; a measured force below 0 is noise.
+  const double bottom_uN = reference_name_.empty() || least_uN > -kLeastPull_uN ? 0.0 : -axis_end(-least_uN, 1.0);
+  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), bottom_uN, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio, 36.0);
 
   // Time: all of it, or the last part once that is full.
   double begin = 0.0;

@@ -134,8 +134,8 @@ void PokedCellView::refresh_arrows() {
     actors_->arrows.hide();
     return;
   }
-  actors_->arrows.show(*forces, snapshot_->x_um.col(forces->node),
-                       kLongestArrow_ratio * snapshot_->mesh->mid_radius_um, head_to_tail_, *theme_);
+  actors_->arrows.show(*forces, snapshot_->x_um.col(forces->node), kLongestArrow_ratio * snapshot_->mesh->mid_radius_um,
+                       head_to_tail_, *theme_);
 }
 
 void PokedCellView::reset_camera() {
@@ -176,7 +176,8 @@ Eigen::Vector2d PokedCellView::hand_motion_um(double dx_px, double dy_px) const 
   const Eigen::Vector2d here = on_screen_px(tip_um);
   Eigen::Matrix2d seen;
   seen << on_screen_px(tip_um + snapshot_->mesh->push) - here, on_screen_px(tip_um + Eigen::Vector3d::UnitX()) - here;
-  const Eigen::Matrix2d square = seen.transpose() * seen + 0.05 * seen.squaredNorm() * 0.05 * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d square =
+      seen.transpose() * seen + 0.05 * seen.squaredNorm() * 0.05 * Eigen::Matrix2d::Identity();
   return square.ldlt().solve(seen.transpose() * Eigen::Vector2d(dx_px, dy_px));
 }
 

@@ -16,9 +16,9 @@ namespace pellucida {
 
 /// What ended a motion.
 enum class BlowUpKind {
-  kNotFinite,     ///< a number overflowed
-  kEnergyRanAway, ///< the nodes move with more energy than all tools have put in
-  kNoSolution,    ///< the implicit step's equations were not solved
+  kNotFinite,      ///< a number overflowed
+  kEnergyRanAway,  ///< the nodes move with more energy than all tools have put in
+  kNoSolution,     ///< the implicit step's equations were not solved
 };
 
 /// A motion that ended, with the limit that was broken, if one was.
