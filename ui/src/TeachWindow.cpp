@@ -77,7 +77,10 @@ TeachWindow::TeachWindow(LessonChoice lessons, TeachOptions options)
   connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   timer_.start(0);
   screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
-    if (const auto newest = runner_.newest()) show(newest);
+    if (const auto newest = runner_.newest()) {
+      show(newest);
+      show_slowly(*newest);
+    }
   });
 }
 
@@ -287,6 +290,11 @@ void TeachWindow::tick() {
   } else {
     cell_widget_->render();
   }
+  // Also once the motion has ended and no new snapshot comes.
+  if (const auto newest = runner_.newest(); newest && clock_.now_s() - slow_shown_s_ >= kSlowPeriod_s) {
+    slow_shown_s_ = clock_.now_s();
+    show_slowly(*newest);
+  }
   // A slow renderer must leave time for the mouse and the other threads.
   const int spent_ms = static_cast<int>(spent.elapsed());
   timer_.start(std::max(kTeachTick_ms - spent_ms, spent_ms / 3));
@@ -309,10 +317,6 @@ void TeachWindow::show(const CellSnapshotPtr& snapshot) {
     hand_across_um_ = s.hand_across_um;
   }
   cell_view_.set_snapshot(snapshot);
-  if (clock_.now_s() - slow_shown_s_ >= kSlowPeriod_s) {
-    slow_shown_s_ = clock_.now_s();
-    show_slowly(s);
-  }
   cell_widget_->render();
   chart_widget_->render();
 }
