@@ -200,6 +200,7 @@ QWidget* TeachWindow::build_side() {
   side_ = new QTabWidget;
   side_->setDocumentMode(true);
   side_->tabBar()->setDrawBase(false);
+  side_->setUsesScrollButtons(false);
   parameter_panel_ = new ParameterPanel([this](const TeachingParameters& p) { change(p); }, nullptr);
   auto* scroll = new QScrollArea;
   scroll->setWidget(parameter_panel_);
@@ -209,7 +210,7 @@ QWidget* TeachWindow::build_side() {
   force_table_ = new NodeForceTable(nullptr);
   connect(&force_table_->head_to_tail(), &QCheckBox::toggled, this,
           [this](bool on) { cell_view_.set_head_to_tail(on); });
-  side_->addTab(force_table_, "Forces on a node");
+  side_->addTab(force_table_, "Node forces");
   return side_;
 }
 

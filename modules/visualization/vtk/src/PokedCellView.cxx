@@ -201,7 +201,7 @@ void PokedCellView::prepare(double, double) {
   main_->ResetCameraClippingRange();
 }
 
-void PokedCellView::draw_hud(HudCanvas& hud, double, double height_px) {
+void PokedCellView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!snapshot_) return;
   const double bar_height = std::clamp(0.42 * height_px, 70.0, 200.0);
   if (springs_shown_) {
@@ -209,7 +209,15 @@ void PokedCellView::draw_hud(HudCanvas& hud, double, double height_px) {
                    "Pull of a connector (µN)", HudAlign::kLeft, true, *theme_);
   }
   draw_hand(hud);
-  hud.text(16.0, 18.0, "Drag: needle    Right drag: turn    Click: forces on a node", {.color = theme_->text_dim});
+  // As much of it as there is room for.
+  const HudText style{.color = theme_->text_dim};
+  double x = 16.0;
+  for (const char* hint : {"Drag: needle", "Click: forces on a node", "Right drag: turn"}) {
+    const double width = hud.text_width_px(hint, style);
+    if (x + width > width_px) break;
+    hud.text(x, 18.0, hint, style);
+    x += width + 20.0;
+  }
 }
 
 // The hand as a ring, tied to the tip: its way ahead of the tip is the force.
