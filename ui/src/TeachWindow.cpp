@@ -202,15 +202,17 @@ QWidget* TeachWindow::build_side() {
   side_->tabBar()->setDrawBase(false);
   side_->setUsesScrollButtons(false);
   parameter_panel_ = new ParameterPanel([this](const TeachingParameters& p) { change(p); }, nullptr);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(parameter_panel_);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  side_->addTab(scroll, "Parameters");
+  const auto add_page = [this](QWidget* page, const char* name) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(page);
+    scroll->setWidgetResizable(true);
+    side_->addTab(scroll, name);
+  };
+  add_page(parameter_panel_, "Parameters");
   force_table_ = new NodeForceTable(nullptr);
   connect(&force_table_->head_to_tail(), &QCheckBox::toggled, this,
           [this](bool on) { cell_view_.set_head_to_tail(on); });
-  side_->addTab(force_table_, "Node forces");
+  add_page(force_table_, "Node forces");
   return side_;
 }
 

@@ -63,6 +63,8 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
   table_->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setWordWrap(false);
+  // All rows; the page scrolls.
+  table_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   column->addWidget(table_);
   head_to_tail_ = new QCheckBox("Arrows head to tail: a balance closes", this);
   column->addWidget(head_to_tail_);
@@ -77,6 +79,7 @@ void NodeForceTable::show_hint() {
 }
 
 void NodeForceTable::show_forces(const NodeForces& forces, const ThemeColors& theme) {
+  table_->setFixedHeight(table_->horizontalHeader()->height() + table_->verticalHeader()->length() + 2);
   title_->setText(
       QString::fromUtf8("Node %1. z: the needle's axis, outwards. The residual is the error of the time step.")
           .arg(forces.node));
@@ -88,6 +91,7 @@ void NodeForceTable::show_forces(const NodeForces& forces, const ThemeColors& th
     const QColor color = to_qt(one.is_residual ? theme.record : term_color(static_cast<ForceTerm>(row), theme));
     const double numbers[kNumberColumns] = {one.force_uN.x(), one.force_uN.y(), one.force_uN.z(), one.force_uN.norm()};
     table_->item(row, 0)->setText(QString::fromUtf8("\u25cf ") + QString::fromStdString(one.name));
+    table_->item(row, 0)->setToolTip(QString::fromStdString(one.name));
     table_->item(row, 0)->setForeground(color);
     for (int k = 0; k < kNumberColumns; ++k) {
       table_->item(row, k + 1)->setText(QString::fromStdString(fixed_number(numbers[k], kForceDecimals)));
