@@ -19,6 +19,7 @@
 #include "pellucida/pipeline/LiveRun.h"
 #include "pellucida/review/Review.h"
 #include "pellucida/ui/Guide.h"
+#include "pellucida/ui/Teach.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
@@ -31,6 +32,9 @@ struct WorkstationArguments {
   PlaybackOptions playback;
   double speed_ratio = 1.0;
   std::string mode = "guide";
+  std::string lesson;
+  std::string theme = "dark";
+  bool large_letters = false;
   std::string hand;
   std::string session;
   std::string screenshot;
@@ -111,6 +115,26 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   return run_guide(std::move(run), std::move(console), options);
 }
 
+void set_window(const WorkstationArguments& arguments, WindowOptions& options) {
+  options.screenshot = arguments.screenshot;
+  options.screenshot_after_s = arguments.after_s;
+  options.width_px = arguments.width_px;
+  options.height_px = arguments.height_px;
+}
+
+void require_closed_well(int status) {
+  if (status != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+}
+
+void run_teach_mode(const WorkstationArguments& arguments) {
+  TeachOptions options;
+  set_window(arguments, options);
+  options.lesson = arguments.lesson;
+  options.light_theme = arguments.theme == "light";
+  options.large_letters = arguments.large_letters;
+  require_closed_well(run_teach(options));
+}
+
 // A recorded session in the window; nothing is measured.
 void run_review_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
@@ -119,31 +143,29 @@ void run_review_mode(const WorkstationArguments& arguments) {
         "report or pellucida export");
   }
   ReviewOptions options;
-  options.screenshot = arguments.screenshot;
-  options.screenshot_after_s = arguments.after_s;
-  options.width_px = arguments.width_px;
-  options.height_px = arguments.height_px;
+  set_window(arguments, options);
   options.from_s = arguments.playback.from_s;
   options.speed_ratio = arguments.speed_ratio;
   options.loop = arguments.playback.loop_count != 1;
   options.backwards = arguments.playback.backwards;
-  if (run_review(arguments.session, options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+  require_closed_well(run_review(arguments.session, options));
 }
 
 void run_workstation_command(const WorkstationArguments& arguments) {
+  if (arguments.mode == "teach") {
+    run_teach_mode(arguments);
+    return;
+  }
   if (!has_display()) {
     run_headless(arguments);
     return;
   }
   GuideOptions options;
   options.session_folder = arguments.session;
-  options.screenshot = arguments.screenshot;
-  options.screenshot_after_s = arguments.after_s;
+  set_window(arguments, options);
   // A microscope does not end: the virtual one shows its scenario again and again.
   options.repeat = is_virtual_source(arguments.source);
-  options.width_px = arguments.width_px;
-  options.height_px = arguments.height_px;
-  if (run_window(arguments, options) != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+  require_closed_well(run_window(arguments, options));
 }
 
 }  // namespace
@@ -165,9 +187,16 @@ void add_workstation_command(CLI::App& app) {
   add_showing_options(*command, arguments->playback, arguments->speed_ratio);
   command
       ->add_option("--mode", arguments->mode,
-                   "guide: a source live, with its forces; review: a recorded session, as it was recorded")
-      ->check(CLI::IsMember({"guide", "review"}))
+                   "guide: a source live, with its forces; review: a recorded session, as it was recorded; teach: a "
+                   "simulated cell and lessons")
+      ->check(CLI::IsMember({"guide", "review", "teach"}))
       ->capture_default_str();
+  command->add_option("--lesson", arguments->lesson,
+                      "of Teach mode to begin with, by name or file (default: the first)");
+  command->add_option("--theme", arguments->theme, "of Teach mode: dark, or light for projectors")
+      ->check(CLI::IsMember({"dark", "light"}))
+      ->capture_default_str();
+  command->add_flag("--large-letters", arguments->large_letters, "Teach mode in larger letters");
   command
       ->add_option("--hand", arguments->hand,
                    "what moves the needle of a virtual source: demonstration (its default), mouse, or none (the "
@@ -188,6 +217,10 @@ void add_workstation_command(CLI::App& app) {
       ->check(CLI::Range(500, 8000))
       ->capture_default_str();
   command->callback([command, arguments] {
+    if (arguments->mode != "teach" &&
+        (!arguments->lesson.empty() || arguments->theme != "dark" || arguments->large_letters)) {
+      throw UsageError("--lesson, --theme and --large-letters belong to --mode teach; add it, or leave them out");
+    }
     if (arguments->mode == "review") {
       for (const char* option : {"--source", "--profile", "--hand", "--pixel-size-um", "--fps", "--to", "--every"}) {
         if (command->count(option) == 0) continue;

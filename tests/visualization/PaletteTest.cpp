@@ -20,6 +20,19 @@ TEST(Palette, WritingReadsOnEverySurface) {
   }
 }
 
+TEST(Palette, EachThemeReadsOnItsSurfaces) {
+  for (const ThemeColors* theme : {&dark_theme(), &light_theme()}) {
+    for (const Color& ground : {theme->window, theme->panel, theme->raised}) {
+      EXPECT_GE(contrast_ratio(theme->text, ground), 7.0);
+      for (const Color& writing : {theme->text_dim, theme->accent, theme->record, theme->warning, theme->good}) {
+        EXPECT_GE(contrast_ratio(writing, ground), 4.5) << writing.css() << " on " << ground.css();
+      }
+    }
+    EXPECT_GE(contrast_ratio(theme->curve, theme->panel), 3.0);
+    EXPECT_GE(contrast_ratio(theme->curve_before, theme->panel), 3.0);
+  }
+}
+
 TEST(Palette, PillsCarryDarkWriting) {
   for (const CellState state :
        {CellState::kNoCell, CellState::kFree, CellState::kContact, CellState::kPunctured, CellState::kLost}) {

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QFont>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QString>
 #include <QStyleFactory>
 
@@ -12,8 +13,7 @@
 namespace pellucida {
 namespace {
 
-// What can't be used now: between the dim text and the borders.
-constexpr Color kFaint = Color::from_hex(0x66737F);
+const ThemeColors* applied_theme = nullptr;
 
 // The sheet names colours as @name; they are filled in from the palette.
 const char* const kSheet = R"(
@@ -28,7 +28,6 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
-#forceNote { color: @dim; font-size: 12px; }
 #statePill { border-radius: 15px; padding: 0px 18px; font-size: 15px; font-weight: 700; color: @window; }
 #nodeFact { font-size: 12px; }
 #pageTitle { font-size: 22px; font-weight: 600; }
@@ -71,17 +70,64 @@ QProgressBar { background: @border; border: none; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
 QToolButton::menu-indicator, QPushButton::menu-indicator { image: none; width: 0px; }
 QPushButton { padding: 0px 12px; }
+#topBar QPushButton:checked { border-color: @accent; color: @accent; }
 QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
 QMenu::item:selected { background: @border; }
 QMenu { background: @raised; border: 1px solid @border; padding: 6px; }
 QMenu QLabel { font-size: 12px; }
 QCheckBox { font-size: 12px; spacing: 8px; }
+QCheckBox::indicator, QRadioButton::indicator { width: 13px; height: 13px; border: 1px solid @faint; background: @raised; }
+QCheckBox::indicator { border-radius: 3px; }
+QRadioButton::indicator { border-radius: 7px; }
+QCheckBox::indicator:hover, QRadioButton::indicator:hover { border-color: @accent; }
+QCheckBox::indicator:checked, QRadioButton::indicator:checked { background: @accent; border-color: @accent; }
 QSlider::groove:horizontal { height: 4px; background: @border; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: @text; }
+QLabel[figure="true"] { font-size: 23px; font-weight: 700; }
+QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
+#banner { background: @record; }
+#banner QLabel { color: @window; font-size: 14px; font-weight: 600; }
+#lessonTitle { font-size: 18px; font-weight: 700; }
+#lessonText { font-size: 14px; }
+#lessonHead { color: @accent; font-size: 13px; font-weight: 700; }
+#rightAnswer { color: @good; font-size: 14px; font-weight: 600; }
+#wrongAnswer { color: @record; font-size: 14px; font-weight: 600; }
+#parameterName { font-size: 13px; font-weight: 600; }
+#parameterValue { color: @accent; font-size: 13px; font-weight: 600; }
+#parameterNote { color: @dim; font-size: 12px; }
+QListWidget { background: @panel; border: none; font-size: 13px; outline: none; }
+QListWidget::item { padding: 5px 8px; border-radius: 5px; }
+QListWidget::item:selected { background: @border; color: @text; }
+QTableWidget { background: @panel; border: none; gridline-color: @border; font-size: 12px; }
+QHeaderView::section { background: @raised; color: @dim; border: none; padding: 4px; font-size: 12px; }
+QTabWidget::pane { border: none; }
+QTabBar { font-size: 13px; }
+QTabBar::tab { background: transparent; color: @dim; padding: 8px 12px; border-bottom: 2px solid transparent; }
+QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
+QScrollArea { border: none; background: @panel; }
+#page { background: @panel; }
+QRadioButton { font-size: 14px; spacing: 8px; }
+QScrollBar:vertical { background: @panel; width: 10px; margin: 0px; }
+QScrollBar::handle:vertical { background: @border; border-radius: 4px; min-height: 30px; }
+QScrollBar::add-line:vertical, QScrollBar::sub-line:vertical { height: 0px; }
 QSplitter::handle { background: @window; }
 QSplitter::handle:hover { background: @border; }
 )";
+
+// Every size of letters times `scale`.
+QString scaled(const QString& sheet, double scale) {
+  static const QRegularExpression size(R"(font-size: (\d+)px)");
+  QString result;
+  int from = 0;
+  for (auto found = size.globalMatch(sheet); found.hasNext();) {
+    const QRegularExpressionMatch match = found.next();
+    result += sheet.mid(from, match.capturedStart() - from);
+    result += QString("font-size: %1px").arg(qRound(scale * match.captured(1).toInt()));
+    from = match.capturedEnd();
+  }
+  return result + sheet.mid(from);
+}
 
 }  // namespace
 
@@ -89,29 +135,33 @@ QColor to_qt(const Color& color) {
   return QColor::fromRgbF(color.red, color.green, color.blue);
 }
 
-void apply_theme(QApplication& app) {
+const ThemeColors& current_theme() noexcept {
+  return applied_theme ? *applied_theme : dark_theme();
+}
+
+void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale) {
+  applied_theme = &theme;
   app.setStyle(QStyleFactory::create("Fusion"));
   QPalette colors;
-  colors.setColor(QPalette::Window, to_qt(palette::kWindow));
-  colors.setColor(QPalette::Base, to_qt(palette::kPanel));
-  colors.setColor(QPalette::AlternateBase, to_qt(palette::kRaised));
-  colors.setColor(QPalette::Button, to_qt(palette::kRaised));
-  colors.setColor(QPalette::ToolTipBase, to_qt(palette::kRaised));
-  colors.setColor(QPalette::Highlight, to_qt(palette::kAccent));
+  colors.setColor(QPalette::Window, to_qt(theme.window));
+  colors.setColor(QPalette::Base, to_qt(theme.panel));
+  colors.setColor(QPalette::AlternateBase, to_qt(theme.raised));
+  colors.setColor(QPalette::Button, to_qt(theme.raised));
+  colors.setColor(QPalette::ToolTipBase, to_qt(theme.raised));
+  colors.setColor(QPalette::Highlight, to_qt(theme.accent));
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
-    colors.setColor(role, to_qt(palette::kText));
+    colors.setColor(role, to_qt(theme.text));
   }
-  colors.setColor(QPalette::HighlightedText, to_qt(palette::kWindow));
+  colors.setColor(QPalette::HighlightedText, to_qt(theme.window));
   app.setPalette(colors);
 
   QString sheet = QString::fromUtf8(kSheet);
-  const std::pair<const char*, Color> names[] = {{"@window", palette::kWindow}, {"@panel", palette::kPanel},
-                                                 {"@raised", palette::kRaised}, {"@border", palette::kBorder},
-                                                 {"@text", palette::kText},     {"@dim", palette::kTextDim},
-                                                 {"@accent", palette::kAccent}, {"@record", palette::kRecord},
-                                                 {"@plan", palette::kPlan},     {"@faint", kFaint}};
+  const std::pair<const char*, Color> names[] = {
+      {"@window", theme.window}, {"@panel", theme.panel},  {"@raised", theme.raised}, {"@border", theme.border},
+      {"@text", theme.text},     {"@dim", theme.text_dim}, {"@accent", theme.accent}, {"@record", theme.record},
+      {"@plan", theme.plan},     {"@faint", theme.faint},  {"@good", theme.good}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
-  app.setStyleSheet(sheet);
+  app.setStyleSheet(scaled(sheet, type_scale));
 }
 
 }  // namespace pellucida

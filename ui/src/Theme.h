@@ -6,11 +6,14 @@ class QColor;
 namespace pellucida {
 
 struct Color;
+struct ThemeColors;
 
 /// A palette's colour for Qt.
 QColor to_qt(const Color& color);
 
-/// Dark theme: Fusion style, palette and style sheet from `pellucida::palette`.
-void apply_theme(QApplication& app);
+/// Fusion style, palette and style sheet from a theme's colours; all letters `type_scale` times as large.
+void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale = 1.0);
+/// The theme applied last; the dark one before.
+const ThemeColors& current_theme() noexcept;
 
 }  // namespace pellucida

@@ -30,7 +30,7 @@ void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& t
 
 }  // namespace
 
-WindowProgram::WindowProgram() {
+WindowProgram::WindowProgram(const ThemeColors& theme) {
   MessageLog::install();
   qInstallMessageHandler(take_qt_message);
   if (!display_answers()) {
@@ -47,7 +47,7 @@ WindowProgram::WindowProgram() {
   // The desktop entry and the icon of an installed program.
   QApplication::setDesktopFileName("pellucida");
   QApplication::setWindowIcon(QIcon::fromTheme("pellucida"));
-  apply_theme(*application_);
+  apply_theme(*application_, theme);
 }
 
 int WindowProgram::show(QWidget& window) {

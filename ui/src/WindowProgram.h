@@ -2,13 +2,15 @@
 #include <QApplication>
 #include <memory>
 
+#include "pellucida/visualization/Palette.h"
+
 namespace pellucida {
 
 /// Qt and VTK, set up for a window of this program. One at a time, on the main thread.
 class WindowProgram {
  public:
   /// Throws DeviceError when the display doesn't answer.
-  WindowProgram();
+  explicit WindowProgram(const ThemeColors& theme = dark_theme());
 
   /// Shows `window` until it is closed; the event loop's exit status.
   int show(QWidget& window);

@@ -15,6 +15,8 @@ constexpr double kEdgeSigma_um = 0.4;
 constexpr double kKindThickness_ratio = 0.25, kBenchTip_ratio = 0.7, kBenchHolder_ratio = 0.4;
 /// How well a tool's radius is seen: of its logarithm.
 constexpr double kSeenTip_ratio = 0.15, kSeenHolder_ratio = 0.08;
+/// No zona is thinner, over the cell's outer radius: two contours that near lie on one edge.
+constexpr double kThinnestZona_ratio = 0.02;
 /// From so many frames on, a tool's width follows what is seen at that pace.
 constexpr int kMostFrames = 50;
 /// Powers with which the force goes with radius, thickness, tip and holder (docs/method.md, 3.6).
@@ -36,7 +38,8 @@ void GeometryEstimate::update(const Observation& o) {
   if (o.holder && (clear || holder_.count == 0)) holder_.add(o.holder->outer_radius_um);
 
   seen_thickness_um_ = o.rest_outer_radius_um - o.rest_inner_radius_um;
-  thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um && seen_thickness_um_ > 0.0);
+  thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um &&
+                         seen_thickness_um_ > kThinnestZona_ratio * o.rest_outer_radius_um);
   if (thickness_assumed_) seen_thickness_um_ = profile_->thickness_um;
   thickness_sigma_um_ = thickness_assumed_ ? kKindThickness_ratio * profile_->thickness_um : kEdgeSigma_um;
   geometry_.thickness_um = seen_thickness_um_;

@@ -146,7 +146,8 @@ IndentationState Indenter::read_out(const SolveReport& report) const {
   state.push_force_uN = state.tip_force_uN.dot(model_.setup().push);
   const GeometryFactor factor = factor_at(depth_um_);
   state.stiffness_uN_per_um = factor.ratio * stiffness_uN_per_um_ + factor.slope_per_um * state.push_force_uN;
-  state.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0;  // no -0
+  state.pressure_Pa =
+      model_.setup().keeps_volume ? 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0 : 0.0;  // no -0
   state.volume_um3 = model_.volume().volume_um3(x_um_);
   state.report = report;
   if (!kind_) return state;

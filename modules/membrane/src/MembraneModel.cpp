@@ -128,7 +128,7 @@ MembraneModel::MembraneModel(const CellProfile& profile, const MembraneSetup& se
               1e-3 * profile.effective_young_modulus_kPa * setup.thickness_um) {
   energy_.add_term(springs_);
   energy_.add_term(hinges_);
-  energy_.add_term(volume_);
+  if (setup_.keeps_volume) energy_.add_term(volume_);
   energy_.add_term(tip_);
   energy_.add_term(holder_);
 }

@@ -1,6 +1,7 @@
 #include "pellucida/membrane/SpringTerm.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace pellucida {
 
@@ -12,8 +13,8 @@ SpringTerm::SpringTerm(const TriangleMesh& rest, const std::vector<TrianglePair>
     const Eigen::Vector3d a = rest.points_um.col(pair.a), b = rest.points_um.col(pair.b);
     const Eigen::Vector3d c = rest.points_um.col(pair.c), d = rest.points_um.col(pair.d);
     const double pair_area = 0.5 * ((b - a).cross(c - a).norm() + (b - a).cross(d - a).norm());
-    springs_.push_back({pair.a, pair.b, (b - a).norm(), pair_area / 6.0, 0.0, 0.0});
-    springs_.push_back({pair.c, pair.d, (d - c).norm(), pair_area / 6.0, 0.0, 0.0});
+    springs_.push_back({pair.a, pair.b, (b - a).norm(), pair_area / 6.0, 0.0, 0.0, false});
+    springs_.push_back({pair.c, pair.d, (d - c).norm(), pair_area / 6.0, 0.0, 0.0, true});
   }
   set_constants(constants);
 }
@@ -48,7 +49,7 @@ double SpringTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_
 
     // The pull of the connector (uN) along its direction.
     const double scale = s.area_um2 / s.rest_length_um;
-    const double pull = scale * e * (s.k2_uN_per_um + s.k1_uN_per_um * e2);
+    const double pull = s.pull_uN(length);
     const Eigen::Vector3d direction = p / length;
     if (gradient_uN) {
       gradient_uN->col(s.i) += pull * direction;
@@ -80,13 +81,20 @@ void SpringTerm::add_damping(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3X
   }
 }
 
+double SpringTerm::stiffest_uN_per_um() const {
+  double stiffest = 0.0;
+  for (const auto& s : springs_) {
+    stiffest = std::max(stiffest, s.area_um2 * s.k2_uN_per_um / (s.rest_length_um * s.rest_length_um));
+  }
+  return stiffest;
+}
+
 Eigen::VectorXd SpringTerm::tension_uN_per_um(const Eigen::Matrix3Xd& x_um,
                                               const Eigen::VectorXd& node_areas_um2) const {
   Eigen::VectorXd virial = Eigen::VectorXd::Zero(x_um.cols());
   for (const auto& s : springs_) {
     const double length = (x_um.col(s.i) - x_um.col(s.j)).norm();
-    const double e = length / s.rest_length_um - 1.0;
-    const double pull = s.area_um2 / s.rest_length_um * e * (s.k2_uN_per_um + s.k1_uN_per_um * e * e);
+    const double pull = s.pull_uN(length);
     virial[s.i] += 0.5 * pull * length;
     virial[s.j] += 0.5 * pull * length;
   }

@@ -20,7 +20,7 @@ void Choice::wheelEvent(QWheelEvent* event) {
 void Choice::paintEvent(QPaintEvent* event) {
   QComboBox::paintEvent(event);
   QPainter painter(this);
-  painter.setPen(to_qt(isEnabled() ? palette::kTextDim : palette::kBorder));
+  painter.setPen(to_qt(isEnabled() ? current_theme().text_dim : current_theme().border));
   painter.drawText(rect().adjusted(0, 0, -kArrowMargin_px, 0), Qt::AlignRight | Qt::AlignVCenter,
                    QString::fromUtf8("\u25BE"));
 }

@@ -1,6 +1,5 @@
 #include "widgets/HandBar.h"
 
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "Theme.h"
 #include "presenters/ReadoutPresenter.h"
@@ -27,46 +26,12 @@ ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   state_->setAlignment(Qt::AlignCenter);
   state_->setFixedSize(132, 30);
   row->addWidget(state_);
-  // Room for the widest value, so that nothing jumps while the numbers run.
-  indentation_ = add_figure(row, "indentation", "INDENTATION", "000.0 µm");
-  force_ = add_figure(row, "force", "FORCE OF THE NEEDLE", "0.00 µN", "95 %: 00.00 – 00.00 µN");
-  pressure_ = add_figure(row, "pressure", "PRESSURE", "0000 Pa");
-  confidence_ = add_figure(row, "confidence", "CONFIDENCE", "100 %");
+  indentation_ = add_figure(*row, *this, "indentation", "INDENTATION", "000.0 µm");
+  force_ = add_figure(*row, *this, "force", "FORCE OF THE NEEDLE", "0.00 µN", "95 %: 00.00 – 00.00 µN");
+  pressure_ = add_figure(*row, *this, "pressure", "PRESSURE", "0000 Pa");
+  confidence_ = add_figure(*row, *this, "confidence", "CONFIDENCE", "100 %");
   row->addStretch(1);
-  profile_ = add_figure(row, "profile", "CELL PROFILE", "");
-}
-
-ReadoutBar::Figure ReadoutBar::add_figure(QHBoxLayout* row, const char* name, const char* heading, const char* widest,
-                                          const char* widest_note) {
-  auto* box = new QVBoxLayout;
-  box->setSpacing(0);
-  auto* title = new QLabel(heading, this);
-  title->setObjectName("readoutName");
-  box->addWidget(title);
-
-  Figure figure;
-  figure.value = new QLabel(this);
-  figure.value->setObjectName(name);
-  QFont letters = figure.value->font();
-  letters.setPixelSize(23);
-  letters.setBold(true);
-  figure.value->setFont(letters);
-  figure.value->setMinimumWidth(QFontMetrics(letters).horizontalAdvance(QString::fromUtf8(widest)) + 4);
-  auto* line = new QHBoxLayout;
-  line->setSpacing(10);
-  line->addWidget(figure.value);
-  if (widest_note) {
-    figure.note = new QLabel(this);
-    figure.note->setObjectName(QString(name) + "Note");
-    QFont small = figure.note->font();
-    small.setPixelSize(12);
-    figure.note->setMinimumWidth(QFontMetrics(small).horizontalAdvance(QString::fromUtf8(widest_note)) + 4);
-    figure.note->setContentsMargins(0, 0, 0, 3);
-    line->addWidget(figure.note, 0, Qt::AlignBottom);
-  }
-  box->addLayout(line);
-  row->addLayout(box);
-  return figure;
+  profile_ = add_figure(*row, *this, "profile", "CELL PROFILE", "");
 }
 
 // A narrow window keeps its figures whole.

@@ -1,7 +1,8 @@
 #pragma once
 #include <QFrame>
 
-class QHBoxLayout;
+#include "widgets/Figure.h"
+
 class QLabel;
 
 namespace pellucida {
@@ -19,14 +20,6 @@ class ReadoutBar : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Figure {
-    QLabel* value = nullptr;
-    QLabel* note = nullptr;
-  };
-  // `name`: the label's object name, its note's with "Note" after it.
-  Figure add_figure(QHBoxLayout* row, const char* name, const char* heading, const char* widest,
-                    const char* widest_note = nullptr);
-
   QLabel* state_;
   Figure indentation_;
   Figure force_;

@@ -1,15 +1,12 @@
 #pragma once
-#include <QWidget>
 #include <functional>
 
-class QHBoxLayout;
-class QKeySequence;
-class QPushButton;
+#include "widgets/TitleBar.h"
 
 namespace pellucida {
 
 /// The line at the window's top: name, the run's buttons, the source.
-class TopBar : public QWidget {
+class TopBar : public TitleBar {
  public:
   struct Actions {
     std::function<void()> record;
@@ -24,9 +21,6 @@ class TopBar : public QWidget {
   void show_state(bool recording, bool paused);
 
  private:
-  QPushButton* add_button(QHBoxLayout* row, const QString& text, const QKeySequence& key, const QString& tip,
-                          std::function<void()> action);
-
   QPushButton* record_;
   QPushButton* pause_;
 };

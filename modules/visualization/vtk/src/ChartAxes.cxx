@@ -29,20 +29,20 @@ double axis_end(double greatest, double least_end) {
   return 10.0 * decade;
 }
 
-void style_axis(vtkAxis* axis, const std::string& title, double ratio) {
+void style_axis(vtkAxis* axis, const std::string& title, const ThemeColors& theme, double ratio) {
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetNotation(vtkAxis::STANDARD_NOTATION);
   for (vtkTextProperty* letters : {axis->GetTitleProperties(), axis->GetLabelProperties()}) {
-    const Color& c = letters == axis->GetTitleProperties() ? palette::kText : palette::kTextDim;
+    const Color& c = letters == axis->GetTitleProperties() ? theme.text : theme.text_dim;
     letters->SetFontSize(static_cast<int>(std::lround(font_size::kSmall * ratio)));
     set_typeface(letters, false);
     letters->SetColor(c.red, c.green, c.blue);
   }
   axis->GetPen()->SetWidth(static_cast<float>(ratio));
   axis->GetGridPen()->SetWidth(static_cast<float>(ratio));
-  set_color(axis->GetPen(), palette::kBorder);
-  set_color(axis->GetGridPen(), palette::kGrid);
+  set_color(axis->GetPen(), theme.border);
+  set_color(axis->GetGridPen(), theme.grid);
 }
 
 void set_ticks(vtkAxis* axis, double begin, double end, double length_px, double spacing_px) {

@@ -17,8 +17,8 @@ void set_color(vtkPen* pen, const Color& color, double opacity = 1.0);
 /// The end of an axis from 0: close above the data, on a round number.
 double axis_end(double greatest, double least_end);
 
-/// Title, letters and lines of a chart's axis in the dark theme; `ratio`: device pixels a logical one.
-void style_axis(vtkAxis* axis, const std::string& title, double ratio);
+/// Title, letters and lines of a chart's axis; `ratio`: device pixels a logical one.
+void style_axis(vtkAxis* axis, const std::string& title, const ThemeColors& theme, double ratio);
 
 /// The axis from `begin` to `end`, its ticks on round numbers, as many as have room at `spacing_px` each.
 void set_ticks(vtkAxis* axis, double begin, double end, double length_px, double spacing_px);

@@ -16,13 +16,19 @@ constexpr std::array<Color, 6> kSurfaceStops = {Color::from_hex(0x2F4B9B), Color
                                                 Color::from_hex(0x279CA8), Color::from_hex(0x3FC08A),
                                                 Color::from_hex(0x95DB6B), Color::from_hex(0xF0F3A0)};
 
+constexpr std::array<Color, 6> kPullStops = {Color::from_hex(0x2F6BFF), Color::from_hex(0x5C93E6),
+                                             Color::from_hex(0x8A97A6), Color::from_hex(0xA8978A),
+                                             Color::from_hex(0xF08A4B), Color::from_hex(0xF0483E)};
+
 constexpr double kBarWidth = 12.0;
 constexpr int kBands = 64;
 
 }  // namespace
 
 Color color_at(ColorMapKind kind, double t) noexcept {
-  const auto& stops = kind == ColorMapKind::kForce ? kForceStops : kSurfaceStops;
+  const auto& stops = kind == ColorMapKind::kForce     ? kForceStops
+                      : kind == ColorMapKind::kSurface ? kSurfaceStops
+                                                       : kPullStops;
   const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
   const auto lower = std::min(static_cast<std::size_t>(place), stops.size() - 2);
   const double part = place - static_cast<double>(lower);
@@ -44,7 +50,7 @@ vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
 }
 
 void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height_px, double upper,
-                    const std::string& title, HudAlign side, bool open_end) {
+                    const std::string& title, HudAlign side, bool open_end, const ThemeColors& theme) {
   // The bar is at the view's edge, its labels towards the middle.
   const bool right = side == HudAlign::kRight;
   const double bar_x = right ? x - kBarWidth : x;
@@ -53,15 +59,16 @@ void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, doubl
                   color_at(kind, (i + 0.5) / kBands));
   }
   constexpr int kLabels = 5;
-  const HudText style{.color = palette::kText, .align = right ? HudAlign::kRight : HudAlign::kLeft};
+  const double lower = kind == ColorMapKind::kPull ? -upper : 0.0;
+  const HudText style{.color = theme.text, .align = right ? HudAlign::kRight : HudAlign::kLeft};
   for (int i = 0; i < kLabels; ++i) {
     const double part = static_cast<double>(i) / (kLabels - 1);
     const double tick_x = right ? bar_x - 5.0 : bar_x + kBarWidth + 1.0;
-    hud.rectangle(tick_x, y + part * height_px - 0.5, 4.0, 1.0, palette::kTextDim);
+    hud.rectangle(tick_x, y + part * height_px - 0.5, 4.0, 1.0, theme.text_dim);
     hud.text(right ? tick_x - 4.0 : tick_x + 8.0, y + part * height_px,
-             (open_end && i == kLabels - 1 ? "\u2265 " : "") + readout::plain(part * upper), style);
+             (open_end && i == kLabels - 1 ? "\u2265 " : "") + readout::plain(lower + part * (upper - lower)), style);
   }
-  hud.text(x, y + height_px + 20.0, title, {.color = palette::kText, .align = style.align});
+  hud.text(x, y + height_px + 20.0, title, {.color = theme.text, .align = style.align});
 }
 
 }  // namespace pellucida

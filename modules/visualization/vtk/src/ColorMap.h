@@ -9,10 +9,11 @@
 
 namespace pellucida {
 
-/// Colour scales from small to large, monotonic in lightness and light enough for a dark ground.
+/// Colour scales from small to large; the first two are monotonic in lightness and light enough for a dark ground.
 enum class ColorMapKind {
   kForce,    ///< violet, magenta, orange, pale yellow: arrows
   kSurface,  ///< blue, teal, green, pale lime: tension and displacement on the membrane
+  kPull,     ///< blue, grey, red: from a push of the scale's end to a pull of it
 };
 
 /// Colour at `t` in 0..1 (clamped).
@@ -21,10 +22,11 @@ Color color_at(ColorMapKind kind, double t) noexcept;
 /// A table of 256 colours over 0..1; its range is set by `SetTableRange`.
 vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind);
 
-/// An upright colour scale with title and five labels from 0 to `upper`, lower left corner at (x, y), bar `height_px`
-/// high. Stands at the view edge `side`; takes about 110 logical pixels in width. `open_end`: some values
-/// lie beyond the scale, which the last label says.
+/// An upright colour scale with title and five labels from 0 (kPull: -`upper`) to `upper`, lower left corner at (x, y),
+/// bar `height_px` high. Stands at the view edge `side`; takes about 110 logical pixels in width. `open_end`: some
+/// values lie beyond the scale, which the last label says.
 void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, double height_px, double upper,
-                    const std::string& title, HudAlign side, bool open_end = false);
+                    const std::string& title, HudAlign side, bool open_end = false,
+                    const ThemeColors& theme = dark_theme());
 
 }  // namespace pellucida

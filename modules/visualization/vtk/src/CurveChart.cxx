@@ -171,8 +171,8 @@ void CurveChart::prepare(double width_px, double height_px) {
   Plots& p = *plots_;
   const double ratio = std::max(hud_ratio(), 1e-3);
   if (changed_ || ratio != styled_ratio_) {
-    style_axis(p.chart->GetAxis(vtkAxis::BOTTOM), p.data.x_title, ratio);
-    style_axis(p.chart->GetAxis(vtkAxis::LEFT), p.data.y_title, ratio);
+    style_axis(p.chart->GetAxis(vtkAxis::BOTTOM), p.data.x_title, dark_theme(), ratio);
+    style_axis(p.chart->GetAxis(vtkAxis::LEFT), p.data.y_title, dark_theme(), ratio);
     p.faint->SetWidth(static_cast<float>(1.5 * ratio));
     set_color(p.faint->GetPen(), palette::kCurveBefore);
     p.curve->SetWidth(static_cast<float>(2.0 * ratio));

@@ -25,6 +25,7 @@ namespace {
 
 // A time axis is never shorter than this.
 constexpr double kLeastTime_s = 5.0;
+constexpr double kLeastPull_uN = 0.1;
 
 enum Column { kX, kForce, kLower, kUpper, kColumnCount };
 
@@ -131,22 +132,43 @@ void ForceChart::set_time_window_s(double window_s) {
   changed_ = true;
 }
 
+void ForceChart::set_reference(std::string name, const std::vector<double>& depth_um,
+                               const std::vector<double>& force_uN) {
+  reference_name_ = std::move(name);
+  reference_.clear();
+  for (std::size_t k = 0; k < std::min(depth_um.size(), force_uN.size()); ++k) {
+    reference_.push_back(
+        {.indentation_um = depth_um[k], .force_uN = force_uN[k], .lower_uN = force_uN[k], .upper_uN = force_uN[k]});
+  }
+  changed_ = true;
+}
+
+void ForceChart::set_theme(const ThemeColors& theme) {
+  theme_ = &theme;
+  styled_ratio_ = 0.0;
+  main_->SetBackground(theme.panel.data());
+}
+
+const std::vector<TracePoint>& ForceChart::behind() const {
+  return reference_name_.empty() ? history_.previous_touch() : reference_;
+}
+
 void ForceChart::style_axes(double ratio) {
   if (ratio == styled_ratio_) return;
   styled_ratio_ = ratio;
   Plots& p = *plots_;
   const char* x_title = kind_ == ForceChartKind::kForceTime ? "Time (s)" : "Indentation (µm)";
   for (const auto& [side, title] : {std::pair{vtkAxis::BOTTOM, x_title}, std::pair{vtkAxis::LEFT, "Force (µN)"}}) {
-    style_axis(p.chart->GetAxis(side), title, ratio);
+    style_axis(p.chart->GetAxis(side), title, *theme_, ratio);
   }
   p.before->SetWidth(static_cast<float>(1.5 * ratio));
-  set_color(p.before->GetPen(), palette::kCurveBefore);
+  set_color(p.before->GetPen(), reference_name_.empty() ? palette::kCurveBefore : theme_->curve_before);
   p.curve->SetWidth(static_cast<float>(2.0 * ratio));
-  set_color(p.curve->GetPen(), palette::kCurve);
-  p.band->GetBrush()->SetColorF(palette::kCurve.red, palette::kCurve.green, palette::kCurve.blue, 0.22);
-  set_color(p.band->GetPen(), palette::kCurve, 0.0);
+  set_color(p.curve->GetPen(), theme_->curve);
+  p.band->GetBrush()->SetColorF(theme_->curve.red, theme_->curve.green, theme_->curve.blue, 0.22);
+  set_color(p.band->GetPen(), theme_->curve, 0.0);
   p.last->SetMarkerSize(static_cast<float>(9.0 * ratio));
-  set_color(p.last->GetPen(), palette::kText);
+  set_color(p.last->GetPen(), theme_->text);
 }
 
 void ForceChart::fill() {
@@ -163,12 +185,12 @@ void ForceChart::fill() {
   }
   fill_table(p.table, points, first, over_time);
   fill_table(p.last_table, points, points.empty() ? 0 : points.size() - 1, over_time);
-  fill_table(p.before_table, history_.previous_touch(), 0, over_time);
+  fill_table(p.before_table, behind(), 0, over_time);
   const bool drawable = points.size() - first > 1;
   p.curve->SetVisible(drawable);
   p.band->SetVisible(drawable);
   p.last->SetVisible(over_time ? !points.empty() : history_.in_touch());
-  p.before->SetVisible(!over_time && history_.previous_touch().size() > 1);
+  p.before->SetVisible(!over_time && behind().size() > 1);
   set_ranges();
   p.chart->RecalculateBounds();
 }
@@ -178,17 +200,22 @@ void ForceChart::set_ranges() {
   const bool over_time = kind_ == ForceChartKind::kForceTime;
   double greatest_uN = 0.0;
   double greatest_um = 0.0;
+  double least_uN = 0.0;
   const auto measure = [&](const std::vector<TracePoint>& points) {
     for (const TracePoint& point : points) {
       greatest_uN = std::max(greatest_uN, point.upper_uN);
+      least_uN = std::min(least_uN, point.force_uN);
       if (std::isfinite(point.indentation_um)) greatest_um = std::max(greatest_um, point.indentation_um);
     }
   };
   measure(points());
-  if (!over_time) measure(history_.previous_touch());
+  if (!over_time) measure(behind());
   const double ratio = std::max(hud_ratio(), 1e-3);
   const int* size = main_->GetSize();
-  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), 0.0, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio, kTickRoomUp_px);
+  // Beside a reference a pull counts too; a measured force below 0 is noise.
+  const double bottom_uN = reference_name_.empty() || least_uN > -kLeastPull_uN ? 0.0 : -axis_end(-least_uN, 1.0);
+  set_ticks(p.chart->GetAxis(vtkAxis::LEFT), bottom_uN, axis_end(1.04 * greatest_uN, 1.0), size[1] / ratio,
+            kTickRoomUp_px);
 
   // Time: all of it, or the last part once that is full.
   double begin = 0.0;
@@ -216,12 +243,27 @@ void ForceChart::prepare(double width_px, double height_px) {
 }
 
 void ForceChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
+  if (!reference_name_.empty()) draw_reference_name(hud);
   if (!points().empty()) {
     if (kind_ == ForceChartKind::kForceTime) draw_marks(hud);
     return;
   }
+  if (!reference_name_.empty()) return;
   hud.text(0.5 * width_px, 0.55 * height_px, "No force measured yet",
-           {.size_pt = font_size::kNormal, .color = palette::kTextDim, .align = HudAlign::kCentre});
+           {.size_pt = font_size::kNormal, .color = theme_->text_dim, .align = HudAlign::kCentre});
+}
+
+// A stroke of each curve with its name, in the upper left corner.
+void ForceChart::draw_reference_name(HudCanvas& hud) const {
+  constexpr double kStroke_px = 26.0, kRow_px = 20.0;
+  const double x = plots_->chart->GetAxis(vtkAxis::BOTTOM)->GetPoint1()[0] / hud_ratio() + 14.0;
+  double y = plots_->chart->GetAxis(vtkAxis::LEFT)->GetPoint2()[1] / hud_ratio() - 12.0;
+  for (const auto& [name, color] :
+       {std::pair{std::string("now"), theme_->curve}, std::pair{reference_name_, theme_->curve_before}}) {
+    hud.line(x, y, x + kStroke_px, y, 2.5, color);
+    hud.text(x + kStroke_px + 8.0, y, name, {.color = theme_->text_dim});
+    y -= kRow_px;
+  }
 }
 
 // An upright line at each moment, named at its upper end where there is room.

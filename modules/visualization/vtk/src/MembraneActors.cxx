@@ -23,7 +23,7 @@ void make_glassy(vtkActor* actor) {
 
 }  // namespace
 
-void ClearWall::build(vtkRenderer* renderer, const Color& color, double opacity) {
+void ClearWall::build(vtkRenderer* renderer, const Color& color, double opacity, bool glassy) {
   for (auto& side : sides) {
     side->SetMapper(mapper);
     set_color(side, color);
@@ -35,7 +35,7 @@ void ClearWall::build(vtkRenderer* renderer, const Color& color, double opacity)
     side->ForceTranslucentOn();
     side->VisibilityOff();
     side->PickableOff();
-    make_glassy(side);
+    if (glassy) make_glassy(side);
     renderer->AddActor(side);
   }
   sides[0]->GetProperty()->FrontfaceCullingOn();

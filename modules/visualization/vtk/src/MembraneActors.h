@@ -28,7 +28,8 @@ struct ClearWall {
   vtkNew<vtkPolyDataMapper> mapper;
   std::array<vtkNew<vtkActor>, 2> sides;
 
-  void build(vtkRenderer* renderer, const Color& color, double opacity);
+  /// `glassy`: clear where one looks straight through, denser towards the rim.
+  void build(vtkRenderer* renderer, const Color& color, double opacity, bool glassy = true);
   void show(bool shown) {
     for (auto& side : sides) side->SetVisibility(shown);
   }

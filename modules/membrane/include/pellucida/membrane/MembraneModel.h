@@ -18,6 +18,7 @@ struct MembraneSetup {
   double thickness_um = 0.0;
   Eigen::Vector3d push = -Eigen::Vector3d::UnitZ();    ///< unit, direction of the needle's push
   Eigen::Vector3d holder = -Eigen::Vector3d::UnitZ();  ///< unit, from the centre to the holder
+  bool keeps_volume = true;                            ///< false: the liquid leaves freely; no volume term, no pressure
 };
 
 /// A needle whose axis makes the angle `holder_angle_rad` with the holder's (0: opposite it, pi/2: across it) and runs

@@ -31,6 +31,13 @@ class SpringTerm final : public EnergyTerm {
     double area_um2 = 0.0;  ///< A_ij
     double k2_uN_per_um = 0.0;
     double k1_uN_per_um = 0.0;
+    bool is_link = false;  ///< joins the two vertices opposite an edge; otherwise an edge itself
+
+    /// Tension at `length_um`, uN; positive where the connector pulls its nodes together.
+    double pull_uN(double length_um) const {
+      const double e = length_um / rest_length_um - 1.0;
+      return area_um2 / rest_length_um * e * (k2_uN_per_um + k1_uN_per_um * (e * e));
+    }
   };
 
   SpringTerm(const TriangleMesh& rest, const std::vector<TrianglePair>& pairs, const SpringConstants& constants);
@@ -50,6 +57,9 @@ class SpringTerm final : public EnergyTerm {
   /// Mean membrane tension at each node (uN/um): half the trace of the stress resultant that the connectors carry,
   /// N = 1/(2 A_i) sum_j T_ij |p| / 2, T_ij the connector's pull and A_i the node's present area. Positive = stretched.
   Eigen::VectorXd tension_uN_per_um(const Eigen::Matrix3Xd& x_um, const Eigen::VectorXd& node_areas_um2) const;
+
+  /// The largest stiffness of a connector along itself at rest, A K2 / L^2.
+  double stiffest_uN_per_um() const;
 
   std::size_t count() const noexcept { return springs_.size(); }
   const std::vector<Spring>& springs() const noexcept { return springs_; }

@@ -65,6 +65,21 @@ inline constexpr Color kCurveBefore = Color::from_hex(0x56687B);
 inline constexpr Color kGrid = Color::from_hex(0x26303B);
 }  // namespace palette
 
+/// The colours of a window that has a light theme too, by their use.
+struct ThemeColors {
+  Color window, panel, raised, border;
+  Color view_bottom, view_top;
+  Color text, text_dim, faint;
+  Color accent, record, warning, good, plan;
+  Color grid, curve, curve_before;
+  Color cell, glass;
+  bool is_light = false;
+};
+/// The palette above.
+const ThemeColors& dark_theme() noexcept;
+/// Dark on white, for projectors; the same contrasts.
+const ThemeColors& light_theme() noexcept;
+
 /// Colour of a state's pill; text on it is `palette::kWindow`.
 /// That of no cell for a frame that was not measured.
 Color state_color(std::optional<CellState> state) noexcept;

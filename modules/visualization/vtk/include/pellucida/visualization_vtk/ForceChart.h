@@ -1,8 +1,11 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "pellucida/core/Measurement.h"
+#include "pellucida/visualization/Palette.h"
 #include "pellucida/visualization/TraceHistory.h"
 #include "pellucida/visualization_vtk/View.h"
 
@@ -22,6 +25,9 @@ class ForceChart : public View {
 
   void append(const Measurement& m);
   void clear();
+  /// A curve behind the others on kForceIndentation, in place of the touch before; `name` is written beside it.
+  void set_reference(std::string name, const std::vector<double>& depth_um, const std::vector<double>& force_uN);
+  void set_theme(const ThemeColors& theme);
   /// The newest point, as it is marked.
   std::optional<TracePoint> newest() const;
   /// Width of the time axis in s; 0 (the default) shows all. Of no effect on kForceIndentation.
@@ -40,7 +46,13 @@ class ForceChart : public View {
   void draw_marks(HudCanvas& hud) const;
 
   ForceChartKind kind_;
+  const std::vector<TracePoint>& behind() const;
+  void draw_reference_name(HudCanvas& hud) const;
+
   TraceHistory history_;
+  const ThemeColors* theme_ = &dark_theme();
+  std::string reference_name_;
+  std::vector<TracePoint> reference_;
   std::unique_ptr<Plots> plots_;
   double time_window_s_ = 0.0;
   bool changed_ = true;

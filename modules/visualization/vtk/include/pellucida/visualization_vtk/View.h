@@ -34,6 +34,9 @@ class View {
   /// a picture of twice the dots).
   void add_to(vtkRenderWindow* window, const Viewport& viewport = {}, double hud_ratio = 1.0);
 
+  /// Scales letters and lines from the next rendering on, > 0.
+  void set_hud_ratio(double hud_ratio) noexcept { hud_ratio_ = hud_ratio; }
+
   vtkRenderer* renderer() const noexcept { return main_; }
 
  protected:

@@ -1,0 +1,52 @@
+#include "pellucida/visualization/Palette.h"
+
+namespace pellucida {
+
+const ThemeColors& dark_theme() noexcept {
+  static constexpr ThemeColors kDark{.window = palette::kWindow,
+                                     .panel = palette::kPanel,
+                                     .raised = palette::kRaised,
+                                     .border = palette::kBorder,
+                                     .view_bottom = palette::kViewBottom,
+                                     .view_top = palette::kViewTop,
+                                     .text = palette::kText,
+                                     .text_dim = palette::kTextDim,
+                                     .faint = Color::from_hex(0x66737F),
+                                     .accent = palette::kAccent,
+                                     .record = palette::kRecord,
+                                     .warning = palette::kWarning,
+                                     .good = palette::kHolder,
+                                     .plan = palette::kPlan,
+                                     .grid = palette::kGrid,
+                                     .curve = palette::kCurve,
+                                     .curve_before = Color::from_hex(0x8494A5),
+                                     .cell = Color::from_hex(0x3A5568),
+                                     .glass = palette::kGlass};
+  return kDark;
+}
+
+const ThemeColors& light_theme() noexcept {
+  static constexpr ThemeColors kLight{.window = Color::from_hex(0xE9EDF1),
+                                      .panel = Color::from_hex(0xF7F9FB),
+                                      .raised = Color::from_hex(0xFFFFFF),
+                                      .border = Color::from_hex(0xB9C3CD),
+                                      .view_bottom = Color::from_hex(0xFFFFFF),
+                                      .view_top = Color::from_hex(0xE6EDF4),
+                                      .text = Color::from_hex(0x10161D),
+                                      .text_dim = Color::from_hex(0x46525E),
+                                      .faint = Color::from_hex(0x8A96A2),
+                                      .accent = Color::from_hex(0x0B5FA8),
+                                      .record = Color::from_hex(0xB3261E),
+                                      .warning = Color::from_hex(0x7A4A00),
+                                      .good = Color::from_hex(0x1E6B2E),
+                                      .plan = Color::from_hex(0x3D4FB8),
+                                      .grid = Color::from_hex(0xDCE3EA),
+                                      .curve = Color::from_hex(0x0B5FA8),
+                                      .curve_before = Color::from_hex(0x6F7C89),
+                                      .cell = Color::from_hex(0xD3DFE8),
+                                      .glass = Color::from_hex(0x7F93A8),
+                                      .is_light = true};
+  return kLight;
+}
+
+}  // namespace pellucida

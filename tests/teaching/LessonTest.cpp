@@ -1,0 +1,135 @@
+// Lessons: the shipped ones are whole, their numbers are true; a damaged file says what is wrong with it.
+#include "pellucida/teaching/Lesson.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "pellucida/core/Error.h"
+#include "pellucida/membrane/Indenter.h"
+#include "pellucida/teaching/PokedCell.h"
+#include "support/DocsPage.h"
+
+namespace pellucida {
+namespace {
+
+TEST(Lesson, TheShippedOnesAreWhole) {
+  const auto lessons = all_lessons();
+  ASSERT_GE(lessons.size(), 4u);
+  std::set<int> orders;
+  for (const Lesson& lesson : lessons) {
+    EXPECT_FALSE(lesson.title.empty()) << lesson.name;
+    EXPECT_FALSE(lesson.text.empty()) << lesson.name;
+    EXPECT_GE(lesson.answers.size(), 2u) << lesson.name;
+    for (const auto& answer : lesson.answers) EXPECT_GT(answer.explanation.size(), 20u) << lesson.name;
+    EXPECT_TRUE(orders.insert(lesson.order).second) << lesson.name << ": its place is taken";
+    EXPECT_EQ(load_lesson(lesson.name).title, lesson.title);
+  }
+}
+
+TEST(Lesson, AnUnknownOneListsThoseThereAre) {
+  try {
+    load_lesson("no-such-lesson");
+    FAIL() << "an unknown lesson was found";
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("spring-network"), std::string::npos) << error.what();
+  }
+}
+
+class DamagedLesson : public testing::Test {
+ protected:
+  static std::string fault_of(const std::string& from, const std::string& to) {
+    std::ostringstream whole;
+    whole << std::ifstream(PELLUCIDA_SOURCE_DIR "/resources/lessons/spring-network.json").rdbuf();
+    std::string text = whole.str();
+    const auto place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    text.replace(place, from.size(), to);
+    const auto file = std::filesystem::path(testing::TempDir()) / "damaged-lesson.json";
+    std::ofstream(file) << text;
+    try {
+      read_lesson(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(DamagedLesson, SaysWhatIsWrong) {
+  EXPECT_EQ(fault_of("pellucida-lesson", "pellucida-lesson"), "");
+  EXPECT_NE(fault_of("pellucida-lesson", "recipe").find("schema"), std::string::npos);
+  EXPECT_NE(fault_of("\"title\"", "\"name\"").find("title"), std::string::npos);
+  EXPECT_NE(fault_of("\"setting\": {", "\"setting\": {\"gravity\": 9.81,").find("setting: gravity"), std::string::npos);
+  EXPECT_NE(fault_of("\"setting\": {", "\"setting\": {\"time_step_us\": -1,").find("time_step_us"), std::string::npos);
+  EXPECT_NE(fault_of("\"right\": true", "\"right\": false").find("one of them must be right"), std::string::npos);
+  EXPECT_NE(fault_of("\"do\": [", "\"do\": 7, \"was\": [").find("do must be a list"), std::string::npos);
+}
+
+double force_uN(TeachingParameters p, double depth_um) {
+  const CellProfile profile = profile_of(p);
+  return Indenter(profile, setup_of(profile, p)).advance_to(depth_um).push_force_uN;
+}
+
+// What the lessons say in numbers, computed.
+TEST(Lesson, TheirNumbersAreTrue) {
+  const TeachingParameters oocyte;
+  ASSERT_EQ(oocyte.mesh_frequency, 9);
+  EXPECT_NEAR(force_uN(oocyte, 44.0), 7.5, 0.05);
+  EXPECT_NEAR(force_uN(oocyte, 40.0), 6.3, 0.05);
+  EXPECT_NEAR(force_uN(oocyte, 30.0), 3.7, 0.05);
+  EXPECT_NEAR(force_uN(oocyte, 10.0), 1.03, 0.005);
+  EXPECT_NEAR(force_uN(oocyte, 45.0) - force_uN(oocyte, 44.0), 0.3, 0.05);
+  TeachingParameters leaking = oocyte;
+  leaking.keeps_volume = false;
+  EXPECT_NEAR(force_uN(leaking, 44.0), 1.9, 0.05);
+  EXPECT_NEAR(force_uN(leaking, 10.0), 0.89, 0.005);
+  TeachingParameters embryo = oocyte;
+  embryo.profile = "mouse-embryo";
+  EXPECT_NEAR(force_uN(embryo, 30.0), 4.6, 0.05);
+  EXPECT_NEAR(profile_of(oocyte).effective_young_modulus_kPa, 141.0, 0.5);
+  EXPECT_NEAR(profile_of(embryo).effective_young_modulus_kPa, 179.0, 0.5);
+  EXPECT_EQ(profile_of(oocyte).mid_radius_um, profile_of(embryo).mid_radius_um);
+  TeachingParameters coarse = oocyte;
+  coarse.mesh_frequency = 6;
+  EXPECT_NEAR(force_uN(coarse, 44.0), 9.6, 0.05);
+  coarse.mesh_frequency = 4;
+  EXPECT_NEAR(force_uN(coarse, 44.0), 12.8, 0.05);
+  const CellProfile profile = profile_of(leaking);
+  Indenter leak(profile, setup_of(profile, leaking));
+  EXPECT_NEAR(leak.advance_to(40.0).volume_um3 / leak.model().volume().rest_volume_um3(), 7.0 / 8.0, 0.005);
+  const double limit_s = PokedCell(load_lesson("time-steps").setting).stability().stable_step_s;
+  EXPECT_NEAR(1e6 * limit_s, 146.0, 0.5);
+}
+
+// Lesson "invented-mass": the force overshoots and pulls on the way in, and still swings half a second later.
+TEST(Lesson, InventedMassRings) {
+  const Lesson lesson = load_lesson("invented-mass");
+  const double rest_uN = force_uN(lesson.setting, lesson.hand_depth_um);
+  PokedCell cell(lesson.setting);
+  cell.set_hand(lesson.hand_depth_um, 0.0);
+  double least_uN = 0.0, late_least_uN = rest_uN, late_most_uN = rest_uN;
+  while (cell.time_s() < 0.8) {
+    ASSERT_TRUE(cell.step());
+    least_uN = std::min(least_uN, cell.push_force_uN());
+    if (cell.time_s() < 0.5) continue;
+    late_least_uN = std::min(late_least_uN, cell.push_force_uN());
+    late_most_uN = std::max(late_most_uN, cell.push_force_uN());
+  }
+  EXPECT_LT(least_uN, -1.0);
+  EXPECT_LT(late_least_uN, 0.9 * rest_uN);
+  EXPECT_GT(late_most_uN, 1.1 * rest_uN);
+}
+
+// The page of the keys is printed from the tables.
+TEST(Lesson, TheDocumentationNamesEveryKey) {
+  Lesson lesson;
+  EXPECT_TRUE(
+      docs_section_is("lessons.md", "## Keys",
+                      markdown(fields_of(lesson)) + "\nof `setting`:\n\n" + markdown(fields_of(lesson.setting))));
+}
+
+}  // namespace
+}  // namespace pellucida

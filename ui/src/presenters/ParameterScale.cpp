@@ -1,0 +1,166 @@
+#include "presenters/ParameterScale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "pellucida/core/Html.h"
+
+namespace pellucida {
+namespace {
+
+struct ScaleRow {
+  const char* name;
+  const char* tip;
+  double low, high;
+  bool is_log;
+  double key_step;
+};
+
+constexpr ScaleRow kScales[kTeachSliderCount] = {
+    {"Time step", "Of the integrator", 1.0, 50000.0, true, 0.01},
+    {"Mass of a node", "The cell's own mass would be 10\u207b\u00b9\u00b2 kg a node", 1e-12, 1e-5, true, 0.01},
+    {"Damping ratio", "Dampers along the connectors; 1 damps the stiffest one critically", 0.0, 2.0, false, 0.01},
+    {"Young's modulus", "Of the zona; scales every force and no shape", 20.0, 1000.0, true, 0.01},
+    {"Mesh", "Nodes of the network; the profile's constants hold for its own mesh of 812", 2.0, 9.0, false, 1.0 / 7.0},
+    {"Give of the hand", "How far the tip stays behind the hand for each \u00b5N", 0.0, 5.0, false, 0.02},
+    {"Pace", "Simulated seconds a second, at most: slow motion", 1e-3, 1.0, true, 0.01}};
+
+std::string digits(double value) {
+  return fixed_number(value, std::max(0, decimals_of(value) - (value >= 10.0 ? 1 : 0)));
+}
+
+std::string mass_text(double mass_kg) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e kg", mass_kg);
+  return text;
+}
+
+}  // namespace
+
+std::string duration_text(double time_us) {
+  if (time_us < 999.5) return digits(time_us) + " µs";
+  return digits(1e-3 * time_us) + " ms";
+}
+
+ParameterScale::ParameterScale(TeachSlider which) : which_(which) {
+  const ScaleRow& row = kScales[static_cast<int>(which)];
+  name_ = row.name;
+  tip_ = row.tip;
+  low_ = row.low;
+  high_ = row.high;
+  is_log_ = row.is_log;
+  key_step_ = row.key_step;
+}
+
+double ParameterScale::value_at(double place) const noexcept {
+  const double part = std::clamp(place, 0.0, 1.0);
+  const double value = is_log_ ? low_ * std::pow(high_ / low_, part) : low_ + part * (high_ - low_);
+  return std::clamp(which_ == TeachSlider::kMesh ? std::round(value) : value, low_, high_);
+}
+
+double ParameterScale::place_of(double value) const noexcept {
+  const double held = std::clamp(value, low_, high_);
+  return is_log_ ? std::log(held / low_) / std::log(high_ / low_) : (held - low_) / (high_ - low_);
+}
+
+std::string ParameterScale::text_of(double value) const {
+  switch (which_) {
+    case TeachSlider::kTimeStep:
+      return duration_text(value);
+    case TeachSlider::kNodeMass:
+      return mass_text(value);
+    case TeachSlider::kDamping:
+      return fixed_number(value, 2);
+    case TeachSlider::kModulus:
+      return digits(value) + " kPa";
+    case TeachSlider::kMesh:
+      return fixed_number(10.0 * value * value + 2.0, 0) + " nodes";
+    case TeachSlider::kGive:
+      return fixed_number(value, 1) + " µm/µN";
+    case TeachSlider::kPace:
+      return fixed_number(value, 3) + "\u00d7";
+  }
+  return "";
+}
+
+double ParameterScale::value_in(const TeachingParameters& p) const noexcept {
+  switch (which_) {
+    case TeachSlider::kTimeStep:
+      return p.time_step_us;
+    case TeachSlider::kNodeMass:
+      return p.node_mass_kg;
+    case TeachSlider::kDamping:
+      return p.damping_ratio;
+    case TeachSlider::kModulus:
+      return p.young_modulus_kPa;
+    case TeachSlider::kMesh:
+      return p.mesh_frequency;
+    case TeachSlider::kGive:
+      return p.hand_give_um_per_uN;
+    case TeachSlider::kPace:
+      return p.pace_ratio;
+  }
+  return 0.0;
+}
+
+void ParameterScale::set(TeachingParameters& p, double value) const noexcept {
+  switch (which_) {
+    case TeachSlider::kTimeStep:
+      p.time_step_us = value;
+      break;
+    case TeachSlider::kNodeMass:
+      p.node_mass_kg = value;
+      break;
+    case TeachSlider::kDamping:
+      p.damping_ratio = value;
+      break;
+    case TeachSlider::kModulus:
+      p.young_modulus_kPa = value;
+      break;
+    case TeachSlider::kMesh:
+      p.mesh_frequency = static_cast<int>(std::lround(value));
+      break;
+    case TeachSlider::kGive:
+      p.hand_give_um_per_uN = value;
+      break;
+    case TeachSlider::kPace:
+      p.pace_ratio = value;
+      break;
+  }
+}
+
+// The limit goes with sqrt(m / E) at a given mesh and damping ratio (StabilityTest).
+StablePart stable_part(TeachSlider which, const CellSnapshot& s) {
+  const ParameterScale scale(which);
+  const double limit_us = 1e6 * s.stability.stable_step_s;
+  StablePart part;
+  if (!std::isfinite(limit_us)) {
+    if (which == TeachSlider::kTimeStep) part.text = "stable at any step";
+    return part;
+  }
+  const double over = s.parameters.time_step_us / limit_us;
+  switch (which) {
+    case TeachSlider::kTimeStep:
+      part.to = scale.place_of(limit_us);
+      part.text = "stable below " + duration_text(limit_us);
+      break;
+    case TeachSlider::kNodeMass: {
+      const double least_kg = s.parameters.node_mass_kg * over * over;
+      part.from = scale.place_of(least_kg);
+      part.text = "stable above " + mass_text(least_kg);
+      break;
+    }
+    case TeachSlider::kModulus: {
+      const double most_kPa = s.young_modulus_kPa / (over * over);
+      part.to = scale.place_of(most_kPa);
+      part.text = "stable below " + scale.text_of(most_kPa);
+      break;
+    }
+    default:
+      break;
+  }
+  return part;
+}
+
+}  // namespace pellucida

@@ -1,0 +1,48 @@
+#include "widgets/TitleBar.h"
+
+#include <QHBoxLayout>
+#include <QKeySequence>
+#include <QLabel>
+#include <QPushButton>
+
+#include "widgets/ButtonKey.h"
+#include "widgets/Icons.h"
+
+namespace pellucida {
+
+TitleBar::TitleBar(QWidget* parent) : QWidget(parent) {
+  setObjectName("topBar");
+  setAttribute(Qt::WA_StyledBackground);
+  setFixedHeight(46);
+  row_ = new QHBoxLayout(this);
+  row_->setContentsMargins(16, 0, 16, 0);
+  row_->setSpacing(8);
+  auto* mark = new QLabel(this);
+  mark->setPixmap(make_icon(Pictogram::kProgram).pixmap(22, 22));
+  row_->addWidget(mark);
+  auto* brand = new QLabel("Pellucida", this);
+  brand->setObjectName("brand");
+  row_->addWidget(brand);
+  row_->addSpacing(18);
+}
+
+QPushButton* TitleBar::add_button(const QString& text, const QKeySequence& key, const QString& tip,
+                                  std::function<void()> action) {
+  auto* button = new QPushButton(text, this);
+  button->setFixedHeight(30);
+  button->setFocusPolicy(Qt::TabFocus);
+  bind_key(*button, key, tip);
+  connect(button, &QPushButton::clicked, this, std::move(action));
+  row_->addWidget(button);
+  return button;
+}
+
+void TitleBar::add_name(const QString& name, const QString& tip) {
+  row_->addStretch(1);
+  auto* label = new QLabel(name, this);
+  label->setObjectName("sourceName");
+  label->setToolTip(tip);
+  row_->addWidget(label);
+}
+
+}  // namespace pellucida

@@ -1,0 +1,25 @@
+#pragma once
+#include <QWidget>
+#include <functional>
+
+class QHBoxLayout;
+class QKeySequence;
+class QPushButton;
+
+namespace pellucida {
+
+/// The line at a window's top: the program's mark and name, then buttons with keys.
+class TitleBar : public QWidget {
+ public:
+  explicit TitleBar(QWidget* parent);
+
+  QPushButton* add_button(const QString& text, const QKeySequence& key, const QString& tip,
+                          std::function<void()> action);
+  /// A name at the right end, after which nothing is added.
+  void add_name(const QString& name, const QString& tip);
+
+ private:
+  QHBoxLayout* row_;
+};
+
+}  // namespace pellucida
