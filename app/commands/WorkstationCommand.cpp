@@ -18,8 +18,8 @@
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/LiveRun.h"
 #include "pellucida/review/Review.h"
+#include "pellucida/teach/Teach.h"
 #include "pellucida/ui/Guide.h"
-#include "pellucida/ui/Teach.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {

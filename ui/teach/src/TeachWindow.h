@@ -11,12 +11,12 @@
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core/Stage.h"
+#include "pellucida/teach/Teach.h"
 #include "pellucida/teaching/CellRunner.h"
 #include "pellucida/teaching/Lesson.h"
 #include "pellucida/teaching/QuasiStaticCurve.h"
-#include "pellucida/ui/Teach.h"
+#include "pellucida/teaching_vtk/PokedCellView.h"
 #include "pellucida/visualization_vtk/ForceChart.h"
-#include "pellucida/visualization_vtk/PokedCellView.h"
 
 class QLabel;
 class QPushButton;

@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/PokeStyle.h"
+#include "pellucida/teaching_vtk/PokeStyle.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "pellucida/visualization_vtk/PokedCellView.h"
+#include "pellucida/teaching_vtk/PokedCellView.h"
 
 namespace pellucida {
 namespace {

@@ -17,7 +17,7 @@
 #include <limits>
 
 #include "Theme.h"
-#include "pellucida/visualization_vtk/PokeStyle.h"
+#include "pellucida/teaching_vtk/PokeStyle.h"
 #include "presenters/TeachPresenter.h"
 #include "widgets/Icons.h"
 #include "widgets/LessonPanel.h"

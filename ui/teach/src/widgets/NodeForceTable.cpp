@@ -9,7 +9,7 @@
 
 #include "Theme.h"
 #include "pellucida/core/Html.h"
-#include "pellucida/visualization_vtk/PokedCellView.h"
+#include "pellucida/teaching_vtk/PokedCellView.h"
 #include "presenters/TeachPresenter.h"
 
 namespace pellucida {

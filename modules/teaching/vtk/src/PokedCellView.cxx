@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/PokedCellView.h"
+#include "pellucida/teaching_vtk/PokedCellView.h"
 
 #include <vtkCamera.h>
 #include <vtkLight.h>

@@ -1,4 +1,4 @@
-#include "pellucida/ui/Teach.h"
+#include "pellucida/teach/Teach.h"
 
 #include "TeachWindow.h"
 #include "WindowProgram.h"
