@@ -26,8 +26,8 @@ expected<QuasiStaticCurvePtr, StepFailure> QuasiStaticStep::process(const Teachi
     if (state.report.status != SolveStatus::kConverged) {
       // The curve ends where the equilibrium does.
       if (curve->depth_um.size() > 1) break;
-      return unexpected(StepFailure{"no equilibrium at " + std::to_string(depth_um) +
-                                    " um: " + std::string(to_string(state.report.status))});
+      return unexpected<StepFailure>(StepFailure{"no equilibrium at " + std::to_string(depth_um) +
+                                                 " um: " + std::string(to_string(state.report.status))});
     }
     curve->depth_um.push_back(depth_um);
     curve->force_uN.push_back(state.push_force_uN);
