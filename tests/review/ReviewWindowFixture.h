@@ -91,20 +91,6 @@ class ReviewWindowTest : public DisplayTest {
     window_->activateWindow();
   }
 
-  static void pass(int time_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < time_ms) QApplication::processEvents(QEventLoop::AllEvents, 10);
-  }
-  static bool pass_until(const std::function<bool()>& condition) {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < 60000) {
-      if (condition()) return true;
-      pass(10);
-    }
-    return false;
-  }
   bool shows(std::size_t step) {
     return pass_until([&] { return window_->shown_step() == step; });
   }

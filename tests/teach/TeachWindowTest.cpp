@@ -49,21 +49,6 @@ class TeachWindowTest : public test::DisplayTest {
 
   CellSnapshotPtr newest() { return window_->runner().newest(); }
 
-  static void pass(int time_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < time_ms) QApplication::processEvents(QEventLoop::AllEvents, 10);
-  }
-  static bool pass_until(const std::function<bool()>& condition) {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < 60000) {
-      if (condition()) return true;
-      pass(10);
-    }
-    return false;
-  }
-
   QPoint on_screen(const Eigen::Vector2d& device_px) {
     ViewWidget& widget = window_->cell_widget();
     const double ratio = widget.devicePixelRatioF();

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QElapsedTimer>
+#include <functional>
 
 #include "pellucida/visualization/VirtualDisplay.h"
 
@@ -16,6 +18,22 @@ class DisplayTest : public testing::Test {
     static char name[] = "test";
     static char* argv[] = {name, nullptr};
     if (!qApp) new QApplication(argc, argv);
+  }
+
+  /// The window's events for a time, or until a condition holds: false when it doesn't within a minute.
+  static void pass(int time_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < time_ms) QApplication::processEvents(QEventLoop::AllEvents, 10);
+  }
+  static bool pass_until(const std::function<bool()>& condition) {
+    QElapsedTimer clock;
+    clock.start();
+    while (clock.elapsed() < 60000) {
+      if (condition()) return true;
+      pass(10);
+    }
+    return false;
   }
 };
 

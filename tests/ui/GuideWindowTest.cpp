@@ -62,21 +62,6 @@ class GuideWindowTest : public test::DisplayTest {
   static constexpr HandState kReady = HandState::kClutched;
   HandState state() { return console_->status().tick.hand_state; }
 
-  static void pass(int time_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < time_ms) QApplication::processEvents(QEventLoop::AllEvents, 10);
-  }
-  static bool pass_until(const std::function<bool()>& condition) {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < 60000) {
-      if (condition()) return true;
-      pass(10);
-    }
-    return false;
-  }
-
   // The window's thread is busy, as with a long rendering: no event is seen. How long until the hand is stopped, ms.
   double busy_until_stopped_ms() {
     QElapsedTimer clock;

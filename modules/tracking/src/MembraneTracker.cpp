@@ -114,20 +114,16 @@ class MembraneTracker::Impl {
   }
 
   bool start_at(FrameInput& frame, const DetectionHint& hint) {
-    const auto by_lines = [&] {
-      const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
-      return found && cell_.start(frame, *found);
-    };
+    const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
+    const auto by_lines = [&] { return found && cell_.start(frame, *found); };
     return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, hint.inside) : by_lines();
   }
 
   bool start_best(FrameInput& frame) {
-    const auto by_lines = [&] {
-      const std::optional<DetectedCell> found = detect_cell(whole_, options_);
-      return found && start_at_tools(frame, *found);
-    };
-    if (options_.detection == Detection::kAuto) return start_confirmed(frame, by_lines, std::nullopt);
-    return by_scene() ? start_seen(frame, std::nullopt) : by_lines();
+    if (options_.detection == Detection::kScene) return start_seen(frame, std::nullopt);
+    const std::optional<DetectedCell> found = detect_cell(whole_, options_);
+    const auto by_lines = [&] { return found && start_at_tools(frame, *found); };
+    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, std::nullopt) : by_lines();
   }
 
   // A cell of the scene; one that holds the point, if one is given.

@@ -13,8 +13,8 @@ constexpr double kCloseRadius = 75.0, kSurroundings = 3.0, kMostMagnified = 2.0;
 // The same of a needle's tip: how finely it is looked at, network pixels a px at most, and over how many network
 // pixels.
 constexpr double kTipScale = 1.0, kTipSide = 128.0, kTipMagnified = 3.0;
-// Not worth another look unless magnified by so much; the same needle from nearer by (cosine, probability of its tip).
-constexpr double kWorthwhile = 1.2, kSameFromNearer = 0.935, kLeastTipShare = 0.5;
+// Not worth another look unless magnified by so much; the same needle from nearer by (cosine).
+constexpr double kWorthwhile = 1.2, kSameFromNearer = 0.935;
 // A closer look that finds the cell elsewhere has found another, radii.
 constexpr double kElsewhere = 0.3;
 constexpr std::size_t kMostCells = 3;
@@ -48,7 +48,7 @@ void SceneReader::look_at_tip(const GrayImage& image, SceneTool& needle, double 
   const SceneReading close =
       read_scene(network().read(image, {needle.tip, side, side}, nearer), image.width, image.height);
   for (const SceneTool& other : close.needles) {
-    const bool same = other.direction.dot(needle.direction) > kSameFromNearer && other.tip_share > kLeastTipShare;
+    const bool same = other.direction.dot(needle.direction) > kSameFromNearer && other.tip_share > kLeastNeedleTipShare;
     if (!same || (other.tip - needle.tip).norm() > kTipError * needle.pitch_px) continue;
     needle.tip = other.tip;
     needle.tip_share = other.tip_share;

@@ -7,6 +7,9 @@
 
 namespace pellucida {
 
+/// Least probability of a cell, and of a needle's tip, to count as one.
+inline constexpr double kLeastCellShare = 0.6, kLeastNeedleTipShare = 0.5;
+
 /// A cell as the network's map shows it: good to about half a map pixel.
 struct SceneCell {
   Eigen::Matrix2Xd outer;  ///< (2 x n) px, closed, positive area: the zona's outer boundary

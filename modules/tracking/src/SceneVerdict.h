@@ -12,9 +12,6 @@ bool confirms(const SceneReading& scene, const CellFollower& by_lines);
 /// from. It is then the better of the two; of other looks it has the outline to some pixels, lines to a tenth of one.
 bool is_familiar(const CellFollower& by_scene);
 
-/// Least probability of a cell of the scene.
-inline constexpr double kLeastCellShare = 0.6;
-
 /// Whether a ring of lines is that of a bubble or a drop: nothing that the network takes for a cell, and an outline
 /// stronger and more even than any membrane's.
 bool is_bubble(const CellFollower& by_lines, const SceneReading& scene);

@@ -16,18 +16,16 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSVGExporter.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
 #include <cmath>
 #include <system_error>
 
+#include "ChartAxes.h"
 #include "Letters.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/OutputFile.h"
-#include "pellucida/core/RoundNumbers.h"
-#include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 
@@ -60,16 +58,7 @@ void set_axis(vtkAxis* axis, const std::string& title, double begin, double end)
   axis->GetPen()->SetWidth(1.5F);
   axis->GetGridPen()->SetColorF(kFineInk.red, kFineInk.green, kFineInk.blue);
   axis->GetGridPen()->SetWidth(1.0F);
-
-  const double step = nice_ceiling((end - begin) / kMostTicks, 1e-9);
-  vtkNew<vtkDoubleArray> places;
-  vtkNew<vtkStringArray> labels;
-  for (double at = std::ceil(begin / step - 1e-6) * step; at <= end + 1e-6 * step; at += step) {
-    places->InsertNextValue(at);
-    labels->InsertNextValue(readout::plain(std::abs(at) < 1e-9 * step ? 0.0 : at));
-  }
-  axis->SetRange(begin, end);
-  axis->SetCustomTickPositions(places, labels);
+  set_ticks(axis, begin, end, kMostTicks, 1.0);
 }
 
 vtkNew<vtkTable> table_of(const ChartSeries& series) {
