@@ -60,8 +60,10 @@ class Field {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> u(0.0, 1.0);
     for (int k = 0; k < count; ++k) {
-      const Eigen::Vector2d at(u(random) * image_.width, u(random) * image_.height);
-      add_line(at, 1.0 + 3.0 * u(random), 0.2, 1.2);
+      // One draw a statement: compilers differ in the order of arguments.
+      const double x = u(random) * image_.width;
+      const double y = u(random) * image_.height;
+      add_line({x, y}, 1.0 + 3.0 * u(random), 0.2, 1.2);
     }
   }
   const GrayImage& image() const { return image_; }
