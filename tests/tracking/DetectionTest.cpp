@@ -94,22 +94,24 @@ Eigen::Matrix2Xd rough_circle(const Eigen::Vector2d& center, double radius, doub
 class CellDiameter : public testing::TestWithParam<int> {};
 
 TEST_P(CellDiameter, IsFoundAmongDebris) {
-  Field field(728, 486);
   const Eigen::Vector2d center(370.3, 240.8);
   const double radius = 0.5 * GetParam();
-  field.add_debris(30, 3);
-  field.add_line(center, radius, 0.2);
-  const std::optional<DetectedCell> cell = detect_cell(field.image(), {});
-  ASSERT_TRUE(cell);
-  // Near enough for the snakes, which settle it.
-  EXPECT_LT((cell->circle.center - center).norm(), 1.0 + 0.015 * radius);
-  EXPECT_LT(mean_off(cell->outer.points, center, radius), 1.0 + 0.01 * radius);
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    Field field(728, 486, 7 + seed);
+    field.add_debris(30, seed);
+    field.add_line(center, radius, 0.2);
+    const std::optional<DetectedCell> cell = detect_cell(field.image(), {});
+    ASSERT_TRUE(cell) << "seed " << seed;
+    // Near enough for the snakes, which settle it.
+    EXPECT_LT((cell->circle.center - center).norm(), 3.0) << "seed " << seed;
+    EXPECT_LT(mean_off(cell->outer.points, center, radius), 2.0) << "seed " << seed;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Detection, CellDiameter, testing::Values(40, 60, 88, 130, 200, 300, 400));
 
 TEST(Detection, DebrisAloneIsNoCell) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
     Field field(400, 300, seed);
     field.add_debris(60, seed);
     EXPECT_FALSE(detect_cell(field.image(), {})) << "seed " << seed;

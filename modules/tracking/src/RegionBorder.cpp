@@ -30,9 +30,11 @@ struct Moments {
 
 }  // namespace
 
-void RegionBorder::evidence(int half_rows, double noise, Eigen::MatrixXf& out) {
+void RegionBorder::evidence(int half_rows, double noise, Eigen::MatrixXf& out, Eigen::MatrixXf* brightness,
+                            Eigen::MatrixXf* texture) {
   const int n = rows(), m = columns(), samples = strip_.columns();
-  out.setZero(n, std::max(m, 0));
+  for (Eigen::MatrixXf* each : {&out, brightness, texture})
+    if (each != nullptr) each->setZero(n, std::max(m, 0));
   if (n < 1 || m < 1) return;
   half_rows = std::clamp(half_rows, 0, (n - 1) / 2);
 
@@ -64,7 +66,12 @@ void RegionBorder::evidence(int half_rows, double noise, Eigen::MatrixXf& out) {
       if (inside.count >= 0.5 * full && outside.count >= 0.5 * full) {
         const double apart = inside.mean() - outside.mean();
         const double in = inside.variance() + least_variance, beyond = outside.variance() + least_variance;
-        out(i, j) = static_cast<float>(std::log((0.5 * (in + beyond) + 0.25 * apart * apart) / std::sqrt(in * beyond)));
+        const double both = 0.5 * (in + beyond);
+        out(i, j) = static_cast<float>(std::log((both + 0.25 * apart * apart) / std::sqrt(in * beyond)));
+        if (brightness != nullptr)
+          (*brightness)(i, j) = static_cast<float>(std::copysign(std::log1p(0.25 * apart * apart / both), apart));
+        if (texture != nullptr)
+          (*texture)(i, j) = static_cast<float>(std::copysign(std::log(both / std::sqrt(in * beyond)), in - beyond));
       }
       slide(i - half_rows, -1.0);
       slide(i + half_rows + 1, 1.0);

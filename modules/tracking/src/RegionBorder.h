@@ -36,7 +36,14 @@ class RegionBorder {
 
   /// E at every normal and offset (rows x columns), from windows that take in `half_rows` neighbours on either side.
   /// 0 where less than half of a window lies in the image. `noise`: standard deviation of a pixel.
-  void evidence(int half_rows, double noise, Eigen::MatrixXf& out);
+  void evidence(int half_rows, double noise, Eigen::MatrixXf& out) {
+    evidence(half_rows, noise, out, nullptr, nullptr);
+  }
+
+  /// The same, with its two parts signed: evidence of brightness (positive where it is brighter inside) and of texture
+  /// (positive where it is rougher inside). Both (rows x columns).
+  void evidence(int half_rows, double noise, Eigen::MatrixXf& out, Eigen::MatrixXf* brightness,
+                Eigen::MatrixXf* texture);
 
   /// Where the border lies best, once it is roughly known: `columns` (one for each row). The piece of each normal
   /// within `reach` + window of that column is split at each offset of -reach..reach samples; out (rows x 2 reach + 1)

@@ -6,7 +6,8 @@
 namespace pellucida {
 namespace {
 
-constexpr float kShows = 1.5F;  // an edge shows where its feature is that many times the ring's own spread
+constexpr double kLeastSpread = 0.125;  // of what the feature reaches
+constexpr float kShows = 1.5F;          // an edge shows where its feature is that many times the ring's own spread
 
 // A circle's points, and what points away from its centre there.
 void circle_points(const Eigen::Vector2d& center, double radius, int count, Eigen::Matrix2Xd& points,
@@ -74,6 +75,15 @@ double spread_of(const Eigen::MatrixXf& feature) {
   return 1.4826 * values[values.size() / 2];
 }
 
+// What a feature reaches on half the rays.
+double usual_peak(const Eigen::MatrixXf& feature) {
+  std::vector<float> peaks(static_cast<std::size_t>(feature.rows()));
+  for (Eigen::Index i = 0; i < feature.rows(); ++i)
+    peaks[static_cast<std::size_t>(i)] = feature.row(i).cwiseAbs().maxCoeff();
+  std::nth_element(peaks.begin(), peaks.begin() + static_cast<std::ptrdiff_t>(peaks.size() / 2), peaks.end());
+  return peaks[peaks.size() / 2];
+}
+
 // Rewards saturate: a long faint edge beats a short glaring one.
 Eigen::MatrixXf reward_of(const Eigen::MatrixXf& feature, double spread) {
   return (feature / static_cast<float>(spread)).cwiseMin(4.0F).cwiseMax(-2.0F);
@@ -128,7 +138,9 @@ RingEdge best_of(const Ring& ring, std::initializer_list<double> sigmas, double 
       if (!same && !negative) {
         const EdgeFilter filter(sigma, ring.step(), kind);
         ring.features(filter, feature);
-        spread = std::max({spread_of(feature), noise * filter.noise_gain() / std::sqrt(2.0), 1e-5});
+        // On a plain background rewards would saturate all across a clear edge, and the path cut its corners.
+        spread = std::max({spread_of(feature), noise * filter.noise_gain() / std::sqrt(2.0),
+                           kLeastSpread * usual_peak(feature), 1e-5});
         filtered = kind;
       }
       signed_feature = negative ? Eigen::MatrixXf(-feature) : feature;

@@ -12,6 +12,8 @@ constexpr int kRays = 120;
 constexpr float kLeastEvidence = 0.25F;   // nats per sample, above what texture alone brings about
 constexpr double kLeastZona_ratio = 0.2;  // of the oolemma's radius: thinner zonas show two lines
 constexpr double kLeastZona_px = 12.0;    // as far as a dark line's own halo reaches
+constexpr double kLeastCoherence = 0.55;  // of a border: of those among debris nine in ten have less
+constexpr double kMoreCoherence = 0.35;   // needed, times the share that is out of the image: short arcs fit any specks
 constexpr float kEnough = 1.0F;           // rewards saturate: a long faint border beats a short glaring one
 
 // Where the ray at `angle` from `center` leaves the outline.
@@ -48,7 +50,7 @@ class Surroundings {
       points.col(i) = center + from * normals_.col(i);
     }
     border_.sample(image, points, normals_, 0.0, to - from, step_, kWindow_ratio * radius);
-    border_.evidence(kRays / 24, noise, evidence_);
+    border_.evidence(kRays / 24, noise, evidence_, &brightness_, &texture_);
   }
 
   // The best closed border beyond `least_radius` (one value a ray); nothing where it is not clear, closed and round.
@@ -82,11 +84,34 @@ class Surroundings {
     found.edge.coverage = static_cast<double>(seen) / std::max(visible, 1);
     found.edge.contrast = sum / std::max(visible, 1);
     if (visible < 0.4 * kRays || found.edge.coverage < 0.7 || found.edge.contrast < 0.55) return std::nullopt;
+    const double hidden = 1.0 - static_cast<double>(visible) / kRays;
+    if (coherence(found.path) < kLeastCoherence + kMoreCoherence * hidden) return std::nullopt;
     Eigen::Matrix2Xd clear(2, static_cast<Eigen::Index>(shown.size()));
     for (std::size_t k = 0; k < shown.size(); ++k) clear.col(static_cast<Eigen::Index>(k)) = shown[k];
     found.circle = contour::fit_circle(clear, 0.06 * radius_);
     if (found.circle.inlier_ratio < 0.6) return std::nullopt;
     return found;
+  }
+
+  // How much of a path's evidence is of one sign all round, or goes from one to the other across the cell, as relief
+  // does. Specks on either side of a path are evidence of either sign.
+  double coherence(const std::vector<int>& path) const {
+    double explained = 0.0, whole = 0.0;
+    for (const Eigen::MatrixXf* part : {&brightness_, &texture_}) {
+      Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+      Eigen::Vector3d right = Eigen::Vector3d::Zero();
+      for (int i = 0; i < kRays; ++i) {
+        const int j = path[static_cast<std::size_t>(i)];
+        if (!border_.inside(i, j)) continue;
+        const Eigen::Vector3d shape(1.0, normals_(0, i), normals_(1, i));
+        const double value = (*part)(i, j);
+        normal += shape * shape.transpose();
+        right += value * shape;
+        whole += value * value;
+      }
+      explained += right.dot(normal.ldlt().solve(right));
+    }
+    return whole > 0.0 ? explained / whole : 0.0;
   }
 
   // Moves a border to where it splits its neighbourhood best; outside the image it runs on evenly.
@@ -123,7 +148,7 @@ class Surroundings {
   double radius_, from_, step_, noise_;
   Eigen::Matrix2Xd normals_;
   RegionBorder border_;
-  Eigen::MatrixXf evidence_;
+  Eigen::MatrixXf evidence_, brightness_, texture_;
 };
 
 }  // namespace
