@@ -95,24 +95,27 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
     const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
     frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     const Truth& truth = microscope.truth();
-    const FrameError error = error_of(seen, truth.observation, film.scenario.image.pixel_size_um);
+    const ForceEstimate estimate = observer.process(seen);
+    // What is reported: the tracker's state after the verdict on a puncture.
+    const CellState state = estimate.judged_state(seen.state);
+    FrameError error = error_of(seen, truth.observation, film.scenario.image.pixel_size_um);
+    error.state = state;
     run.errors.push_back(error);
     if (seen.outer) ++run.found_count;
 
     const bool contact = truth.observation.state == CellState::kContact;
     if (contact) ++run.contact_count;
-    const bool false_puncture = contact && seen.state == CellState::kPunctured;
+    const bool false_puncture = contact && state == CellState::kPunctured;
     if (false_puncture) ++run.false_puncture_count;
     if (truth.observation.state == CellState::kPunctured) {
       if (!punctured_at) punctured_at = frame->frame_index;
       run.punctures = true;
-      if (!run.puncture_delay && seen.state == CellState::kPunctured)
+      if (!run.puncture_delay && state == CellState::kPunctured)
         run.puncture_delay = frame->frame_index - *punctured_at;
     }
     const bool bold = run.is_confident_and_wrong(error);
     if (bold) ++run.confident_and_wrong_count;
 
-    const ForceEstimate estimate = observer.process(seen);
     const bool measured = std::isfinite(estimate.contact_force_uN);
     const double force_uN = measured ? estimate.contact_force_uN : 0.0;
     force_squares += std::pow(force_uN - truth.contact_force_uN, 2);

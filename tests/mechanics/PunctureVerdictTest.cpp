@@ -50,6 +50,17 @@ TEST(PunctureVerdict, ReportsTheFrameInWhichTheMembraneLeavesTheTip) {
   EXPECT_FALSE(verdict.judge(sight(-1.0, 0.2, 0.0, 0.2)));
 }
 
+TEST(PunctureVerdict, AContourThatLagsInADeepDimpleIsNoPuncture) {
+  // Far behind the tip, and back by some micrometres now and then: it has not sprung back.
+  PunctureVerdict verdict = pushed(24.0, 0.1);
+  for (double tip = 36.0; tip < 52.0; tip += 4.0) {
+    for (const double membrane : {24.0, 21.0}) {
+      EXPECT_FALSE(verdict.judge(sight(tip, 0.3, membrane, 0.3))) << tip << ' ' << membrane;
+      verdict.add(membrane, 0.1 * membrane);
+    }
+  }
+}
+
 TEST(PunctureVerdict, DrawingBackIsNoPuncture) {
   PunctureVerdict verdict = pushed(40.0, 0.1);
   for (double depth = 40.0; depth > 0.0; depth -= 2.0) {

@@ -13,6 +13,8 @@ constexpr double kSigmas = 4.0;
 constexpr double kShallowest_um = 4.0;
 /// The share of its depth by which a membrane has come back that confirms a tracked puncture.
 constexpr double kBack_ratio = 0.25;
+/// The same from one frame to the next, for a puncture that only this verdict sees.
+constexpr double kBackAtOnce_ratio = 0.2;
 /// How the depth of late fades, per frame: a pipette drawn back slowly punctures nothing.
 constexpr double kFade = 0.9;
 /// A shape that leaves the model's by this from one frame to the next, and is so many times what is usual, has sprung.
@@ -45,7 +47,9 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
 
 bool PunctureVerdict::is_through_by(const Sight& now) const noexcept {
   const double back_um = last_depth_um_ - now.membrane_um;
-  const bool came_back = back_um > std::max(kUsual_um, kSigmas * now.membrane_sigma_um);
+  const double usual_um = std::max(kUsual_um, kSigmas * now.membrane_sigma_um);
+  // In a deep, narrow dimple the contour lags behind the tip, and back by some micrometres at a time.
+  const bool came_back = back_um > std::max(usual_um, kBackAtOnce_ratio * last_depth_um_);
   // The tip has gone back by less than half of what the membrane has.
   const bool tip_stayed = last_depth_um_ - now.tip_um < 0.5 * back_um;
   return last_depth_um_ > kShallowest_um && is_apart(now) && came_back && tip_stayed;
