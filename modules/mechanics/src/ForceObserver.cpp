@@ -162,12 +162,12 @@ class ForceObserver::Impl {
       estimate.reason = "contact, but the needle was not seen";
       return std::nullopt;
     }
-    const auto filtered = filter_.update(o.time_s, std::max(0.0, o.indentation_um), sigma_um);
-    estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um);
-    // A tip far past a membrane that still follows: one of the two is not where it seems.
-    if (estimate.puncture_doubted) {
-      estimate.depth_sigma_um = std::hypot(estimate.depth_sigma_um, 0.5 * (sight.tip_um - sight.membrane_um));
-    }
+    // A tip far past a membrane that still follows: one of the two is not where it seems, and the depth is between
+    // them.
+    const double gap_um = PunctureVerdict::is_apart(sight) ? sight.tip_um - sight.membrane_um : 0.0;
+    const double between_um = std::max(0.0, o.indentation_um) + 0.5 * gap_um;
+    const auto filtered = filter_.update(o.time_s, between_um, std::hypot(sigma_um, 0.5 * gap_um));
+    estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um, 0.5 * gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";
     return filtered.depth_um;

@@ -23,12 +23,12 @@ constexpr double kUnusual = 2.5;
 /// Frames with tip and membrane together that make a contact again.
 constexpr int kTogetherFrames = 3;
 
-bool is_apart(const PunctureVerdict::Sight& now) noexcept {
+}  // namespace
+
+bool PunctureVerdict::is_apart(const Sight& now) noexcept {
   const double sigma_um = std::hypot(now.tip_sigma_um, now.membrane_sigma_um);
   return now.tip_um - now.membrane_um > std::max(kUsual_um, kSigmas * sigma_um);
 }
-
-}  // namespace
 
 bool PunctureVerdict::judge(const Sight& now) noexcept {
   is_doubted_ = false;
@@ -38,21 +38,24 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
   }
   // Without a contact before, or a look at it, there is only the tracker's word.
   if (through_) return true;
+  const double membrane_before_um = membrane_um_;
+  if (now.has_depths) membrane_um_ = now.membrane_um;
   if (!has_contact_) return now.is_tracked_punctured;
-  through_ = now.has_depths && (is_through_by(now) || (now.is_tracked_punctured && is_confirmed_by(now)));
+  through_ =
+      now.has_depths && (is_through_by(now, membrane_before_um) || (now.is_tracked_punctured && is_confirmed_by(now)));
   is_doubted_ = now.is_tracked_punctured && !through_;
   if (now.has_depths && !through_) follow_deepest(now);
   return through_;
 }
 
-bool PunctureVerdict::is_through_by(const Sight& now) const noexcept {
-  const double back_um = last_depth_um_ - now.membrane_um;
+bool PunctureVerdict::is_through_by(const Sight& now, double before_um) const noexcept {
+  const double back_um = before_um - now.membrane_um;
   const double usual_um = std::max(kUsual_um, kSigmas * now.membrane_sigma_um);
   // In a deep, narrow dimple the contour lags behind the tip, and back by some micrometres at a time.
-  const bool came_back = back_um > std::max(usual_um, kBackAtOnce_ratio * last_depth_um_);
+  const bool came_back = back_um > std::max(usual_um, kBackAtOnce_ratio * before_um);
   // The tip has gone back by less than half of what the membrane has.
-  const bool tip_stayed = last_depth_um_ - now.tip_um < 0.5 * back_um;
-  return last_depth_um_ > kShallowest_um && is_apart(now) && came_back && tip_stayed;
+  const bool tip_stayed = before_um - now.tip_um < 0.5 * back_um;
+  return before_um > kShallowest_um && is_apart(now) && came_back && tip_stayed;
 }
 
 bool PunctureVerdict::is_confirmed_by(const Sight& now) const noexcept {

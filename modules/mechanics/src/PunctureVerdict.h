@@ -27,6 +27,9 @@ class PunctureVerdict {
     double membrane_um = 0.0, membrane_sigma_um = 0.0;
   };
 
+  /// Whether the tip is past the membrane by more than noise and the tip's roundness explain.
+  static bool is_apart(const Sight& now) noexcept;
+
   /// Whether the membrane is through in this frame, by tip, membrane and tracker. First of a frame's calls.
   bool judge(const Sight& now) noexcept;
   /// After that: the tracker says punctured, the membrane does not.
@@ -55,7 +58,7 @@ class PunctureVerdict {
   void release() noexcept;
 
  private:
-  bool is_through_by(const Sight& now) const noexcept;
+  bool is_through_by(const Sight& now, double before_um) const noexcept;
   bool is_confirmed_by(const Sight& now) const noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
@@ -67,6 +70,7 @@ class PunctureVerdict {
   double last_residual_um_ = std::numeric_limits<double>::quiet_NaN();
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
   double deepest_um_ = 0.0, tip_at_deepest_um_ = 0.0;  // of the membrane, of late
+  double membrane_um_ = 0.0;                           // in the last frame
   double last_depth_um_ = 0.0, last_force_uN_ = 0.0;
   double peak_force_uN_ = 0.0, peak_depth_um_ = 0.0, work_uN_um_ = 0.0;
 };

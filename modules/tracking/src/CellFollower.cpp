@@ -138,6 +138,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   touching_ = entered && !through;
   if (!entered) learn_rest();
   quality_ = usual_quality_ = first_quality_ = quality_now();
+  measure_dent();
+  least_dent_ = dent_;
   return true;
 }
 
@@ -279,6 +281,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
   const bool away = !needle_.valid() || tip_depth() < -kAway_px;
   if (contact_.state() == CellState::kFree && away) learn_rest();
+  measure_dent();
   return true;
 }
 

@@ -66,6 +66,9 @@ class CellFollower {
   double membrane_sigma() const;
   double rest_sigma() const;
 
+  /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
+  double new_dent_ratio() const noexcept { return dent_ - least_dent_; }
+
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
   /// Until the next start: no more confidence than in what one way of seeing alone has shown.
@@ -84,6 +87,7 @@ class CellFollower {
   void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void take_dimple();
+  void measure_dent();
   Eigen::Vector2d apex() const;
   double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);
@@ -110,6 +114,7 @@ class CellFollower {
   std::optional<HolderFit> holder_;
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
+  double dent_ = 0.0, least_dent_ = 0.0;  // of the radius
   bool touching_ = false;
   bool is_doubtful_ = false;
   bool is_read_ = false;  // membranes and tip are read by networks, not followed by what they look like

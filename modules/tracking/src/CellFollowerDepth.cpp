@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "CellFollower.h"
+#include "Dent.h"
 
 namespace pellucida {
 namespace {
@@ -27,6 +28,11 @@ double CellFollower::measure_membrane_depth() const {
   const NeedleEstimate& n = needle_.estimate();
   const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction);
   return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
+}
+
+void CellFollower::measure_dent() {
+  dent_ = dent_ratio(snakes_.outer().points, center_now(), holder_ ? std::optional(holder_direction()) : std::nullopt);
+  least_dent_ = std::min(least_dent_, dent_);
 }
 
 double CellFollower::membrane_sigma() const {
