@@ -1,0 +1,114 @@
+#include "widgets/StartCard.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "widgets/CardFields.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kIcon_px = 26;
+
+}  // namespace
+
+StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.id) {
+  setObjectName("startCard");
+  setAccessibleName(look.title);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 14, 16, 14);
+  column->setSpacing(8);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(10);
+  auto* icon = new QLabel;
+  icon->setPixmap(make_icon(look.icon).pixmap(kIcon_px, kIcon_px));
+  icon->setFixedWidth(kIcon_px);
+  head->addWidget(icon, 0, Qt::AlignTop);
+  auto* title = new QLabel(look.title);
+  title->setObjectName("cardTitle");
+  title->setWordWrap(true);
+  head->addWidget(title, 1);
+  auto* number = new QLabel(QString::number(static_cast<int>(id_) + 1));
+  number->setObjectName("cardNumber");
+  number->setToolTip(QString("Press %1 to choose this card").arg(static_cast<int>(id_) + 1));
+  head->addWidget(number, 0, Qt::AlignTop);
+  column->addLayout(head);
+  auto* sentence = new QLabel(look.sentence);
+  sentence->setObjectName("cardText");
+  sentence->setWordWrap(true);
+  column->addWidget(sentence);
+
+  fields_ = new QWidget;
+  fields_->setObjectName("cardFields");
+  column_ = new QVBoxLayout(fields_);
+  column_->setContentsMargins(0, 2, 0, 2);
+  column_->setSpacing(9);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(fields_);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  column->addWidget(scroll, 1);
+
+  problem_ = new QLabel;
+  problem_->setObjectName("cardProblem");
+  problem_->setTextFormat(Qt::PlainText);
+  problem_->setWordWrap(true);
+  problem_->hide();
+  column->addWidget(problem_);
+  start_ = new QPushButton(look.button);
+  start_->setObjectName("startRun");
+  start_->setAccessibleName(QString("%1: %2").arg(look.title, look.button));
+  start_->setFixedHeight(34);
+  connect(start_, &QPushButton::clicked, this, std::move(start));
+  column->addWidget(start_);
+}
+
+void StartCard::focus_first() {
+  const auto fields = fields_->findChildren<QWidget*>();
+  for (QWidget* widget : fields) {
+    if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isEnabled() || !widget->isVisibleTo(fields_)) continue;
+    widget->setFocus(Qt::TabFocusReason);
+    return;
+  }
+  start_->setFocus(Qt::TabFocusReason);
+}
+
+void StartCard::show_current(bool current) {
+  if (property("current").toBool() == current) return;
+  setProperty("current", current);
+  for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(start_)}) {
+    style()->unpolish(widget);
+    style()->polish(widget);
+  }
+}
+
+void StartCard::show_problem(const std::string& text) {
+  problem_->setText(QString::fromStdString(text));
+  problem_->setVisible(!text.empty());
+}
+
+CardField* StartCard::add_field(const QString& name, QWidget* control, const char* object_name) {
+  auto* field = new CardField(name, control, object_name);
+  column_->addWidget(field);
+  return field;
+}
+
+void StartCard::add_widget(QWidget* widget) {
+  column_->addWidget(widget);
+}
+
+void StartCard::fill_up() {
+  column_->addStretch(1);
+}
+
+void StartCard::mousePressEvent(QMouseEvent*) {
+  focus_first();
+}
+
+}  // namespace pellucida

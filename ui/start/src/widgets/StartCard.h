@@ -1,0 +1,60 @@
+#pragma once
+#include <QFrame>
+#include <functional>
+
+#include "presenters/StartForm.h"
+#include "widgets/Icons.h"
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace pellucida {
+
+class CardField;
+
+/// One way to begin: icon, title, a sentence, its own choices, and a button that starts it.
+class StartCard : public QFrame {
+ public:
+  struct Look {
+    StartCardId id;
+    Pictogram icon;
+    const char* title;
+    const char* sentence;
+    const char* button;
+  };
+  /// `start`: a person pressed the button.
+  StartCard(const Look& look, std::function<void()> start);
+
+  StartCardId id() const noexcept { return id_; }
+  QPushButton& start_button() const { return *start_; }
+  /// Keyboard focus to the first of its choices.
+  void focus_first();
+  /// The card that Enter starts.
+  void show_current(bool current);
+  /// An error of the card as a whole; empty: none.
+  void show_problem(const std::string& text);
+
+  /// Its part of the form.
+  virtual void write(StartForm& form) const = 0;
+  /// An error at one of its fields; false when it has no such field.
+  virtual bool show_problem(const StartProblem& problem) = 0;
+  /// No field is wrong any more.
+  virtual void clear_problems() = 0;
+
+ protected:
+  CardField* add_field(const QString& name, QWidget* control, const char* object_name);
+  void add_widget(QWidget* widget);
+  /// After the last field: the rest of the card stays empty.
+  void fill_up();
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  StartCardId id_;
+  QWidget* fields_;
+  QVBoxLayout* column_;
+  QLabel* problem_;
+  QPushButton* start_;
+};
+
+}  // namespace pellucida
