@@ -41,7 +41,7 @@ StartWindow::StartWindow(StartOptions options, AskForPath ask)
   const StartForm form = memory_.form();
   build(form, std::move(ask));
   make_current(form.card);
-  card(form.card).focus_first();
+  card(form.card).setFocus(Qt::TabFocusReason);
   card(form.card).show_problem(in_words_of_page(options_.problem));
   screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [] {});
 }
@@ -97,7 +97,7 @@ QWidget* StartWindow::build_cards(const StartForm& form, AskForPath ask) {
   // Wherever the focus goes, its card is the one that Enter starts.
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
     for (StartCard* one : cards_) {
-      if (now && one->isAncestorOf(now)) make_current(one->id());
+      if (now && (now == one || one->isAncestorOf(now))) make_current(one->id());
     }
   });
   return row_widget;
@@ -113,7 +113,7 @@ void StartWindow::add_keys() {
   key(Qt::Key_Return, [this] { press_enter(); });
   key(Qt::Key_Enter, [this] { press_enter(); });
   for (int k = 0; k < kStartCardCount; ++k) {
-    key(Qt::Key_1 + k, [this, k] { card(static_cast<StartCardId>(k)).focus_first(); });
+    key(Qt::Key_1 + k, [this, k] { card(static_cast<StartCardId>(k)).setFocus(Qt::TabFocusReason); });
   }
 }
 
@@ -175,7 +175,7 @@ void StartWindow::dropEvent(QDropEvent* event) {
     return;
   }
   recording_->take(urls.front().toLocalFile().toStdString());
-  recording_->focus_first();
+  recording_->setFocus(Qt::OtherFocusReason);
 }
 
 }  // namespace pellucida

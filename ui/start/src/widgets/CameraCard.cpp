@@ -34,7 +34,7 @@ CameraCard::CameraCard(const StartForm& form, std::filesystem::path listing, std
   specimen_pixel_field_ = add_field("Edge of a pixel in the specimen", specimen_pixel_, "specimenPixel");
   add_widget(computed_ = new QLabel);
   computed_->setObjectName("computedSize");
-  fill_up();
+  finish();
   connect(objective_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_size(); });
   connect(camera_pixel_, &QLineEdit::textChanged, this, [this] { show_size(); });
   connect(specimen_pixel_, &QLineEdit::textEdited, this, [this] { specimen_pixel_field_->show_problem({}); });

@@ -36,7 +36,7 @@ LessonCard::LessonCard(const StartForm& form, std::function<void()> start)
   large_->setObjectName("largeLetters");
   large_->setChecked(form.large_letters);
   add_widget(large_);
-  fill_up();
+  finish();
 }
 
 void LessonCard::write(StartForm& form) const {

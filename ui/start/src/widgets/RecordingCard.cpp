@@ -26,7 +26,7 @@ RecordingCard::RecordingCard(const StartForm& form, Actions actions)
   pixel_field_ = add_field("Edge of a pixel", pixel_, "recordingPixel");
   rate_ = make_number_line("frames/s", "from the file", form.frame_rate_hz);
   rate_field_ = add_field("Frame rate", rate_, "frameRate");
-  fill_up();
+  finish();
   connect(path_, &QLineEdit::textEdited, this, [this] {
     look_.cancel();
     judged_.reset();

@@ -20,6 +20,7 @@ constexpr int kIcon_px = 26;
 StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.id) {
   setObjectName("startCard");
   setAccessibleName(look.title);
+  setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 14, 16, 14);
   column->setSpacing(8);
@@ -69,16 +70,6 @@ StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.i
   column->addWidget(start_);
 }
 
-void StartCard::focus_first() {
-  const auto fields = fields_->findChildren<QWidget*>();
-  for (QWidget* widget : fields) {
-    if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isEnabled() || !widget->isVisibleTo(fields_)) continue;
-    widget->setFocus(Qt::TabFocusReason);
-    return;
-  }
-  start_->setFocus(Qt::TabFocusReason);
-}
-
 void StartCard::show_current(bool current) {
   if (property("current").toBool() == current) return;
   setProperty("current", current);
@@ -103,12 +94,15 @@ void StartCard::add_widget(QWidget* widget) {
   column_->addWidget(widget);
 }
 
-void StartCard::fill_up() {
+void StartCard::finish() {
   column_->addStretch(1);
-}
-
-void StartCard::mousePressEvent(QMouseEvent*) {
-  focus_first();
+  QWidget* before = this;
+  for (QWidget* widget : fields_->findChildren<QWidget*>()) {
+    if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;
+    setTabOrder(before, widget);
+    before = widget;
+  }
+  setTabOrder(before, start_);
 }
 
 }  // namespace pellucida

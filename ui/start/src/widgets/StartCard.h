@@ -13,7 +13,8 @@ namespace pellucida {
 
 class CardField;
 
-/// One way to begin: icon, title, a sentence, its own choices, and a button that starts it.
+/// One way to begin: icon, title, a sentence, its own choices, and a button that starts it. The card itself takes the
+/// focus, so that a digit or a click chooses it and Tab leads to its choices.
 class StartCard : public QFrame {
  public:
   struct Look {
@@ -28,8 +29,6 @@ class StartCard : public QFrame {
 
   StartCardId id() const noexcept { return id_; }
   QPushButton& start_button() const { return *start_; }
-  /// Keyboard focus to the first of its choices.
-  void focus_first();
   /// The card that Enter starts.
   void show_current(bool current);
   /// An error of the card as a whole; empty: none.
@@ -45,9 +44,8 @@ class StartCard : public QFrame {
  protected:
   CardField* add_field(const QString& name, QWidget* control, const char* object_name);
   void add_widget(QWidget* widget);
-  /// After the last field: the rest of the card stays empty.
-  void fill_up();
-  void mousePressEvent(QMouseEvent* event) override;
+  /// After the last field: the rest of the card stays empty, and Tab goes through the fields to the start button.
+  void finish();
 
  private:
   StartCardId id_;

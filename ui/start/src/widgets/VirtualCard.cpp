@@ -13,7 +13,7 @@ VirtualCard::VirtualCard(const StartForm& form, std::function<void()> start)
       hands_(hand_entries()) {
   scenario_field_ = add_field("Scenario", scenario_ = make_choice(scenarios_, form.scenario), "scenario");
   hand_field_ = add_field("What moves the needle", hand_ = make_choice(hands_, form.hand), "hand");
-  fill_up();
+  finish();
   for (Choice* choice : {scenario_, hand_}) {
     connect(choice, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_details(); });
   }
