@@ -209,10 +209,12 @@ TEST(PathJudgement, TellsSessionsRecordingsAndOthers) {
 TEST(RecentSessions, AreTheNewestFoldersThatHoldASession) {
   const TemporaryFolder folder;
   const auto now = fs::file_time_type::clock::now();
+  write_touch(folder / "S0");
   for (int k = 0; k < 8; ++k) {
-    const fs::path session = folder / ("S" + std::to_string(k));
-    write_touch(session);
-    fs::last_write_time(session / "session.json", now - std::chrono::hours(k == 3 ? 0 : 8 - k));
+    std::string name = "S";
+    name += std::to_string(k);
+    if (k > 0) fs::copy(folder / "S0", folder / name, fs::copy_options::recursive);
+    fs::last_write_time(folder / name / "session.json", now - std::chrono::hours(k == 3 ? 0 : 8 - k));
   }
   fs::create_directories(folder / "no session");
   const auto newest = newest_sessions(folder.path(), 6);

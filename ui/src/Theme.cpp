@@ -89,7 +89,7 @@ QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
 #startCard { background: @panel; border: 1px solid @border; border-radius: 10px; }
 #startCard[current="true"] { border: 1px solid @accent; }
 #startCard QScrollArea, #startCard #cardFields { background: transparent; }
-#cardTitle { font-size: 16px; font-weight: 700; }
+#cardTitle { font-size: 15px; font-weight: 700; }
 #cardNumber { color: @faint; font-size: 13px; font-weight: 600; }
 #cardText, #fieldNote { color: @dim; font-size: 12px; }
 #fieldName { font-size: 12px; font-weight: 600; }
@@ -97,6 +97,7 @@ QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
 #fieldUnit { color: @dim; font-size: 12px; }
 #computedSize { color: @accent; font-size: 13px; font-weight: 600; }
 #startCard QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
+#startCard QLineEdit[blank="true"] { color: @dim; }
 #startCard QLineEdit:hover, #startCard QLineEdit:focus { border-color: @accent; }
 #startCard QListWidget { background: @raised; border: 1px solid @border; border-radius: 6px; font-size: 12px; }
 #startCard QListWidget:focus { border-color: @accent; }

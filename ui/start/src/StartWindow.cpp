@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/CameraCard.h"
 #include "widgets/LessonCard.h"
@@ -22,6 +23,8 @@
 
 namespace pellucida {
 namespace {
+
+constexpr int kTallestCard_px = 570;
 
 std::filesystem::path ask_with_dialog(QWidget& window, bool folder) {
   const QString answer = folder ? QFileDialog::getExistingDirectory(&window, "Open a folder", QDir::homePath())
@@ -65,15 +68,16 @@ void StartWindow::build(const StartForm& form, AskForPath ask) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* bar = new TitleBar(page);
-  bar->add_name("What do you want to do?", "1 to 4 choose a card, Enter starts it");
+  bar->add_name("1 to 4 choose a card, Enter starts it; or drop a file or a folder here", {});
   column->addWidget(bar);
   auto* content = new QVBoxLayout;
   content->setContentsMargins(16, 14, 16, 12);
   content->setSpacing(12);
   if (!ask) ask = [this](bool folder) { return ask_with_dialog(*this, folder); };
-  content->addWidget(build_cards(form, std::move(ask)), 1);
+  content->addWidget(build_cards(form, std::move(ask)), 1000);
   content->addWidget(new RecentStrip(sessions_of(options_),
                                      [this](const std::filesystem::path& session) { choose(review_of(session)); }));
+  content->addStretch(1);
   column->addLayout(content, 1);
   setCentralWidget(page);
   add_keys();
@@ -87,6 +91,7 @@ QWidget* StartWindow::build_cards(const StartForm& form, AskForPath ask) {
             new CameraCard(form, options_.cameras_listing, starts(StartCardId::kCamera)),
             new LessonCard(form, starts(StartCardId::kLesson))};
   auto* row_widget = new QWidget;
+  row_widget->setMaximumHeight(kTallestCard_px);
   auto* row = new QHBoxLayout(row_widget);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(12);
@@ -160,6 +165,24 @@ void StartWindow::closeEvent(QCloseEvent* event) {
   // A picture of the page is nobody's choice.
   if (options_.screenshot.empty()) memory_.keep(form(), size());
   QMainWindow::closeEvent(event);
+}
+
+void StartWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  align_cards();
+}
+
+void StartWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  align_cards();
+}
+
+void StartWindow::align_cards() {
+  if (!centralWidget()) return;
+  centralWidget()->layout()->activate();
+  int height_px = 0;
+  for (const StartCard* one : cards_) height_px = std::max(height_px, one->head_height_px());
+  for (StartCard* one : cards_) one->set_head_height(height_px);
 }
 
 void StartWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -34,6 +34,8 @@ class StartWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -42,6 +44,7 @@ class StartWindow : public QMainWindow {
   QWidget* build_cards(const StartForm& form, AskForPath ask);
   void add_keys();
   void press_enter();
+  void align_cards();
   void make_current(StartCardId card);
   StartCard& card(StartCardId id) const { return *cards_[static_cast<std::size_t>(id)]; }
   StartForm form() const;

@@ -71,10 +71,11 @@ CameraList camera_list(const std::filesystem::path& listing) {
       list.cameras.push_back(
           {report.name, report.detail.empty() ? report.name : report.name + "  " + report.detail, ""});
     } else {
-      reasons += (reasons.empty() ? "" : "\n") + report.name + ": " + report.detail;
+      reasons += (reasons.empty() ? "" : "\n") + report.detail;
     }
   }
-  if (list.cameras.empty()) list.notice = "No camera can be used. " + reasons + ". Then press Search again.";
+  if (list.cameras.empty())
+    list.notice = "No camera can be used: " + reasons + ".\nConnect one, then press Search again.";
   return list;
 }
 

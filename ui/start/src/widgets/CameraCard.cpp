@@ -29,9 +29,9 @@ CameraCard::CameraCard(const StartForm& form, std::filesystem::path listing, std
   objective_->setToolTip("Magnification from the specimen to the camera, the adapter's included");
   add_field("Objective", objective_, "objective");
   camera_pixel_ = make_number_line("µm", "such as 3.45", form.camera_pixel_um);
-  camera_pixel_field_ = add_field("Edge of the camera's own pixel", camera_pixel_, "cameraPixel");
+  camera_pixel_field_ = add_field("Camera's own pixel", camera_pixel_, "cameraPixel");
   specimen_pixel_ = make_number_line("µm", "such as 0.825", form.specimen_pixel_um);
-  specimen_pixel_field_ = add_field("Edge of a pixel in the specimen", specimen_pixel_, "specimenPixel");
+  specimen_pixel_field_ = add_field("Pixel in the specimen", specimen_pixel_, "specimenPixel");
   add_widget(computed_ = new QLabel);
   computed_->setObjectName("computedSize");
   finish();
@@ -54,6 +54,7 @@ void CameraCard::search(const std::string& chosen) {
   for (const auto& camera : found.cameras) {
     camera_->addItem(QString::fromStdString(camera.title), QString::fromStdString(camera.value));
   }
+  if (found.cameras.empty()) camera_->addItem("No camera", QString());
   if (!found.cameras.empty()) camera_->setCurrentIndex(index_of(found.cameras, chosen));
   camera_->setEnabled(!found.cameras.empty());
   camera_field_->show_note(found.notice);
@@ -86,10 +87,7 @@ bool CameraCard::show_problem(const StartProblem& problem) {
                      : problem.field == StartField::kCameraPixel   ? camera_pixel_field_
                      : problem.field == StartField::kSpecimenPixel ? specimen_pixel_field_
                                                                    : nullptr;
-  if (!field) return false;
-  field->show_problem(problem.text);
-  field->control().setFocus(Qt::OtherFocusReason);
-  return true;
+  return point_at(field, problem.text);
 }
 
 void CameraCard::clear_problems() {

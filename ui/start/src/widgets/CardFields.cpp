@@ -4,7 +4,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "widgets/Choice.h"
 
@@ -36,6 +38,7 @@ CardField::CardField(const QString& name, QWidget* control, const char* object_n
   column->setSpacing(3);
   auto* caption = new QLabel(name);
   caption->setObjectName("fieldName");
+  caption->setWordWrap(true);
   column->addWidget(caption);
   control->setObjectName(object_name);
   control->setAccessibleName(name);
@@ -86,6 +89,13 @@ QLineEdit* make_number_line(const QString& unit, const QString& placeholder, con
   label->setObjectName("fieldUnit");
   label->setAttribute(Qt::WA_TransparentForMouseEvents);
   row->addWidget(label);
+  const auto dim_while_empty = [line] {
+    line->setProperty("blank", line->text().isEmpty());
+    line->style()->unpolish(line);
+    line->style()->polish(line);
+  };
+  QObject::connect(line, &QLineEdit::textChanged, line, dim_while_empty);
+  dim_while_empty();
   line->setTextMargins(0, 0, label->sizeHint().width() + 8, 0);
   return line;
 }

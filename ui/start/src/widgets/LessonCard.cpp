@@ -8,7 +8,7 @@
 namespace pellucida {
 namespace {
 
-constexpr int kLessonRow_px = 28;
+constexpr int kLessonRow_px = 25;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ LessonCard::LessonCard(const StartForm& form, std::function<void()> start)
   list_->setCurrentRow(index_of(lessons_, form.lesson));
   list_->setTabKeyNavigation(false);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setFixedHeight(kLessonRow_px * std::clamp(list_->count(), 1, 8) + 4);
+  list_->setFixedHeight(kLessonRow_px * std::clamp(list_->count(), 1, 8) + 6);
   add_field("Lesson", list_, "lessons");
   connect(list_, &QListWidget::itemDoubleClicked, this, std::move(start));
   light_ = new QCheckBox("Light theme, for projectors");

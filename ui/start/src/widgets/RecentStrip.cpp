@@ -12,8 +12,10 @@ namespace pellucida {
 namespace {
 
 constexpr std::size_t kMostRecent = 6;
-constexpr QSize kPicture_px(132, 74);
-constexpr int kStripHeight_px = 134;
+constexpr QSize kLargestPicture_px(224, 126);
+constexpr int kGap_px = 8;
+constexpr int kFrame_px = 22;    // beside a picture, in its button
+constexpr int kLetters_px = 54;  // below it
 
 }  // namespace
 
@@ -25,16 +27,16 @@ RecentStrip::RecentStrip(std::filesystem::path sessions, std::function<void(cons
   auto* title = new QLabel("Recent sessions");
   title->setObjectName("recentTitle");
   column->addWidget(title);
-  auto* strip = new QWidget;
-  strip->setFixedHeight(kStripHeight_px);
-  row_ = new QHBoxLayout(strip);
+  strip_ = new QWidget;
+  row_ = new QHBoxLayout(strip_);
   row_->setContentsMargins(0, 0, 0, 0);
-  row_->setSpacing(8);
+  row_->setSpacing(kGap_px);
   hint_ = new QLabel("Looking for sessions ...");
   hint_->setObjectName("fieldNote");
   row_->addWidget(hint_);
   row_->addStretch(1);
-  column->addWidget(strip);
+  column->addWidget(strip_);
+  fit();
   read(std::move(sessions));
 }
 
@@ -50,7 +52,7 @@ void RecentStrip::read(std::filesystem::path sessions) {
         for (const auto& folder : folders) {
           control.progress(found.size(), folders.size());
           try {
-            found.push_back(read_thumbnail(folder, kPicture_px));
+            found.push_back(read_thumbnail(folder, kLargestPicture_px));
           } catch (const Error&) {
             // A damaged session is offered too: Review says what is wrong with it.
             found.push_back({{folder, folder.filename().string(), "can't be read"}, {}});
@@ -75,18 +77,35 @@ void RecentStrip::show_sessions(const std::vector<SessionThumbnail>& found) {
     button->setProperty("recent", true);
     button->setObjectName("recentSession");
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-    button->setIconSize(kPicture_px);
-    QPixmap shown(kPicture_px);
+    QPixmap shown(kLargestPicture_px);
     shown.fill(Qt::black);
     button->setIcon(QIcon(picture.isNull() ? shown : QPixmap::fromImage(picture)));
     button->setText(date + "\n" + duration);
     button->setToolTip(QString::fromStdString(session.folder.string()));
     button->setAccessibleName("Review the session of " + date + ", " + duration);
     button->setFocusPolicy(Qt::StrongFocus);
-    button->setFixedHeight(kStripHeight_px);
     connect(button, &QToolButton::clicked, this, [this, folder = session.folder] { open_(folder); });
     row_->insertWidget(row_->count() - 1, button);
   }
+  fit();
+}
+
+// Six pictures side by side in the width there is.
+void RecentStrip::fit() {
+  const int count = static_cast<int>(kMostRecent);
+  const int button_px = std::min((width() - (count - 1) * kGap_px) / count, kLargestPicture_px.width() + kFrame_px);
+  const QSize picture_px =
+      kLargestPicture_px.scaled(std::max(1, button_px - kFrame_px), kLargestPicture_px.height(), Qt::KeepAspectRatio);
+  strip_->setFixedHeight(picture_px.height() + kLetters_px);
+  for (QToolButton* button : strip_->findChildren<QToolButton*>("recentSession")) {
+    button->setIconSize(picture_px);
+    button->setFixedSize(button_px, strip_->height());
+  }
+}
+
+void RecentStrip::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fit();
 }
 
 void RecentStrip::say(const QString& text) {

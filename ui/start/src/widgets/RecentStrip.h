@@ -18,12 +18,17 @@ class RecentStrip : public QWidget {
   RecentStrip(std::filesystem::path sessions, std::function<void(const std::filesystem::path&)> open);
   ~RecentStrip() override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fit();
   void read(std::filesystem::path sessions);
   void show_sessions(const std::vector<SessionThumbnail>& found);
   void say(const QString& text);
 
   std::function<void(const std::filesystem::path&)> open_;
+  QWidget* strip_;
   QHBoxLayout* row_;
   QLabel* hint_;
   BackgroundTask task_;

@@ -109,10 +109,7 @@ bool RecordingCard::show_problem(const StartProblem& problem) {
                      : problem.field == StartField::kRecordingPixel ? pixel_field_
                      : problem.field == StartField::kFrameRate      ? rate_field_
                                                                     : nullptr;
-  if (!field) return false;
-  field->show_problem(problem.text);
-  field->control().setFocus(Qt::OtherFocusReason);
-  return true;
+  return point_at(field, problem.text);
 }
 
 void RecordingCard::clear_problems() {

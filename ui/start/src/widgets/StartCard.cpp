@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyle>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <QVariant>
 
@@ -14,6 +15,8 @@ namespace pellucida {
 namespace {
 
 constexpr int kIcon_px = 26;
+constexpr int kMargin_px = 14;
+constexpr int kScrollBar_px = 12;
 
 }  // namespace
 
@@ -22,8 +25,12 @@ StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.i
   setAccessibleName(look.title);
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 14, 16, 14);
+  column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
   column->setSpacing(8);
+  head_ = new QWidget;
+  auto* head_column = new QVBoxLayout(head_);
+  head_column->setContentsMargins(0, 0, 0, 0);
+  head_column->setSpacing(6);
   auto* head = new QHBoxLayout;
   head->setSpacing(10);
   auto* icon = new QLabel;
@@ -38,23 +45,29 @@ StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.i
   number->setObjectName("cardNumber");
   number->setToolTip(QString("Press %1 to choose this card").arg(static_cast<int>(id_) + 1));
   head->addWidget(number, 0, Qt::AlignTop);
-  column->addLayout(head);
+  head_column->addLayout(head);
   auto* sentence = new QLabel(look.sentence);
   sentence->setObjectName("cardText");
   sentence->setWordWrap(true);
-  column->addWidget(sentence);
+  head_column->addWidget(sentence);
+  head_column->addStretch(1);
+  column->addWidget(head_);
 
   fields_ = new QWidget;
   fields_->setObjectName("cardFields");
   column_ = new QVBoxLayout(fields_);
-  column_->setContentsMargins(0, 2, 0, 2);
+  column_->setContentsMargins(0, 2, kScrollBar_px, 2);
   column_->setSpacing(9);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(fields_);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  column->addWidget(scroll, 1);
+  scroll_ = new QScrollArea;
+  scroll_->setWidget(fields_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  // The scroll bar has its place in the margin.
+  auto* beside = new QHBoxLayout;
+  beside->setContentsMargins(0, 0, -kScrollBar_px, 0);
+  beside->addWidget(scroll_);
+  column->addLayout(beside, 1);
 
   problem_ = new QLabel;
   problem_->setObjectName("cardProblem");
@@ -84,6 +97,24 @@ void StartCard::show_problem(const std::string& text) {
   problem_->setVisible(!text.empty());
 }
 
+int StartCard::head_height_px() const {
+  const int width_px = width() - 2 * kMargin_px;
+  return head_->layout()->hasHeightForWidth() ? head_->layout()->heightForWidth(width_px) : head_->sizeHint().height();
+}
+
+void StartCard::set_head_height(int height_px) {
+  head_->setFixedHeight(height_px);
+}
+
+bool StartCard::point_at(CardField* field, const std::string& text) {
+  if (!field) return false;
+  field->show_problem(text);
+  field->control().setFocus(Qt::OtherFocusReason);
+  // Once the sentence has its place.
+  QTimer::singleShot(0, field, [this, field] { scroll_->ensureWidgetVisible(field, 0, 0); });
+  return true;
+}
+
 CardField* StartCard::add_field(const QString& name, QWidget* control, const char* object_name) {
   auto* field = new CardField(name, control, object_name);
   column_->addWidget(field);
@@ -98,7 +129,8 @@ void StartCard::finish() {
   column_->addStretch(1);
   QWidget* before = this;
   for (QWidget* widget : fields_->findChildren<QWidget*>()) {
-    if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;
+    // Not what lies in the popup of a list.
+    if ((widget->focusPolicy() & Qt::TabFocus) == 0 || widget->window() != window()) continue;
     setTabOrder(before, widget);
     before = widget;
   }

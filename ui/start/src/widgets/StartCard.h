@@ -7,6 +7,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace pellucida {
@@ -33,6 +34,10 @@ class StartCard : public QFrame {
   void show_current(bool current);
   /// An error of the card as a whole; empty: none.
   void show_problem(const std::string& text);
+  /// Height of title and sentence at the card's present width, px; and the height to give them, so that the fields of
+  /// all cards begin at one height.
+  int head_height_px() const;
+  void set_head_height(int height_px);
 
   /// Its part of the form.
   virtual void write(StartForm& form) const = 0;
@@ -44,11 +49,15 @@ class StartCard : public QFrame {
  protected:
   CardField* add_field(const QString& name, QWidget* control, const char* object_name);
   void add_widget(QWidget* widget);
+  /// Shows an error at a field, which gets the focus; false for no field.
+  bool point_at(CardField* field, const std::string& text);
   /// After the last field: the rest of the card stays empty, and Tab goes through the fields to the start button.
   void finish();
 
  private:
   StartCardId id_;
+  QWidget* head_;
+  QScrollArea* scroll_;
   QWidget* fields_;
   QVBoxLayout* column_;
   QLabel* problem_;
