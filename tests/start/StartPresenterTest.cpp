@@ -79,6 +79,7 @@ TEST(StartLists, NameWhatIsShipped) {
   ASSERT_GE(scenarios.size(), 13U);
   EXPECT_EQ(scenarios.front().value, "injection");
   for (const auto& entry : scenarios) EXPECT_FALSE(entry.detail.empty()) << entry.value;
+  EXPECT_TRUE(holds(scenarios.front().detail, "7.5 µN")) << scenarios.front().detail;
   const auto profiles = profile_entries();
   ASSERT_GE(profiles.size(), 2U);
   EXPECT_EQ(profiles.front().title, "mouse-oocyte (Mouse oocyte)");

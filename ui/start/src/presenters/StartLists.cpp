@@ -1,6 +1,7 @@
 #include "presenters/StartLists.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "pellucida/core/Resources.h"
 #include "pellucida/membrane/CellProfile.h"
@@ -18,11 +19,19 @@ std::string kind_of(const CellProfile& profile) {
   return profile.description.substr(0, profile.description.find(','));
 }
 
+// "44 um, 7.5 uN" as a window writes it.
+std::string with_micro_signs(const std::string& text) {
+  static const std::regex unit("([0-9]) u([mN])\\b");
+  return std::regex_replace(text, unit, "$1 µ$2");
+}
+
 }  // namespace
 
 std::vector<StartEntry> scenario_entries() {
   std::vector<StartEntry> entries;
-  for (const auto& name : scenario_names()) entries.push_back({name, name, load_scenario(name).description});
+  for (const auto& name : scenario_names()) {
+    entries.push_back({name, name, with_micro_signs(load_scenario(name).description)});
+  }
   std::stable_partition(entries.begin(), entries.end(),
                         [](const StartEntry& entry) { return entry.value == kScenarioForHands; });
   return entries;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kIcon_px = 26;
 constexpr int kMargin_px = 14;
-constexpr int kScrollBar_px = 12;
+constexpr int kScrollBar_px = 10;
 
 }  // namespace
 
@@ -25,11 +25,12 @@ StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.i
   setAccessibleName(look.title);
   setFocusPolicy(Qt::StrongFocus);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px, kMargin_px);
+  // The scroll bar of the fields has its place in the right margin.
+  column->setContentsMargins(kMargin_px, kMargin_px, kMargin_px - kScrollBar_px, kMargin_px);
   column->setSpacing(8);
   head_ = new QWidget;
   auto* head_column = new QVBoxLayout(head_);
-  head_column->setContentsMargins(0, 0, 0, 0);
+  head_column->setContentsMargins(0, 0, kScrollBar_px, 0);
   head_column->setSpacing(6);
   auto* head = new QHBoxLayout;
   head->setSpacing(10);
@@ -63,24 +64,23 @@ StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.i
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
-  // The scroll bar has its place in the margin.
-  auto* beside = new QHBoxLayout;
-  beside->setContentsMargins(0, 0, -kScrollBar_px, 0);
-  beside->addWidget(scroll_);
-  column->addLayout(beside, 1);
+  column->addWidget(scroll_, 1);
 
   problem_ = new QLabel;
   problem_->setObjectName("cardProblem");
   problem_->setTextFormat(Qt::PlainText);
   problem_->setWordWrap(true);
   problem_->hide();
-  column->addWidget(problem_);
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(0, 0, kScrollBar_px, 0);
+  foot->addWidget(problem_);
   start_ = new QPushButton(look.button);
   start_->setObjectName("startRun");
   start_->setAccessibleName(QString("%1: %2").arg(look.title, look.button));
   start_->setFixedHeight(34);
   connect(start_, &QPushButton::clicked, this, std::move(start));
-  column->addWidget(start_);
+  foot->addWidget(start_);
+  column->addLayout(foot);
 }
 
 void StartCard::show_current(bool current) {
@@ -98,7 +98,7 @@ void StartCard::show_problem(const std::string& text) {
 }
 
 int StartCard::head_height_px() const {
-  const int width_px = width() - 2 * kMargin_px;
+  const int width_px = width() - 2 * kMargin_px + kScrollBar_px;
   return head_->layout()->hasHeightForWidth() ? head_->layout()->heightForWidth(width_px) : head_->sizeHint().height();
 }
 
