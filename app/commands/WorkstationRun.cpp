@@ -141,18 +141,8 @@ void run_guide_mode(const WorkstationArguments& arguments) {
 // The arguments that the command line would have for a choice.
 WorkstationArguments arguments_of(const StartChoice& choice) {
   WorkstationArguments arguments;
-  switch (choice.mode) {
-    case StartMode::kGuide:
-      arguments.mode = "guide";
-      break;
-    case StartMode::kReview:
-      arguments.mode = "review";
-      break;
-    case StartMode::kTeach:
-      arguments.mode = "teach";
-      break;
-  }
-  if (!choice.source.empty()) arguments.source = choice.source;
+  arguments.mode = name_of(choice.mode);
+  arguments.source = choice.source;
   if (!choice.profile.empty()) arguments.pipeline.profile = choice.profile;
   arguments.source_options.pixel_size_um = choice.pixel_size_um;
   arguments.source_options.frame_rate_hz = choice.frame_rate_hz;
@@ -161,11 +151,8 @@ WorkstationArguments arguments_of(const StartChoice& choice) {
   arguments.lesson = choice.lesson;
   arguments.theme = choice.light_theme ? "light" : "dark";
   arguments.large_letters = choice.large_letters;
-  if (choice.mode == StartMode::kGuide) {
-    arguments.pipeline = options_for(
-        arguments.source, [&](const std::string& option) { return option == "--profile" && !choice.profile.empty(); },
-        arguments.pipeline);
-  }
+  const auto is_stated = [](const std::string&) { return true; };
+  arguments.pipeline = options_for(arguments.source, is_stated, arguments.pipeline);
   return arguments;
 }
 
@@ -194,6 +181,7 @@ void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
   options.remembered_size = !states_size;
   while (const auto choice = run_start(options)) {
     options.problem.clear();
+    options.recording = std::filesystem::exists(choice->source) ? choice->source : std::string();
     try {
       run_workstation(arguments_of(*choice));
     } catch (const Error& error) {

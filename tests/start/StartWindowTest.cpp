@@ -289,12 +289,16 @@ TEST_F(StartWindowTest, TabReachesEveryControlInItsOrderAndAllHaveNames) {
 
 TEST_F(StartWindowTest, WhyTheLastChoiceFailedIsOnItsCard) {
   options_.problem = "a.avi: frame rate unknown; give --fps";
+  options_.recording = folder_ / "a.avi";
   open();
   std::string shown;
   for (const auto* label : window_->findChildren<QLabel*>("cardProblem")) {
     if (label->isVisible()) shown += label->text().toStdString();
   }
   EXPECT_EQ(shown, "a.avi: frame rate unknown; give the frame rate");
+  // It is filled in again, and looked at again.
+  EXPECT_EQ(child<QLineEdit>("path").text().toStdString(), (folder_ / "a.avi").string());
+  EXPECT_TRUE(pass_until([&] { return problem_at("path").find("no such file or folder") != std::string::npos; }));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace pellucida {
 struct StartOptions : WindowOptions {
   bool remembered_size = true;            ///< open in the size it last had, where one is remembered
   std::string problem;                    ///< why the last choice came to nothing, shown on its card; empty: no problem
+  std::filesystem::path recording;        ///< file or folder to fill in; empty: none
   std::filesystem::path settings_file;    ///< what is remembered; empty: `Pellucida/start.ini` in the user's settings
   std::filesystem::path sessions_folder;  ///< whose newest sessions are offered; empty: `Pellucida` in the home folder
   std::filesystem::path cameras_listing = "/sys/class/video4linux";  ///< the system's folder of cameras

@@ -6,6 +6,10 @@ namespace pellucida {
 
 /// The window that a person chose on the start page.
 enum class StartMode { kGuide, kReview, kTeach };
+/// As `--mode` takes it.
+constexpr const char* name_of(StartMode mode) noexcept {
+  return mode == StartMode::kTeach ? "teach" : mode == StartMode::kReview ? "review" : "guide";
+}
 
 /// What a person chose on the start page. Every member is as the command line takes it.
 struct StartChoice {
