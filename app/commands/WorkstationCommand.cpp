@@ -11,7 +11,6 @@
 #include "pellucida/core/FieldTable.h"
 
 namespace pellucida {
-
 namespace {
 
 void refuse_options(const CLI::App& command, std::initializer_list<const char*> options, const std::string& reason) {

@@ -151,8 +151,8 @@ WorkstationArguments arguments_of(const StartChoice& choice) {
   arguments.lesson = choice.lesson;
   arguments.theme = choice.light_theme ? "light" : "dark";
   arguments.large_letters = choice.large_letters;
-  const auto is_stated = [](const std::string&) { return true; };
-  arguments.pipeline = options_for(arguments.source, is_stated, arguments.pipeline);
+  arguments.pipeline = options_for(
+      arguments.source, [](const auto&) { return true; }, arguments.pipeline);
   return arguments;
 }
 
@@ -181,7 +181,8 @@ void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
   options.remembered_size = !states_size;
   while (const auto choice = run_start(options)) {
     options.problem.clear();
-    options.recording = std::filesystem::exists(choice->source) ? choice->source : std::string();
+    std::error_code ignored;
+    options.recording = std::filesystem::exists(choice->source, ignored) ? choice->source : std::string();
     try {
       run_workstation(arguments_of(*choice));
     } catch (const Error& error) {
