@@ -1,11 +1,7 @@
 #include "commands/DevicesCommand.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -19,33 +15,9 @@
 namespace pellucida {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Video4Linux's cameras, by the names a source takes, and the virtual microscope.
-std::vector<DeviceReport> search_cameras() {
-  std::vector<DeviceReport> reports;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator("/sys/class/video4linux", ignored)) {
-    const std::string node = entry.path().filename().string();
-    if (node.rfind("video", 0) != 0) continue;
-    std::string model;
-    std::getline(std::ifstream(entry.path() / "name"), model);
-    const bool allowed = access(("/dev/" + node).c_str(), R_OK | W_OK) == 0;
-    reports.push_back({"camera", "v4l2:" + node.substr(5), allowed,
-                       allowed
-                           ? model
-                           : "no permission to read and write /dev/" + node +
-                                 "; add yourself to the group video: sudo adduser \"$USER\" video, and log in again"});
-  }
-  std::sort(reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-  if (reports.empty())
-    reports.push_back({"camera", "v4l2", false, "no Video4Linux camera is plugged in (no /dev/video*)"});
-  reports.push_back({"camera", "virtual", true, "the virtual microscope"});
-  return reports;
-}
-
 std::vector<DeviceReport> search_all() {
   std::vector<DeviceReport> reports = search_cameras();
+  reports.push_back({"camera", "virtual", true, "the virtual microscope"});
   for (const auto& part : {search_hand_devices(), search_manipulators()}) {
     reports.insert(reports.end(), part.begin(), part.end());
   }

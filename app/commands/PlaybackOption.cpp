@@ -34,11 +34,16 @@ void add_showing_options(CLI::App& command, PlaybackOptions& playback, double& s
 }
 
 PipelineOptions options_for(const std::string& source, const CLI::App& command, const PipelineOptions& stated) {
-  PipelineOptions options = stated;
-  const auto is_stated = [&](const char* name) {
+  const auto is_stated = [&](const std::string& name) {
     const CLI::Option* option = command.get_option_no_throw(name);
     return option && option->count() > 0;
   };
+  return options_for(source, is_stated, stated);
+}
+
+PipelineOptions options_for(const std::string& source, const std::function<bool(const std::string&)>& is_stated,
+                            const PipelineOptions& stated) {
+  PipelineOptions options = stated;
   if (is_session(source)) {
     options = recorded_options(SessionReader(source).info());
     if (is_stated("--profile")) {

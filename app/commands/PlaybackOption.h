@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 
 #include "pellucida/pipeline/PipelineOptions.h"
@@ -16,5 +17,8 @@ void add_showing_options(CLI::App& command, PlaybackOptions& playback, double& s
 /// What a run of `source` starts from: for a session the options it was recorded with, where the command line does not
 /// state others (`--profile`, `--quality`, `--detection`, `--revolve-step-deg`); else `stated` as it is.
 PipelineOptions options_for(const std::string& source, const CLI::App& command, const PipelineOptions& stated);
+/// The same; `is_stated`: whether an option, by its name, is stated.
+PipelineOptions options_for(const std::string& source, const std::function<bool(const std::string&)>& is_stated,
+                            const PipelineOptions& stated);
 
 }  // namespace pellucida

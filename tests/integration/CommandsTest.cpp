@@ -228,6 +228,19 @@ TEST(Commands, ReviewNeedsADisplayAndTakesNoOptionsOfARun) {
   }
 }
 
+TEST(Commands, TheStartPageNeedsADisplayAndTakesNoOptionsOfARun) {
+  const auto folder = test::fresh_folder("commands_start", testing::TempDir());
+  const auto blind = test::run_program("workstation --mode start", folder);
+  EXPECT_EQ(blind.exit_code, static_cast<int>(ExitCode::kDeviceMissing));
+  EXPECT_NE(blind.err.find("set DISPLAY"), std::string::npos) << blind.err;
+  for (const char* option :
+       {"--source virtual", "--profile mouse-embryo", "--hand mouse", "--session S", "--speed 2"}) {
+    const auto refused = test::run_program("workstation --mode start " + std::string(option), folder);
+    EXPECT_EQ(refused.exit_code, static_cast<int>(ExitCode::kWrongUsage)) << option;
+    EXPECT_NE(refused.err.find("has no meaning with --mode start"), std::string::npos) << refused.err;
+  }
+}
+
 TEST(Commands, BenchWritesItsFigures) {
   const auto folder = test::fresh_folder("commands_bench", testing::TempDir());
   const auto file = folder / "b.json";

@@ -86,6 +86,28 @@ QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: @text; }
 QLabel[figure="true"] { font-size: 23px; font-weight: 700; }
 QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
+#startCard { background: @panel; border: 1px solid @border; border-radius: 10px; }
+#startCard[current="true"] { border: 1px solid @accent; }
+#startCard QScrollArea, #startCard #cardFields { background: transparent; }
+#cardTitle { font-size: 15px; font-weight: 700; }
+#cardNumber { color: @faint; font-size: 13px; font-weight: 600; }
+#cardText, #fieldNote { color: @dim; font-size: 12px; }
+#fieldName { font-size: 12px; font-weight: 600; }
+#fieldProblem, #cardProblem { color: @record; font-size: 12px; }
+#fieldUnit { color: @dim; font-size: 12px; }
+#computedSize { color: @accent; font-size: 13px; font-weight: 600; }
+#startCard QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
+#startCard QLineEdit[blank="true"] { color: @dim; }
+#startCard QLineEdit:hover, #startCard QLineEdit:focus { border-color: @accent; }
+#startCard QListWidget { background: @raised; border: 1px solid @border; border-radius: 6px; font-size: 12px; }
+#startCard QListWidget:focus { border-color: @accent; }
+#startCard QCheckBox:focus { color: @accent; }
+QPushButton#startRun { font-size: 13px; font-weight: 700; }
+#startCard[current="true"] QPushButton#startRun { background: @accent; border-color: @accent; color: @window; }
+#startCard[current="true"] QPushButton#startRun:focus, #startCard[current="true"] QPushButton#startRun:hover { border-color: @text; }
+#recentTitle { font-size: 13px; font-weight: 600; }
+QToolButton[recent="true"] { background: @panel; border: 1px solid @border; border-radius: 8px; padding: 6px; font-size: 12px; }
+QToolButton[recent="true"]:focus, QToolButton[recent="true"]:hover { border-color: @accent; }
 #banner { background: @record; }
 #banner QLabel { color: @window; font-size: 14px; font-weight: 600; }
 #lessonTitle { font-size: 18px; font-weight: 700; }

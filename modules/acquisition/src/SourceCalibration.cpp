@@ -1,5 +1,6 @@
 #include "SourceCalibration.h"
 
+#include "pellucida/acquisition/StatedRange.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
 
@@ -8,19 +9,18 @@ namespace {
 
 struct Range {
   const char* option;
-  double lower;
-  double upper;
+  StatedRange stated;
   const char* unit;
 };
-constexpr Range kPixelSize{"--pixel-size-um", 0.001, 100.0, "micrometres a pixel"};
-constexpr Range kFrameRate{"--fps", 0.001, 100000.0, "frames a second"};
+constexpr Range kPixelSize{"--pixel-size-um", kStatedPixelSize_um, "micrometres a pixel"};
+constexpr Range kFrameRate{"--fps", kStatedFrameRate_hz, "frames a second"};
 
 void check(const std::optional<double>& value, const Range& range) {
   // Written so that NaN fails too.
-  if (!value || (*value >= range.lower && *value <= range.upper)) return;
+  if (!value || (*value >= range.stated.lower && *value <= range.stated.upper)) return;
   const std::string number = csv_number(*value);
   throw UsageError(std::string(range.option) + " " + (number.empty() ? "nan" : number) + ": out of range; give " +
-                   csv_number(range.lower) + " to " + csv_number(range.upper) + " " + range.unit);
+                   csv_number(range.stated.lower) + " to " + csv_number(range.stated.upper) + " " + range.unit);
 }
 
 void settle(const std::string& name, const char* what, const Range& range, const std::optional<double>& option,

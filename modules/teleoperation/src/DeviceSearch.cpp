@@ -3,6 +3,9 @@
 #include <glob.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <fstream>
+
 #include "pellucida/core/Error.h"
 #include "pellucida/teleoperation/GamepadHand.h"
 #include "pellucida/teleoperation/MouseHand.h"
@@ -82,6 +85,27 @@ void add_serial_ports(const std::vector<SerialPortInfo>& ports, std::vector<Devi
 }
 
 }  // namespace
+
+std::vector<DeviceReport> search_cameras(const std::filesystem::path& listing) {
+  std::vector<DeviceReport> reports;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(listing, ignored)) {
+    const std::string node = entry.path().filename().string();
+    if (node.rfind("video", 0) != 0) continue;
+    std::string model;
+    std::getline(std::ifstream(entry.path() / "name"), model);
+    const bool allowed = access(("/dev/" + node).c_str(), R_OK | W_OK) == 0;
+    reports.push_back({"camera", "v4l2:" + node.substr(5), allowed,
+                       allowed
+                           ? model
+                           : "no permission to read and write /dev/" + node +
+                                 "; add yourself to the group video: sudo adduser \"$USER\" video, and log in again"});
+  }
+  std::sort(reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  if (reports.empty())
+    reports.push_back({"camera", "v4l2", false, "no Video4Linux camera is plugged in (no /dev/video*)"});
+  return reports;
+}
 
 std::vector<DeviceReport> search_hand_devices() {
   std::vector<DeviceReport> reports;

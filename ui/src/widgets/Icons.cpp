@@ -130,6 +130,11 @@ void draw(QPainter& painter, Pictogram pictogram) {
     case Pictogram::kOpen:
       painter.drawPolygon(QPolygonF({{1.5, 3}, {6.5, 3}, {8, 5}, {14.5, 5}, {14.5, 13}, {1.5, 13}}));
       break;
+    case Pictogram::kLesson:
+      // An open book.
+      painter.drawPolygon(QPolygonF({{1, 3.2}, {7.4, 4.6}, {7.4, 13.4}, {1, 12}}));
+      painter.drawPolygon(QPolygonF({{15, 3.2}, {8.6, 4.6}, {8.6, 13.4}, {15, 12}}));
+      break;
     case Pictogram::kNote:
       painter.drawRect(QRectF(3, 3, 10, 1.6));
       painter.drawRect(QRectF(3, 7, 10, 1.6));

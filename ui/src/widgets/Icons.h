@@ -23,6 +23,7 @@ enum class Pictogram {
   kLoop,
   kBackwards,
   kOpen,
+  kLesson,
 };
 QIcon make_icon(Pictogram pictogram);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@ struct DeviceReport {
   bool usable = false;
   std::string detail;  ///< usable: what it is; otherwise why not, and how to correct it
 };
+
+/// Video4Linux's cameras, by the names a source takes (`v4l2:N`). No camera is one report that says so. `listing`: the
+/// system's folder of them.
+std::vector<DeviceReport> search_cameras(const std::filesystem::path& listing = "/sys/class/video4linux");
 
 /// The input devices: OpenHaptics, SpaceMouse, gamepads, mouse and keyboard. A missing kind is one report that states
 /// why. Moves nothing, opens nothing for longer than the search takes.

@@ -1,0 +1,195 @@
+#include "commands/WorkstationRun.h"
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "commands/CommandLine.h"
+#include "commands/GuidedSession.h"
+#include "commands/MeasureSession.h"
+#include "pellucida/core/Error.h"
+#include "pellucida/operation/OperatorConsole.h"
+#include "pellucida/operation/VirtualInjectionSetup.h"
+#include "pellucida/pipeline/AnySource.h"
+#include "pellucida/pipeline/LiveRun.h"
+#include "pellucida/review/Review.h"
+#include "pellucida/start/Start.h"
+#include "pellucida/teach/Teach.h"
+#include "pellucida/ui/Guide.h"
+#include "pellucida/visualization_vtk/RenderPicture.h"
+
+namespace pellucida {
+namespace {
+
+void leave_picture(const WorkstationArguments& arguments, const std::string& session, const BatchResult& result) {
+  const std::filesystem::path picture = arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png"
+                                                                     : std::filesystem::path(arguments.screenshot);
+  render_picture(*result.peak, result.rows, picture);
+  std::cout << "picture  " << picture.string() << '\n';
+}
+
+// No display and nothing named: a guided injection by the simulated operator on the virtual microscope.
+void run_headless_injection(const WorkstationArguments& arguments, const std::string& session) {
+  const SimulatedInjectionOptions operated;
+  const GuidedResult result = measure_guided_session(operated, arguments.pipeline, session, {}, command_line());
+  std::cout << summary(result.measured, session) << summary(result.injection);
+  require_measured(result.measured, "virtual:" + operated.scenario);
+  leave_picture(arguments, session, result.measured);
+}
+
+// No display: the same run, every frame measured, a session and a picture left behind.
+void run_headless(const WorkstationArguments& arguments) {
+  const std::string session = arguments.session.empty() ? default_session_folder() : arguments.session;
+  std::cerr << "pellucida: no display (DISPLAY is not set): running headless\n";
+  if (arguments.hand == "mouse") throw UsageError("--hand mouse needs the window: set DISPLAY, or choose another hand");
+  if (arguments.source == "virtual" && arguments.hand != "none") {
+    run_headless_injection(arguments, session);
+    return;
+  }
+  const auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
+  if (arguments.playback.loop_count == 0) {
+    throw UsageError("--loop 0 never ends and needs the window; set DISPLAY, or give a number");
+  }
+  if (source->info().live) {
+    throw UsageError(arguments.source + ": a live camera never ends and needs the window; set DISPLAY, or name a " +
+                     "recording or a virtual microscope");
+  }
+  const BatchResult result = measure_session(*source, arguments.pipeline, 2, session, {}, command_line());
+  std::cout << summary(result, session);
+  require_measured(result, arguments.source);
+  leave_picture(arguments, session, result);
+}
+
+// The name that the hand's console has for a name on the command line; nothing for no hand.
+std::optional<std::string_view> hand_name(const WorkstationArguments& arguments) {
+  const std::string& hand = arguments.hand;
+  if (hand.empty()) return is_virtual_source(arguments.source) ? std::optional("Demonstration") : std::nullopt;
+  if (hand == "demonstration") return "Demonstration";
+  if (hand == "mouse") return "Mouse";
+  return std::nullopt;
+}
+
+// With a hand: a virtual cell whose needle it moves. Without: any source.
+int run_window(const WorkstationArguments& arguments, GuideOptions options) {
+  const auto hand = hand_name(arguments);
+  if (!hand) {
+    auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
+    return run_guide(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio), nullptr,
+                     options);
+  }
+  if (!is_virtual_source(arguments.source)) {
+    throw UsageError("--hand " + arguments.hand + ": " + arguments.source +
+                     " has no pipette that a hand could move; use --source virtual, or --hand none");
+  }
+  if (arguments.source_options.pixel_size_um || arguments.source_options.frame_rate_hz) {
+    throw UsageError(arguments.source +
+                     ": the scenario fixes pixel size and frame rate; leave out --pixel-size-um and --fps");
+  }
+  const auto colon = arguments.source.find(':');
+  VirtualInjectionSetup setup(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
+  auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), arguments.pipeline);
+  auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
+  options.hand = console->find_hand(*hand).value_or(-1);
+  return run_guide(std::move(run), std::move(console), options);
+}
+
+void set_window(const WorkstationArguments& arguments, WindowOptions& options) {
+  options.screenshot = arguments.screenshot;
+  options.screenshot_after_s = arguments.after_s;
+  options.width_px = arguments.width_px;
+  options.height_px = arguments.height_px;
+}
+
+void require_closed_well(int status) {
+  if (status != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+}
+
+void run_teach_mode(const WorkstationArguments& arguments) {
+  TeachOptions options;
+  set_window(arguments, options);
+  options.lesson = arguments.lesson;
+  options.light_theme = arguments.theme == "light";
+  options.large_letters = arguments.large_letters;
+  require_closed_well(run_teach(options));
+}
+
+// A recorded session in the window; nothing is measured.
+void run_review_mode(const WorkstationArguments& arguments) {
+  if (!has_display()) {
+    throw DeviceError(
+        "--mode review needs a window: set DISPLAY to a running X server; without one, use pellucida "
+        "report or pellucida export");
+  }
+  ReviewOptions options;
+  set_window(arguments, options);
+  options.from_s = arguments.playback.from_s;
+  options.speed_ratio = arguments.speed_ratio;
+  options.loop = arguments.playback.loop_count != 1;
+  options.backwards = arguments.playback.backwards;
+  require_closed_well(run_review(arguments.session, options));
+}
+
+void run_guide_mode(const WorkstationArguments& arguments) {
+  GuideOptions options;
+  options.session_folder = arguments.session;
+  set_window(arguments, options);
+  // A microscope does not end: the virtual one shows its scenario again and again.
+  options.repeat = is_virtual_source(arguments.source);
+  require_closed_well(run_window(arguments, options));
+}
+
+// The arguments that the command line would have for a choice.
+WorkstationArguments arguments_of(const StartChoice& choice) {
+  WorkstationArguments arguments;
+  arguments.mode = name_of(choice.mode);
+  arguments.source = choice.source;
+  if (!choice.profile.empty()) arguments.pipeline.profile = choice.profile;
+  arguments.source_options.pixel_size_um = choice.pixel_size_um;
+  arguments.source_options.frame_rate_hz = choice.frame_rate_hz;
+  arguments.hand = choice.hand;
+  arguments.session = choice.session;
+  arguments.lesson = choice.lesson;
+  arguments.theme = choice.light_theme ? "light" : "dark";
+  arguments.large_letters = choice.large_letters;
+  arguments.pipeline = options_for(
+      arguments.source, [](const auto&) { return true; }, arguments.pipeline);
+  return arguments;
+}
+
+}  // namespace
+
+void run_workstation(const WorkstationArguments& arguments) {
+  if (arguments.mode == "teach") {
+    run_teach_mode(arguments);
+  } else if (arguments.mode == "review") {
+    run_review_mode(arguments);
+  } else if (has_display()) {
+    run_guide_mode(arguments);
+  } else {
+    run_headless(arguments);
+  }
+}
+
+void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
+  if (!has_display()) {
+    throw DeviceError(
+        "--mode start needs a window: set DISPLAY to a running X server; without one, use pellucida workstation "
+        "--source, or pellucida analyze");
+  }
+  StartOptions options;
+  set_window(arguments, options);
+  options.remembered_size = !states_size;
+  while (const auto choice = run_start(options)) {
+    options.problem.clear();
+    std::error_code ignored;
+    options.recording = std::filesystem::exists(choice->source, ignored) ? choice->source : std::string();
+    try {
+      run_workstation(arguments_of(*choice));
+    } catch (const Error& error) {
+      // Back to the page, which says what went wrong.
+      options.problem = error.what();
+    }
+  }
+}
+
+}  // namespace pellucida

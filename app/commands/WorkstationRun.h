@@ -1,0 +1,39 @@
+#pragma once
+#include <string>
+
+#include "commands/PlaybackOption.h"
+#include "pellucida/acquisition/OpenSource.h"
+#include "pellucida/pipeline/PipelineOptions.h"
+#include "pellucida/session/SessionSource.h"
+
+namespace pellucida {
+
+/// What a run of the workstation needs to know, from the command line or from the start page.
+struct WorkstationArguments {
+  std::string source = "virtual";
+  PipelineOptions pipeline;
+  SourceOptions source_options;
+  PlaybackOptions playback;
+  double speed_ratio = 1.0;
+  std::string mode = "guide";
+  std::string lesson;
+  std::string theme = "dark";
+  bool large_letters = false;
+  std::string hand;
+  std::string session;
+  std::string screenshot;
+  double after_s = 8.0;
+  int width_px = 1400;
+  int height_px = 900;
+};
+
+/// Runs the window of the mode (guide, review, teach) until it is closed. Guide without a display measures headless.
+/// Throws UsageError, InputError, DeviceError and OutputError as the windows and sources do.
+void run_workstation(const WorkstationArguments& arguments);
+
+/// The start page, then what is chosen there, then the page again, until it is closed. `states_size`: the window opens
+/// in the size that the arguments have, not in the one it had last. A choice that fails is an error on the page. Throws
+/// DeviceError without a display.
+void run_start_mode(const WorkstationArguments& arguments, bool states_size);
+
+}  // namespace pellucida

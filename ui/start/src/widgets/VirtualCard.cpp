@@ -1,0 +1,33 @@
+#include "widgets/VirtualCard.h"
+
+#include "widgets/CardFields.h"
+#include "widgets/Choice.h"
+
+namespace pellucida {
+
+VirtualCard::VirtualCard(const StartForm& form, std::function<void()> start)
+    : StartCard({StartCardId::kVirtual, Pictogram::kProgram, "Try the virtual microscope",
+                 "A simulated cell under a simulated microscope. Nothing has to be connected.", "Start"},
+                std::move(start)),
+      scenarios_(scenario_entries()),
+      hands_(hand_entries()) {
+  scenario_field_ = add_field("Scenario", scenario_ = make_choice(scenarios_, form.scenario), "scenario");
+  hand_field_ = add_field("What moves the needle", hand_ = make_choice(hands_, form.hand), "hand");
+  finish();
+  for (Choice* choice : {scenario_, hand_}) {
+    connect(choice, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_details(); });
+  }
+  show_details();
+}
+
+void VirtualCard::write(StartForm& form) const {
+  form.scenario = value_of(*scenario_);
+  form.hand = value_of(*hand_);
+}
+
+void VirtualCard::show_details() {
+  scenario_field_->show_note(scenarios_[static_cast<std::size_t>(scenario_->currentIndex())].detail);
+  hand_field_->show_note(hands_[static_cast<std::size_t>(hand_->currentIndex())].detail);
+}
+
+}  // namespace pellucida
