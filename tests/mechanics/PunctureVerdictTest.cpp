@@ -37,7 +37,7 @@ PunctureVerdict pushed(double depth_um, double stiffness_uN_per_um) {
 
 TEST(PunctureVerdict, ReportsTheFrameInWhichTheMembraneLeavesTheTip) {
   PunctureVerdict verdict = pushed(40.0, 0.1);
-  EXPECT_TRUE(verdict.judge(sight(40.4, 0.2, 30.0, 0.8)));
+  EXPECT_TRUE(verdict.judge(sight(40.4, 0.2, 24.0, 0.8)));
   const auto puncture = verdict.take_puncture(3.5);
   ASSERT_TRUE(puncture);
   EXPECT_DOUBLE_EQ(puncture->time_s, 3.5);
@@ -150,7 +150,7 @@ TEST(PunctureVerdict, ATrackedPunctureIsConfirmedByTheMembranesWayBack) {
   int frames = 0;
   for (double depth = 29.0; !verdict.judge(tracked(30.5, depth)); depth -= 1.5) {
     verdict.add(depth, 0.1 * depth);
-    ASSERT_LT(++frames, 7);
+    ASSERT_LT(++frames, 9);
   }
   EXPECT_TRUE(verdict.take_puncture(2.0));
 

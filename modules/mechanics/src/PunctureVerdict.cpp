@@ -12,9 +12,9 @@ constexpr double kSigmas = 4.0;
 /// A dimple shallower than this is no puncture when it goes.
 constexpr double kShallowest_um = 4.0;
 /// The share of its depth by which a membrane has come back that confirms a tracked puncture.
-constexpr double kBack_ratio = 0.25;
+constexpr double kBack_ratio = 0.35;
 /// The same from one frame to the next, for a puncture that only this verdict sees.
-constexpr double kBackAtOnce_ratio = 0.2;
+constexpr double kBackAtOnce_ratio = 0.3;
 /// How the depth of late fades, per frame: a pipette drawn back slowly punctures nothing.
 constexpr double kFade = 0.9;
 /// A shape that leaves the model's by this from one frame to the next, and is so many times what is usual, has sprung.

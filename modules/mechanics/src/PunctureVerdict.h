@@ -8,7 +8,7 @@ namespace pellucida {
 
 /// The one place that decides whether the membrane has given way. It weighs, frame by frame of a contact,
 /// - the tip and the membrane under it: punctured when the membrane has come back, against the depth before, by more
-///   than 4 sigma, 2 um and a fifth of that depth while the tip, which pushed it, has not and is as far past it;
+///   than 4 sigma, 2 um and three tenths of that depth while the tip, which pushed it, has not and is as far past it;
 /// - the tracker's state, which rests on a tip far past the membrane alone: believed only where the membrane has come
 ///   back by a quarter from its depth of late, the tip staying, or where no contact was followed. A tip that is lost in
 ///   the cell's texture runs ahead just so while the membrane still follows the needle: such a frame is doubted, it is
