@@ -30,7 +30,8 @@ Eigen::Matrix2Xd outline(double aspect, double depth_px, double angle, double no
 TEST(Dent, IsAsDeepAsItWasMade) {
   for (const double angle : {0.0, 0.7, 2.0, 4.4})
     for (const double depth : {6.0, 12.0, 24.0})
-      EXPECT_NEAR(dent_ratio(outline(1.0, depth, angle), kCenter, std::nullopt), depth / kRadius, 0.25 * depth / kRadius)
+      EXPECT_NEAR(dent_ratio(outline(1.0, depth, angle), kCenter, std::nullopt), depth / kRadius,
+                  0.25 * depth / kRadius)
           << angle << ' ' << depth;
 }
 

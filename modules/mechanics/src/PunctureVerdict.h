@@ -10,9 +10,9 @@ namespace pellucida {
 /// - the tip and the membrane under it: punctured when the membrane has come back, against the depth before, by more
 ///   than 4 sigma, 2 um and three tenths of that depth while the tip, which pushed it, has not and is as far past it;
 /// - the tracker's state, which rests on a tip far past the membrane alone: believed only where the membrane has come
-///   back by a quarter from its depth of late, the tip staying, or where no contact was followed. A tip that is lost in
-///   the cell's texture runs ahead just so while the membrane still follows the needle: such a frame is doubted, it is
-///   a contact;
+///   back by 0.35 of its depth of late, the tip staying, or where no contact was followed. A tip that is lost in the
+///   cell's texture runs ahead just so while the membrane still follows the needle: such a frame is doubted, it is a
+///   contact;
 /// - the contour, where a tracker keeps it on the tip: punctured when from one frame to the next it leaves the model's
 ///   shape by 1 um and more, outwards in the dimple.
 /// A puncture ends when the tip has left the cell, or is on the membrane again for three frames. One thread at a time.
