@@ -77,6 +77,18 @@ TEST(TrackerInput, ImagesOfAnySizeAndContentDoNotCrash) {
   }
 }
 
+TEST(TrackerInput, AnOutlineOfAnySizeDoesNotCrash) {
+  const std::vector<std::uint8_t> pixels(100 * 80, 120);
+  for (const double radius_um : {0.0, 1e-200, 1e3, 1e9, 1e160, 1e300}) {
+    MembraneTracker tracker;
+    CellHint hint;
+    hint.outline_um = Contour_um(2, 4);
+    *hint.outline_um << 0.0, radius_um, 0.0, -radius_um, radius_um, 0.0, -radius_um, 0.0;
+    tracker.expect_cell(hint);
+    EXPECT_EQ(tracker.process(view_of_bytes(pixels, 100, 80), 0.0, 0).state, CellState::kNoCell) << radius_um;
+  }
+}
+
 TEST(TrackerInput, NoiseAndEmptyFieldsAreNoCell) {
   std::mt19937 random(4);
   std::normal_distribution<double> noise(130.0, 8.0);

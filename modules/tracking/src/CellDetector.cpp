@@ -139,6 +139,13 @@ Judged judge_along(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline, doub
   return result;
 }
 
+// Whether a drawn outline encloses something of this picture's size: one round nothing, or so far out that its area is
+// no number, is no cell's.
+bool can_be_a_cell(const GrayImage& image, const Eigen::Matrix2Xd& outline) {
+  const double area = std::abs(contour::signed_area(outline)), side = image.width + image.height;
+  return area > 1.0 && area < side * side && outline.cwiseAbs().maxCoeff() < 2.0 * side;
+}
+
 // A level set from a rough outline into the edges near by, judged like any other edge.
 Judged settle(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline) {
   const auto refined = refine_by_level_set(pyramid.levels.front(), outline);
@@ -259,6 +266,7 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
                                         const DetectionHint* hint, const contour::Circle* elsewhere) {
   const Pyramid pyramid(image, options);
   const bool drawn = hint != nullptr && hint->outline.cols() >= 3;
+  if (drawn && !can_be_a_cell(pyramid.levels.front(), hint->outline)) return std::nullopt;
   const std::optional<Eigen::Vector2d> inside = hint != nullptr && !drawn ? std::optional(hint->inside) : std::nullopt;
   // A person has said that there is a cell: less evidence will do.
   const double needed = (hint != nullptr ? kHintShare : 1.0) * options.min_detection_score;
