@@ -1,4 +1,5 @@
 #include "pellucida/core_vtk/Frozen.h"
+#include "pellucida/core_vtk/OwnArrays.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
@@ -115,7 +116,9 @@ TEST(Frozen, WritersInSeveralThreadsWriteTheSame) {
       for (std::string& text : written) {
         writers.emplace_back([&frozen, &text] {
           vtkNew<vtkXMLPolyDataWriter> writer;
-          writer->SetInputData(frozen.shallow_copy());
+          const auto copy = frozen.shallow_copy();
+          give_own_arrays(copy);
+          writer->SetInputData(copy);
           writer->SetWriteToOutputString(true);
           writer->Write();
           text = writer->GetOutputString();

@@ -19,6 +19,7 @@
 #include "SessionProvenance.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/core_vtk/OwnArrays.h"
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida {
@@ -131,6 +132,7 @@ class SessionWriter::Impl {
     const auto number = static_cast<long>(head_.counts.hand_block_count);
     if (number == 0) make_folder(folder_ / session_name::kHaptics);
     auto copy = block.shallow_copy();
+    give_own_arrays(copy);
     stamp(copy, time_s, number);
     const std::string content = serialise(copy.Get());
     replace_file(folder_ / hand_file(number), content);
@@ -189,6 +191,7 @@ class SessionWriter::Impl {
   void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data, SessionCounts& counts, Packing packing) {
     if (!data) return;
     auto copy = data.shallow_copy();
+    give_own_arrays(copy);
     // The row is what counts: a part that says otherwise (or nothing) is stamped like it.
     if (!is_stamped_as(copy, step)) stamp(copy, step.time_s, step.frame_index);
     const SteadyTime start = std::chrono::steady_clock::now();
