@@ -8,6 +8,7 @@
 #include "commands/BenchCommand.h"
 #include "commands/CheckCommand.h"
 #include "commands/CommandLine.h"
+#include "commands/ConvertCommand.h"
 #include "commands/DevicesCommand.h"
 #include "commands/ExportCommand.h"
 #include "commands/ForceCommand.h"
@@ -23,6 +24,7 @@
 #include "commands/Versions.h"
 #include "commands/WorkstationCommand.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/VtkThreads.h"
 
 namespace {
 
@@ -55,6 +57,7 @@ int main(int argc, char** argv) {
   pellucida::add_identify_command(app);
   pellucida::add_force_command(app);
   pellucida::add_check_command(app);
+  pellucida::add_convert_command(app);
   pellucida::add_export_command(app);
   pellucida::add_report_command(app);
   pellucida::add_trial_command(app);
@@ -67,6 +70,7 @@ int main(int argc, char** argv) {
       ->group("");
   pellucida::keep_command_line(argc, argv);
   pellucida::install_signals();
+  pellucida::keep_vtk_loops_on_their_thread();
   try {
     app.parse(argc, argv);
     // Without a subcommand: the workstation on the virtual microscope.

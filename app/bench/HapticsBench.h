@@ -1,7 +1,6 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "pellucida/haptics/LatencyHistogram.h"
 

@@ -8,12 +8,12 @@
 #include <map>
 
 #include "commands/Interrupt.h"
-#include "commands/Progress.h"
 #include "pellucida/batch/Groups.h"
 #include "pellucida/batch/OverviewPage.h"
 #include "pellucida/batch/RecordingBatch.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/OutputFile.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/session/SessionSource.h"

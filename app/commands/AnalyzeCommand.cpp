@@ -1,7 +1,9 @@
 #include "commands/AnalyzeCommand.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <map>
 
 #include "commands/AnalyzeBatch.h"
 #include "commands/CommandLine.h"
@@ -12,6 +14,7 @@
 #include "pellucida/batch/RecordingList.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/identification/Aspiration.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/RunProvenance.h"
@@ -26,8 +29,7 @@ struct AnalyzeArguments {
   SourceOptions source;
   PlaybackOptions playback{.all_frames = true};
   std::string quality = "live";
-  Palpation palpation;
-  double known_sigma_percent = 5.0;
+  std::map<std::string, std::optional<double>> scale;  ///< numbers of `ScaleMeasurement` by key
   bool no_frames = false;
 };
 
@@ -42,31 +44,25 @@ std::vector<std::string> options_of_each(const CLI::App& command) {
         name == "--jobs") {
       continue;
     }
-    if (option->get_items_expected_max() == 0) {
-      options.push_back(name);
-    } else {
-      for (const std::string& value : option->results()) options.push_back(name + '=' + value);
-    }
+    const bool is_flag = option->get_items_expected_max() == 0;
+    for (const std::string& value : option->results()) options.push_back(is_flag ? name : name + '=' + value);
   }
   return options;
 }
 
 void analyze(const CLI::App& command, const AnalyzeArguments& arguments) {
   const std::string& input = arguments.batch.inputs.front();
-  const std::string& output = arguments.batch.output;
   const bool is_batch = arguments.batch.inputs.size() > 1 || is_batch_folder(input);
   if (arguments.batch.job_count < 1) {
     throw UsageError("--jobs " + std::to_string(arguments.batch.job_count) + ": give a number of 1 or more");
   }
   PipelineOptions stated = arguments.pipeline;
   if (arguments.quality == "high") stated.tracker.quality = TrackerOptions::Quality::kHigh;
-  const Palpation& palpation = arguments.palpation;
-  if (palpation.known_force_uN != 0.0 || palpation.known_stiffness_uN_per_um != 0.0 ||
-      palpation.indentation_um != 0.0) {
-    stated.palpation = palpation;
-    stated.palpation->relative_sigma = 0.01 * arguments.known_sigma_percent;
-    validate(*stated.palpation);
+  ScaleMeasurement given;
+  for (const auto& [key, value] : arguments.scale) {
+    if (value) *std::get<double*>(fields_of(given).find(key)->value) = *value;
   }
+  stated.scale_measurements = separated(given);
   if (is_batch) {
     BatchArguments batch = arguments.batch;
     batch.options = options_of_each(command);
@@ -79,11 +75,12 @@ void analyze(const CLI::App& command, const AnalyzeArguments& arguments) {
       throw UsageError(option->get_name() + ": for more than one recording; " + input + " is one");
     }
   }
-  const PipelineOptions pipeline = options_for(input, command, stated);
+  PipelineOptions pipeline = options_for(input, command, stated);
+  for (ScaleMeasurement& one : pipeline.scale_measurements) one = with_modulus(one, profile_of(pipeline));
   const auto source = open_any_source(input, arguments.source, arguments.playback);
-  const BatchResult result = measure_session(*source, pipeline, arguments.batch.job_count, output,
+  const BatchResult result = measure_session(*source, pipeline, arguments.batch.job_count, arguments.batch.output,
                                              {.frames = !arguments.no_frames}, command_line());
-  std::cout << summary(result, output);
+  std::cout << summary(result, arguments.batch.output);
   require_measured(result, input);
 }
 
@@ -139,17 +136,15 @@ void add_analyze_command(CLI::App& app) {
                    "time does not matter")
       ->check(CLI::IsMember({"live", "high"}))
       ->capture_default_str();
-  add_detection_option(*command, arguments->pipeline.tracker.detection);
-  command->add_option("--known-force-uN", arguments->palpation.known_force_uN,
-                      "force measured independently in a small push beforehand, uN: scales all forces to this cell");
-  command->add_option("--known-stiffness-uN-per-um", arguments->palpation.known_stiffness_uN_per_um,
-                      "instead of a force: the stiffness measured independently, uN/um");
-  command->add_option("--at-indentation-um", arguments->palpation.indentation_um, "the depth of that push, um");
-  command
-      ->add_option("--known-force-sigma-percent", arguments->known_sigma_percent,
-                   "standard deviation of the known force or stiffness, %")
-      ->check(number_in(above(0.0, 100.0)))
-      ->capture_default_str();
+  add_detection_option(*command, arguments->pipeline);
+  ScaleMeasurement defaults;
+  for (const FieldPlace& field : fields_of(defaults)) {
+    if (field.key.starts_with("modulus") || field.key == "since_s") continue;
+    std::string option = "--" + field.key;
+    std::replace(option.begin(), option.end(), '_', '-');
+    add_field_option(*command, option, field, arguments->scale[field.key], field.value_text())
+        ->group("Scale of this cell");
+  }
   add_range_options(*command, arguments->playback);
   command->add_flag("--no-frames", arguments->no_frames, "omit the images from the session");
   command

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -12,17 +11,14 @@
 #include "bench/ReplayBench.h"
 #include "bench/TrackingBench.h"
 #include "commands/FieldOption.h"
-#include "commands/Progress.h"
-#include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
-#include "pellucida/core/TemporaryFolder.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/identification/Identification.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/BatchRun.h"
-#include "pellucida/session/SessionReader.h"
-#include "pellucida/session/SessionWriter.h"
+#include "pellucida/pipeline/SessionBench.h"
 
 namespace pellucida {
 namespace {
@@ -198,36 +194,10 @@ Json bench_pipeline(const Rounds& rounds) {
           {"display_frames_per_s", display_frames_per_s}};
 }
 
-Json bench_session(const Rounds& rounds, const SourceInfo& source) {
-  const TemporaryFolder folder;
-  const auto session = folder.path() / "session";
-  const SteadyClock clock;
-  SessionInfo info;
-  info.source = source;
-  SessionWriter writer(session, info);
-  for (const Scene& scene : rounds.scenes) writer.write(scene);
-  writer.close();
-  const double write_s = clock.now_s();
-
-  const SteadyClock open_clock;
-  const SessionReader reader(session);
-  const double open_ms = 1e3 * open_clock.now_s();
-  Distribution seek_ms;
-  for (std::size_t i = 0; i < reader.steps().size(); i += 5) {
-    const SteadyClock seek_clock;
-    reader.load((i * 7919) % reader.steps().size());
-    seek_ms.add(1e3 * seek_clock.now_s());
-  }
-  const double frames_per_s = static_cast<double>(rounds.scenes.size()) / write_s;
-  const double bytes_per_frame =
-      static_cast<double>(writer.counts().byte_count) / static_cast<double>(rounds.scenes.size());
-  std::printf("%-28s %9.1f frames/s, %.0f kB per frame; open %.1f ms, seek %.1f ms median\n", "session writing",
-              frames_per_s, 1e-3 * bytes_per_frame, open_ms, seek_ms.quantile(0.5));
-  return {{"frames_per_s", frames_per_s},
-          {"bytes_per_frame", bytes_per_frame},
-          {"dropped", writer.counts().dropped_count},
-          {"open_ms", open_ms},
-          {"seek_ms", to_json(seek_ms)}};
+Json bench_session(const Rounds& rounds, const SourceInfo& source, double seconds) {
+  const SessionBenchReport measured = measure_sessions(rounds.scenes, source, seconds);
+  std::cout << measured.text;
+  return Json::parse(measured.json);
 }
 
 Json bench_replay(const BenchArguments& arguments) {
@@ -274,7 +244,7 @@ void bench(const BenchArguments& arguments) {
     if (wanted("mechanics")) report["mechanics"] = bench_mechanics(rounds, arguments.pipeline.profile);
     if (arguments.part == "mechanics") report["mechanics"]["identification"] = bench_identification();
     if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds);
-    if (wanted("session")) report["session"] = bench_session(rounds, source);
+    if (wanted("session")) report["session"] = bench_session(rounds, source, arguments.seconds);
   }
   if (arguments.json.empty()) return;
   OutputFile file(arguments.json);

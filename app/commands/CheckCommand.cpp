@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "commands/Progress.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/session/SessionCheck.h"
 
 namespace pellucida {
@@ -21,7 +21,8 @@ void print_counts(const SessionCounts& counts) {
   std::cout << counts.step_count << " steps, " << counts.files(SessionPart::kSurface) << " surfaces, "
             << counts.files(SessionPart::kMembranes) << " contours, " << counts.files(SessionPart::kTools) << " tools, "
             << counts.files(SessionPart::kFrame) << " frames, " << counts.event_count << " events; "
-            << counts.unmeasured_count << " frames not measured, " << counts.dropped_count << " without their image\n";
+            << counts.unmeasured_count << " frames not measured, " << counts.dropped_count << " without their image, "
+            << counts.thinned_count << " without their surface\n";
 }
 
 void check(const CheckArguments& arguments) {

@@ -1,17 +1,13 @@
 #include "commands/ExportCommand.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "commands/Progress.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/session/SessionExport.h"
-#include "pellucida/session/SessionReader.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
@@ -24,23 +20,12 @@ struct ExportArguments {
   bool no_picture = false;
 };
 
-// The step of the largest contact force; without one, the step seen best.
-std::size_t telling_step(const std::vector<Measurement>& rows) {
-  const auto score = [](const Measurement& m) {
-    if (m.contact_force_uN > 0.0) return 1.0 + m.contact_force_uN;
-    return std::isnan(m.confidence) ? -1.0 : m.confidence;
-  };
-  const auto best =
-      std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });
-  return static_cast<std::size_t>(best - rows.begin());
-}
-
 // One picture of the whole session: the scene at the largest force, above the curves of all rows.
 void export_picture(const ExportArguments& arguments) {
   const SessionReader session(arguments.session);
   if (session.measurements().empty()) return;
   const auto picture = std::filesystem::path(arguments.output) / "session.png";
-  render_picture(session.load(telling_step(session.measurements())), session.measurements(), picture);
+  render_picture(session.load(telling_step(session)), session.measurements(), picture);
   std::cout << picture.string() << '\n';
 }
 

@@ -8,10 +8,10 @@
 #include "commands/CommandLine.h"
 #include "commands/IdentifyPicture.h"
 #include "commands/IdentifyReport.h"
-#include "commands/Progress.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/identification/GeometrySurvey.h"
@@ -149,8 +149,10 @@ void survey(const IdentifyArguments& arguments, CellProfile& profile) {
   set_source(profile, "geometry_terms",
              "least squares to the solid of revolution (modules/fem) on " + std::to_string(arguments.geometry_cells) +
                  " geometries, over the springs there");
-  std::printf("other geometries: %d cells, the force of those left out of the fit within %.1f %% (RMS)\n",
-              profile.geometry_range.cell_count, 100.0 * profile.geometry_range.spread_ratio);
+  const GeometryRange& range = profile.geometry_range;
+  std::printf(
+      "other geometries: %d cells; force and pressure of those left out of the fit within %.1f and %.1f %% (RMS)\n",
+      range.cell_count, 100.0 * range.spread_ratio, 100.0 * range.pressure_spread_ratio);
 }
 
 void write_profile(const CellProfile& profile, const fs::path& file) {

@@ -1,9 +1,11 @@
 #include "commands/Interrupt.h"
 
 #include <signal.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cstdint>
 #include <cstring>
 #include <initializer_list>
 
@@ -12,6 +14,7 @@ namespace {
 
 std::atomic<int> scope_count{0};
 std::atomic<int> kept_signal{0};
+std::atomic<int> wake_descriptor{-1};
 static_assert(std::atomic<int>::is_always_lock_free);
 
 // Only what a signal handler may call.
@@ -34,6 +37,8 @@ void say(const char* before, const char* name, const char* behind) noexcept {
 void on_signal(int number) {
   int none = 0;
   if (scope_count.load() > 0 && kept_signal.compare_exchange_strong(none, number)) {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const ssize_t result = ::write(wake_descriptor.load(), &one, sizeof one);
     say("\npellucida: ", signal_name(number), ": completing what is done; a second one ends at once\n");
     return;
   }
@@ -45,6 +50,7 @@ void on_signal(int number) {
 
 void install_signals() {
   ::signal(SIGXFSZ, SIG_IGN);
+  wake_descriptor = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
     if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) continue;
@@ -66,6 +72,10 @@ InterruptScope::~InterruptScope() {
 
 int interrupted() noexcept {
   return kept_signal.load();
+}
+
+int interrupt_descriptor() noexcept {
+  return wake_descriptor.load();
 }
 
 const char* signal_name(int number) noexcept {

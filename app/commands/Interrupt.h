@@ -20,6 +20,9 @@ class InterruptScope {
 
 /// The number of the signal that was kept; 0 for none.
 int interrupted() noexcept;
+/// A descriptor that can be read once a signal was kept, for event loops; -1 where the system gives none. Never read
+/// from it: it stays so for all that wait.
+int interrupt_descriptor() noexcept;
 /// "SIGINT", "SIGTERM" or "SIGHUP".
 const char* signal_name(int number) noexcept;
 /// Ends the program by the signal that was kept, as if it had not been: a shell sees that it was interrupted.

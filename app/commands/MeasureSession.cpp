@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "commands/Interrupt.h"
-#include "commands/Progress.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/pipeline/RunProvenance.h"
 #include "pellucida/reconstruction/Revolve.h"
@@ -37,8 +37,8 @@ std::string state_line(const BatchResult& result) {
 std::string force_line(const BatchResult& result) {
   if (!result.peak || !(result.peak->measurement.contact_force_uN > 0.0)) return "no contact force measured";
   const Measurement& m = result.peak->measurement;
-  return format("%.2f uN (95 %%: %.2f to %.2f) at %.1f um, %.2f s", m.contact_force_uN, m.contact_force_lower_uN,
-                m.contact_force_upper_uN, m.indentation_um, m.time_s);
+  return format("%.2f uN (95 %%: %.2f to %.2f; %s) at %.1f um, %.2f s", m.contact_force_uN, m.contact_force_lower_uN,
+                m.contact_force_upper_uN, to_string(force_spread(m)).c_str(), m.indentation_um, m.time_s);
 }
 
 // What speaks against the peak's force, a line each; and what other models say of the same push.
@@ -59,7 +59,7 @@ std::string remark_lines(const BatchResult& result) {
   return lines + "others   " + others + '\n';
 }
 
-// "1.20 times the profile's, +- 7 %; puncture likely from 38 um on" where the cell was palpated.
+// "1.20 times the profile's, +- 7 %; puncture likely from 38 um on" where the cell's own scale was measured.
 std::string scale_line(const BatchResult& result) {
   std::string line = format("%.2f times the profile's forces, +- %.0f %%", result.cell_scale.ratio,
                             100.0 * result.cell_scale.relative_sigma);
@@ -128,14 +128,14 @@ BatchResult measure_session(FrameSource& source, const PipelineOptions& pipeline
     const double time_s = result.rows.empty() ? 0.0 : result.rows.back().time_s;
     writer.event({time_s, event_kind::kStopped, std::string("the program was stopped by ") + signal_name(number)});
   }
-  if (pipeline.palpation)
-    writer.set_palpation(palpation_json(*pipeline.palpation, result.cell_scale, result.puncture_risk));
+  if (const auto& scale = pipeline.scale_measurements; !scale.empty())
+    writer.set_palpation(palpation_json(scale, result.cell_scale, result.puncture_risk));
   writer.close();
   return result;
 }
 
 std::string summary(const BatchResult& result, const std::filesystem::path& folder) {
-  std::string text = "frames   " + state_line(result) + '\n';
+  std::string text = "frames   " + state_line(result) + '\n' + damage_line(result);
   text += "profile  " + result.profile.name + " (" + result.profile.description + ")\n";
   text += "force    " + force_line(result) + '\n' + remark_lines(result);
   text += "cell     " + cell_line(result) + '\n';

@@ -53,8 +53,9 @@ PipelineOptions options_for(const std::string& source, const std::function<bool(
     if (is_stated("--quality")) options.tracker.quality = stated.tracker.quality;
     if (is_stated("--detection")) options.tracker.detection = stated.tracker.detection;
     if (is_stated("--revolve-step-deg")) options.revolve_step_deg = stated.revolve_step_deg;
-    if (stated.palpation) options.palpation = stated.palpation;
+    if (!stated.scale_measurements.empty()) options.scale_measurements = stated.scale_measurements;
   }
+  options.hints = stated.hints;
   options.versions = library_versions();
   return options;
 }

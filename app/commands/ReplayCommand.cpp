@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -14,11 +13,11 @@
 #include "commands/DetectionOption.h"
 #include "commands/Interrupt.h"
 #include "commands/PlaybackOption.h"
-#include "commands/Progress.h"
 #include "commands/ReplayPlay.h"
 #include "commands/ReplayVariants.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/OutputFile.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/pipeline/Counterfactual.h"
 #include "pellucida/pipeline/RunProvenance.h"
 
@@ -192,7 +191,7 @@ void add_replay_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--quality", arguments->quality, "of tracking, live or high (default: as recorded)")
       ->check(CLI::IsMember({"live", "high"}));
-  add_detection_option(*command, arguments->pipeline.tracker.detection);
+  add_detection_option(*command, arguments->pipeline);
   command->add_option("--revolve-step-deg", arguments->pipeline.revolve_step_deg,
                       "angle between the meridians of the 3-D mesh, degrees, a divisor of 360 (default: as recorded)");
   command->add_option("--pixel-size-um", arguments->playback.pixel_size_um,

@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "commands/Progress.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/pipeline/ChangeFigures.h"
 #include "pellucida/pipeline/LiveRun.h"

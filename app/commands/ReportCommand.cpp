@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "commands/Progress.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/report/PassportReport.h"
 
 namespace pellucida {

@@ -6,10 +6,10 @@
 
 #include "commands/FieldOption.h"
 #include "commands/Interrupt.h"
-#include "commands/Progress.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/simulation/FrameWriter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 

@@ -11,11 +11,11 @@
 
 #include "commands/FieldOption.h"
 #include "commands/Interrupt.h"
-#include "commands/Progress.h"
 #include "commands/TrialPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
+#include "pellucida/core/Progress.h"
 #include "pellucida/evaluation/TrialSeries.h"
 #include "pellucida/evaluation/TrialSummary.h"
 

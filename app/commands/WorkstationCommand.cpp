@@ -29,7 +29,7 @@ void add_workstation_command(CLI::App& app) {
   command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, a session, or a camera v4l2:N")
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
-  add_detection_option(*command, arguments->pipeline.tracker.detection);
+  add_detection_option(*command, arguments->pipeline);
   command->add_option("--pixel-size-um", arguments->source_options.pixel_size_um,
                       "edge of a pixel, um (default: metadata)");
   command->add_option("--fps", arguments->source_options.frame_rate_hz, "frames a second (default: metadata)");
@@ -45,9 +45,10 @@ void add_workstation_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--lesson", arguments->lesson,
                       "of Teach mode to begin with, by name or file (default: the first)");
-  command->add_option("--theme", arguments->theme, "of Teach mode: dark, or light for projectors")
-      ->check(CLI::IsMember({"dark", "light"}))
-      ->capture_default_str();
+  command->add_option("--theme", arguments->window.theme, "dark, or light for bright rooms (default: chosen last)")
+      ->check(CLI::IsMember({"dark", "light"}));
+  command->add_option("--language", arguments->window.language, "en or de (default: chosen last, else the system's)")
+      ->check(CLI::IsMember({"en", "de"}));
   command->add_flag("--large-letters", arguments->large_letters, "Teach mode in larger letters");
   command
       ->add_option("--hand", arguments->hand,
@@ -58,28 +59,30 @@ void add_workstation_command(CLI::App& app) {
       "--session", arguments->session,
       "guide: folder to record into (default: a new one in ~/Pellucida); review: folder of the session to open "
       "(default: the window asks)");
-  command->add_option("--screenshot", arguments->screenshot, "save the window as a PNG file, then close");
-  command->add_option("--after", arguments->after_s, "seconds before the screenshot")
+  command->add_option("--compare", arguments->compare, "review: folder of a session to compare with");
+  command->add_option("--screenshot", arguments->window.screenshot, "save the window as a PNG file, then close");
+  command->add_option("--after", arguments->window.screenshot_after_s, "seconds before the screenshot")
       ->check(number_in({0.0, 86400.0}))
       ->capture_default_str();
-  command->add_option("--width-px", arguments->width_px, "width of the window at the start, px")
+  command->add_option("--width-px", arguments->window.width_px, "width of the window at the start, px")
       ->check(CLI::Range(800, 8000))
       ->capture_default_str();
-  command->add_option("--height-px", arguments->height_px, "height of the window at the start, px")
+  command->add_option("--height-px", arguments->window.height_px, "height of the window at the start, px")
       ->check(CLI::Range(500, 8000))
       ->capture_default_str();
   command->callback([command, arguments] {
-    if (arguments->mode != "teach" &&
-        (!arguments->lesson.empty() || arguments->theme != "dark" || arguments->large_letters)) {
-      throw UsageError("--lesson, --theme and --large-letters belong to --mode teach; add it, or leave them out");
-    }
+    const auto belongs = [&](const char* option, const char* mode) {
+      if (command->count(option) > 0 && arguments->mode != mode)
+        throw UsageError(std::string(option) + " belongs to --mode " + mode + "; add it, or leave it out");
+    };
+    for (const char* option : {"--lesson", "--large-letters"}) belongs(option, "teach");
+    belongs("--compare", "review");
     if (arguments->mode == "start") {
       refuse_options(*command,
                      {"--source", "--profile", "--detection", "--hand", "--pixel-size-um", "--fps", "--max-megapixels",
                       "--session", "--from", "--to", "--every", "--speed", "--loop", "--backwards"},
                      "--mode start, whose page asks for it");
-      const bool states_size = command->count("--width-px") + command->count("--height-px") > 0;
-      run_start_mode(*arguments, states_size);
+      run_start_mode(*arguments, command->count("--width-px") + command->count("--height-px") > 0);
       return;
     }
     if (arguments->mode == "review") {

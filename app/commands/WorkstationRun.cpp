@@ -6,8 +6,10 @@
 
 #include "commands/CommandLine.h"
 #include "commands/GuidedSession.h"
+#include "commands/Interrupt.h"
 #include "commands/MeasureSession.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/guide/Guide.h"
 #include "pellucida/operation/OperatorConsole.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
@@ -15,15 +17,15 @@
 #include "pellucida/review/Review.h"
 #include "pellucida/start/Start.h"
 #include "pellucida/teach/Teach.h"
-#include "pellucida/ui/Guide.h"
 #include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 namespace {
 
 void leave_picture(const WorkstationArguments& arguments, const std::string& session, const BatchResult& result) {
-  const std::filesystem::path picture = arguments.screenshot.empty() ? std::filesystem::path(session) / "picture.png"
-                                                                     : std::filesystem::path(arguments.screenshot);
+  const std::filesystem::path picture = arguments.window.screenshot.empty()
+                                            ? std::filesystem::path(session) / "picture.png"
+                                            : std::filesystem::path(arguments.window.screenshot);
   render_picture(*result.peak, result.rows, picture);
   std::cout << "picture  " << picture.string() << '\n';
 }
@@ -93,11 +95,11 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   return run_guide(std::move(run), std::move(console), options);
 }
 
-void set_window(const WorkstationArguments& arguments, WindowOptions& options) {
-  options.screenshot = arguments.screenshot;
-  options.screenshot_after_s = arguments.after_s;
-  options.width_px = arguments.width_px;
-  options.height_px = arguments.height_px;
+// The window's options; the first signal closes it.
+WindowOptions window_of(const WorkstationArguments& arguments) {
+  WindowOptions window = arguments.window;
+  window.stop_descriptor = interrupt_descriptor();
+  return window;
 }
 
 void require_closed_well(int status) {
@@ -106,9 +108,8 @@ void require_closed_well(int status) {
 
 void run_teach_mode(const WorkstationArguments& arguments) {
   TeachOptions options;
-  set_window(arguments, options);
+  static_cast<WindowOptions&>(options) = window_of(arguments);
   options.lesson = arguments.lesson;
-  options.light_theme = arguments.theme == "light";
   options.large_letters = arguments.large_letters;
   require_closed_well(run_teach(options));
 }
@@ -121,7 +122,8 @@ void run_review_mode(const WorkstationArguments& arguments) {
         "report or pellucida export");
   }
   ReviewOptions options;
-  set_window(arguments, options);
+  static_cast<WindowOptions&>(options) = window_of(arguments);
+  options.compare = arguments.compare;
   options.from_s = arguments.playback.from_s;
   options.speed_ratio = arguments.speed_ratio;
   options.loop = arguments.playback.loop_count != 1;
@@ -132,15 +134,17 @@ void run_review_mode(const WorkstationArguments& arguments) {
 void run_guide_mode(const WorkstationArguments& arguments) {
   GuideOptions options;
   options.session_folder = arguments.session;
-  set_window(arguments, options);
+  static_cast<WindowOptions&>(options) = window_of(arguments);
   // A microscope does not end: the virtual one shows its scenario again and again.
   options.repeat = is_virtual_source(arguments.source);
   require_closed_well(run_window(arguments, options));
 }
 
 // The arguments that the command line would have for a choice.
-WorkstationArguments arguments_of(const StartChoice& choice) {
+WorkstationArguments arguments_of(const StartChoice& choice, const WorkstationArguments& page) {
   WorkstationArguments arguments;
+  arguments.window.theme = page.window.theme;
+  arguments.window.language = page.window.language;
   arguments.mode = name_of(choice.mode);
   arguments.source = choice.source;
   if (!choice.profile.empty()) arguments.pipeline.profile = choice.profile;
@@ -149,7 +153,6 @@ WorkstationArguments arguments_of(const StartChoice& choice) {
   arguments.hand = choice.hand;
   arguments.session = choice.session;
   arguments.lesson = choice.lesson;
-  arguments.theme = choice.light_theme ? "light" : "dark";
   arguments.large_letters = choice.large_letters;
   arguments.pipeline = options_for(
       arguments.source, [](const auto&) { return true; }, arguments.pipeline);
@@ -159,6 +162,8 @@ WorkstationArguments arguments_of(const StartChoice& choice) {
 }  // namespace
 
 void run_workstation(const WorkstationArguments& arguments) {
+  // A window closes with the first signal, and its recording with it.
+  const InterruptScope scope;
   if (arguments.mode == "teach") {
     run_teach_mode(arguments);
   } else if (arguments.mode == "review") {
@@ -176,19 +181,23 @@ void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
         "--mode start needs a window: set DISPLAY to a running X server; without one, use pellucida workstation "
         "--source, or pellucida analyze");
   }
+  const InterruptScope scope;
   StartOptions options;
-  set_window(arguments, options);
+  static_cast<WindowOptions&>(options) = window_of(arguments);
   options.remembered_size = !states_size;
   while (const auto choice = run_start(options)) {
     options.problem.clear();
     std::error_code ignored;
     options.recording = std::filesystem::exists(choice->source, ignored) ? choice->source : std::string();
     try {
-      run_workstation(arguments_of(*choice));
+      run_workstation(arguments_of(*choice, arguments));
     } catch (const Error& error) {
       // Back to the page, which says what went wrong.
       options.problem = error.what();
+      // Nobody is there any more to read it on the page.
+      if (interrupted() != 0) throw;
     }
+    if (interrupted() != 0) break;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "pellucida/acquisition/OpenSource.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 #include "pellucida/session/SessionSource.h"
+#include "pellucida/ui/WindowOptions.h"
 
 namespace pellucida {
 
@@ -17,14 +18,11 @@ struct WorkstationArguments {
   double speed_ratio = 1.0;
   std::string mode = "guide";
   std::string lesson;
-  std::string theme = "dark";
   bool large_letters = false;
   std::string hand;
   std::string session;
-  std::string screenshot;
-  double after_s = 8.0;
-  int width_px = 1400;
-  int height_px = 900;
+  std::string compare;
+  WindowOptions window;
 };
 
 /// Runs the window of the mode (guide, review, teach) until it is closed. Guide without a display measures headless.

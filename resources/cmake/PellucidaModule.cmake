@@ -84,7 +84,8 @@ function(pellucida_add_test NAME)
     add_test(NAME ${NAME} COMMAND ${NAME} ${configurations})
     set_tests_properties(${NAME} PROPERTIES ${properties})
   else()
-    gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST PROPERTIES ${properties})
+    # A program of 150 MB whose pages are not in memory yet takes longer to list its tests than the 5 s that are the default.
+    gtest_discover_tests(${NAME} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 300 PROPERTIES ${properties})
   endif()
 endfunction()
 

@@ -245,6 +245,24 @@ TEST(BadInput, CamerasThatAreNotThere) {
                [] { open_source("genicam:1", kAnyScale); });
 }
 
+// Each pass of a progressive JPEG takes the time of a picture and a few bytes.
+TEST(BadInput, AJpegOfEndlessPassesIsRefused) {
+  const TemporaryFolder folder;
+  cv::imwrite(folder / "a.jpg", picture(0), {cv::IMWRITE_JPEG_PROGRESSIVE, 1});
+  const std::string whole = text_of(folder / "a.jpg");
+  const std::size_t last = whole.rfind("\xFF\xDA"), end = whole.rfind("\xFF\xD9");
+  ASSERT_TRUE(last != std::string::npos && end != std::string::npos && last < end);
+  std::string endless = whole.substr(0, end);
+  for (int i = 0; i < 200; ++i) endless += whole.substr(last, end - last);
+  put(folder / "b.jpg", endless + whole.substr(end));
+  EXPECT_TRUE(open_source(folder / "a.jpg", kAnyScale)->next());
+  expect_error(ExitCode::kInputUnreadable, "broken image", [&] {
+    const auto source = open_source(folder / "b.jpg", kAnyScale);
+    while (source->next()) {
+    }
+  });
+}
+
 // The exception's line is the only one: the libraries below say nothing of their own.
 TEST(BadInput, LibrariesKeepSilent) {
   const TemporaryFolder folder;

@@ -48,6 +48,23 @@ TEST(ContainerExtent, OtherFilesDeclareNothing) {
   }
 }
 
+// A second box whose 64 bit size leads back to the first.
+TEST(ContainerExtent, ASizeThatGoesRoundEndsThere) {
+  const TemporaryFolder folder;
+  const std::string first(
+      "\0\0\0\x10"
+      "ftyp"
+      "isomisom",
+      16);
+  put(folder / "x", first + std::string("\0\0\0\x01"
+                                        "free"
+                                        "\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xF0",
+                                        16));
+  const ContainerExtent extent = container_extent(folder / "x");
+  EXPECT_EQ(extent.kind, ContainerExtent::Kind::kIso);
+  EXPECT_TRUE(extent.cut_off());
+}
+
 // No head, however garbled, may send the reader round in circles.
 TEST(ContainerExtent, GarbledHeadsEnd) {
   const TemporaryFolder folder;

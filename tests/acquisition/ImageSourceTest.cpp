@@ -199,6 +199,11 @@ TEST(Sequence, CutOffTiffGivesWhatIsThere) {
   const long promised = *source->info().frame_count;
   EXPECT_LT(promised, 4);
   EXPECT_GE(promised, 1);
+  // What is there is given, and then said where it ends, once.
+  for (long i = 0; i < promised; ++i) EXPECT_TRUE(source->next()) << i;
+  expect_error(ExitCode::kInputUnreadable, "a.tif: broken off after page " + std::to_string(promised),
+               [&] { source->next(); });
+  EXPECT_FALSE(source->next());
 }
 
 }  // namespace

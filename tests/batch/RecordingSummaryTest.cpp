@@ -27,6 +27,8 @@ TEST(RecordingSummary, NumbersAreThoseOfTheSession) {
   EXPECT_EQ(s.peak_force_uN, 4.0);
   EXPECT_NEAR(s.peak_force_lower_uN, 3.6, 1e-9);
   EXPECT_NEAR(s.peak_force_upper_uN, 4.4, 1e-9);
+  EXPECT_NEAR(s.peak_picture_sigma_percent, 5.0, 1e-6);
+  EXPECT_NEAR(s.peak_scale_sigma_percent, 40.0, 1e-6);
   EXPECT_EQ(s.peak_depth_um, 10.0);
   EXPECT_EQ(s.peak_stiffness_uN_per_um, 0.25);
   EXPECT_NEAR(s.puncture_time_s, 0.4, 1e-12);

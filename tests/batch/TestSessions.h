@@ -27,6 +27,10 @@ inline void write_session(const std::filesystem::path& folder, const std::vector
     scene.measurement.contact_force_uN = forces_uN[i];
     scene.measurement.contact_force_lower_uN = 0.9 * forces_uN[i];
     scene.measurement.contact_force_upper_uN = 1.1 * forces_uN[i];
+    scene.measurement.contact_force_picture_lower_uN = (1.0 - 1.96 * 0.05) * forces_uN[i];
+    scene.measurement.contact_force_picture_upper_uN = (1.0 + 1.96 * 0.05) * forces_uN[i];
+    scene.measurement.contact_force_scale_lower_uN = std::exp(-1.96 * 0.4) * forces_uN[i];
+    scene.measurement.contact_force_scale_upper_uN = std::exp(1.96 * 0.4) * forces_uN[i];
     scene.measurement.indentation_um = 2.0 * static_cast<double>(i);
     scene.measurement.stiffness_uN_per_um = 0.25;
     writer.write(scene);

@@ -18,7 +18,8 @@ TEST(Measurement, HeaderIsTheContract) {
             "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,"
             "dimple_radius_um,contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,"
             "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
-            "puncture_probability");
+            "puncture_probability,contact_force_picture_lower_uN,contact_force_picture_upper_uN,"
+            "contact_force_scale_lower_uN,contact_force_scale_upper_uN");
   EXPECT_TRUE(measurement_header().starts_with(measurement_header_start()));
   EXPECT_TRUE(measurement_header_start().ends_with("volume_um3,frame_age_ms"));
 }
@@ -44,7 +45,7 @@ TEST(Measurement, RowReadsBackAndEmptyCellsMeanNotMeasured) {
   m.indentation_um = 12.25;
   m.contact_force_uN = 1.5;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,");
+  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_EQ(back.frame, 41);
   EXPECT_EQ(back.state, CellState::kContact);
@@ -57,6 +58,28 @@ TEST(Measurement, RowOfAnEarlierVersionLacksTheLaterColumns) {
   const Measurement old = measurement_from_csv("7,0.2,free,0.9,1,2,3,4,5,0,0,0,0,0,0,500000,12");
   EXPECT_EQ(old.frame_age_ms, 12.0);
   EXPECT_TRUE(std::isnan(old.lateral_force_uN) && std::isnan(old.puncture_probability));
+}
+
+TEST(Measurement, TheForcesSpreadSaysWhichOfItsPartsOpensTheInterval) {
+  Measurement m;
+  EXPECT_EQ(to_string(force_spread(m)), "");
+  m.contact_force_uN = 2.0;
+  m.contact_force_picture_lower_uN = 2.0 - 1.96 * 0.18;
+  m.contact_force_picture_upper_uN = 2.0 + 1.96 * 0.18;
+  m.contact_force_scale_lower_uN = 2.0 * std::exp(-1.96 * 0.46);
+  m.contact_force_scale_upper_uN = 2.0 * std::exp(1.96 * 0.46);
+  EXPECT_NEAR(force_spread(m).picture_ratio, 0.09, 1e-12);
+  EXPECT_NEAR(force_spread(m).scale_ratio, 0.46, 1e-12);
+  EXPECT_EQ(to_string(force_spread(m)), "picture +-9 %, kind of cell +-46 %");
+  m.puncture_probability = 0.1;
+  m.contact_force_scale_lower_uN = 2.0 * std::exp(-1.96 * 0.08);
+  m.contact_force_scale_upper_uN = 2.0 * std::exp(1.96 * 0.08);
+  EXPECT_EQ(to_string(force_spread(m)), "picture +-9 %, this cell +-8 %");
+  // Neither a force of 0 nor a row of an earlier version has any.
+  m.contact_force_uN = 0.0;
+  EXPECT_EQ(to_string(force_spread(m)), "");
+  const Measurement old = measurement_from_csv("7,0.2,contact,0.9,1,2,3,4,5,10,3,1.5,1.4,1.6,0,500000,12,0,0,0,0,0,");
+  EXPECT_EQ(to_string(force_spread(old)), "");
 }
 
 TEST(Measurement, BrokenRowsNameTheColumn) {
@@ -76,7 +99,7 @@ TEST(Measurement, ARowWithoutAStateWasNotMeasured) {
   m.frame = 12;
   m.time_s = 0.4;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_FALSE(back.state);
   EXPECT_TRUE(std::isnan(back.confidence));

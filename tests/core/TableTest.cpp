@@ -56,5 +56,14 @@ TEST(Csv, CellsWithCommasAndQuotesRoundTrip) {
   EXPECT_EQ(csv_number(0.1 + 0.2), "0.3");
 }
 
+// The same cells, whether they are views of the line or had to be unquoted.
+TEST(CsvCells, AreThoseOfSplitCsv) {
+  CsvCells cells;
+  for (const std::string line : {"", ",", "1,2.5,,x", "a", ",,b", "\"a, b\",\"say \"\"so\"\"\",c", "1,2\r", "3,4"}) {
+    const auto split = cells.split(line);
+    EXPECT_EQ(std::vector<std::string>(split.begin(), split.end()), split_csv(line)) << line;
+  }
+}
+
 }  // namespace
 }  // namespace pellucida

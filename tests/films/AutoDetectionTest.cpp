@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <vector>
 
 #include "SceneReader.h"
 #include "films/FilmRun.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
+#include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida::test {
 namespace {
@@ -54,6 +56,21 @@ TEST(AutoDetection, IsNotSureOfALookThatIsNoLine) {
   EXPECT_GT(tally.found, 0.85 * tally.frames);
   EXPECT_LT(tally.median_px(), 1.0);
   EXPECT_LT(tally.sure_and_wrong, 0.02 * tally.frames);
+}
+
+// Lines alone follow the zona's inner edge or the fringe beyond its halo there, 3 to 15 px off, and are sure of it.
+TEST(AutoDetection, TheNetworkIsBelievedWhereLinesHaveTheCellElsewhere) {
+  for (const std::uint64_t seed : {16014, 16019, 16039}) {
+    const RandomFilm film = draw_film(Split::kValidation, seed, 640);
+    VirtualMicroscope microscope(film.scenario, film.look);
+    const std::optional<Frame> frame = microscope.next();
+    MembraneTracker tracker;
+    const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
+    const FrameError error = compare(seen, microscope.truth().observation, film.scenario.image.pixel_size_um);
+    ASSERT_TRUE(seen.outer) << "film " << seed;
+    EXPECT_LT(error.outer_px, 2.0) << "film " << seed;
+    EXPECT_LE(seen.confidence, 0.75) << "film " << seed;
+  }
 }
 
 // Others read the picture after the network.

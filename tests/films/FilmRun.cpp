@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "ContactSight.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/CellProfile.h"
@@ -26,6 +28,33 @@ FrameError error_of(const Observation& seen, const Observation& truth, double pi
   error.confidence = seen.confidence;
   if (seen.needle) error.tip_px = (seen.needle->tip_um - truth.needle->tip_um).norm() / pixel_size_um;
   return error;
+}
+
+FrameSight sight_of(const Observation& seen, const Observation& truth, const ForceEstimate& estimate) {
+  FrameSight sight;
+  sight.tracked = seen.state;
+  sight.judged = estimate.judged_state(seen.state);
+  sight.truth = truth.state;
+  sight.is_doubted = estimate.puncture_doubted;
+  sight.confidence = seen.confidence;
+  sight.has_needle = seen.outer && seen.needle;
+  if (sight.has_needle) {
+    sight.needle_confidence = seen.needle->confidence;
+    sight.tip_um = needle_contact(seen).tip_depth_um;
+    sight.tip_sigma_um = seen.needle->tip_sigma_um;
+    sight.flank_um = flank_depth_um(seen, needle_contact(seen));
+    sight.membrane_um = seen.indentation_um;
+    sight.membrane_sigma_um = seen.indentation_sigma_um;
+  }
+  sight.depth_um = estimate.depth_um;
+  if (truth.outer && truth.needle) {
+    sight.true_tip_um = needle_contact(truth).tip_depth_um;
+    sight.true_membrane_um = truth.indentation_um;
+  }
+  sight.residual_um = estimate.shape.residual_rms_um;
+  sight.dimple_residual_um = estimate.shape.dimple_residual_um;
+  sight.noise_um = estimate.shape.noise_um;
+  return sight;
 }
 
 double median_of(std::vector<double> values) {
@@ -90,6 +119,7 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   double force_squares = 0.0, peak_uN = 0.0, worst_badness = -1.0;
   double tracking_squares = 0.0, peak_of_truth_uN = 0.0;
   std::optional<long> punctured_at;
+  std::vector<FilmPicture> every;
   while (const std::optional<Frame> frame = microscope.next()) {
     const auto start = Clock::now();
     const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
@@ -101,6 +131,7 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
     FrameError error = error_of(seen, truth.observation, film.scenario.image.pixel_size_um);
     error.state = state;
     run.errors.push_back(error);
+    run.sights.push_back(sight_of(seen, truth.observation, estimate));
     if (seen.outer) ++run.found_count;
 
     const bool contact = truth.observation.state == CellState::kContact;
@@ -132,19 +163,24 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
       peak_of_truth_uN = std::max(peak_of_truth_uN, expected_uN);
     }
     peak_uN = std::max(peak_uN, truth.contact_force_uN);
-    if (contact && measured && estimate.contact_force_lower_uN <= truth.contact_force_uN &&
-        truth.contact_force_uN <= estimate.contact_force_upper_uN)
+    if (contact && measured && estimate.by_picture.lower_uN <= truth.contact_force_uN &&
+        truth.contact_force_uN <= estimate.by_picture.upper_uN)
       ++run.covered_count;
 
     const double missed = run.has_cell && !seen.outer ? 5.0 : 0.0;
     const double badness = (bold ? 1000.0 : 0.0) + (false_puncture ? 300.0 : 0.0) + missed +
                            std::min(std::max(error.outer_px, 0.0), 50.0) + std::min(std::max(error.tip_px, 0.0), 50.0);
     run.badness += badness;
+    every.push_back({frame->frame_index, seen, truth.observation});
     if (badness > worst_badness) {
       worst_badness = badness;
       run.worst = {frame->frame_index, seen, truth.observation};
     }
   }
+  constexpr std::size_t kPictures = kSheetColumns * kSheetRows;
+  for (std::size_t k = 0; k < std::min(kPictures, every.size()); ++k)
+    run.pictures.push_back(
+        every[(every.size() - 1) * k / std::max<std::size_t>(1, std::min(kPictures, every.size()) - 1)]);
   run.badness /= static_cast<double>(std::max<std::size_t>(1, run.errors.size()));
   if (peak_uN > 0)
     run.force_rms_percent = 100.0 * std::sqrt(force_squares / static_cast<double>(run.errors.size())) / peak_uN;
@@ -158,16 +194,20 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   return run;
 }
 
-void draw_worst(const FilmRun& run, const std::string& file) {
-  VirtualMicroscope microscope = microscope_of(run.film);
-  for (long k = 0; k < run.worst.frame_index; ++k)
+namespace {
+
+// Frame `index` of the film, with the true contours and tip (green) and those found (red); `microscope` has given
+// `given` frames before.
+cv::Mat drawn(VirtualMicroscope& microscope, long& given, const FilmRun& run, const FilmPicture& picture) {
+  for (; given < picture.frame_index; ++given)
     run.film.look.camera.interlaced ? void(microscope.next()) : void(microscope.skip());
   const std::optional<Frame> frame = microscope.next();
+  ++given;
   const ImageView view = view_of(frame->image.get());
   const cv::Mat grey(view.height_px, view.width_px, CV_8U, const_cast<void*>(view.data),
                      static_cast<std::size_t>(view.row_bytes));
-  cv::Mat picture;
-  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
+  cv::Mat result;
+  cv::cvtColor(grey, result, cv::COLOR_GRAY2BGR);
   auto place = [&](const Eigen::Vector2d& p) {
     return cv::Point(static_cast<int>(std::lround(16 * p.x() / view.pixel_size_um)),
                      static_cast<int>(std::lround(16 * p.y() / view.pixel_size_um)));
@@ -177,17 +217,44 @@ void draw_worst(const FilmRun& run, const std::string& file) {
       if (!*contour) continue;
       const Contour_um& points = (*contour)->points_um;
       for (Eigen::Index i = 0; i < points.cols(); ++i)
-        cv::line(picture, place(points.col(i)), place(points.col((i + 1) % points.cols())), colour, 1, cv::LINE_AA, 4);
+        cv::line(result, place(points.col(i)), place(points.col((i + 1) % points.cols())), colour, 1, cv::LINE_AA, 4);
     }
     if (!seen.needle) return;
     const Eigen::Vector2d tip = seen.needle->tip_um;
-    cv::circle(picture, place(tip), 5 * 16, colour, 1, cv::LINE_AA, 4);
-    cv::line(picture, place(tip), place(tip - 40 * view.pixel_size_um * seen.needle->direction), colour, 1, cv::LINE_AA,
+    cv::circle(result, place(tip), 5 * 16, colour, 1, cv::LINE_AA, 4);
+    cv::line(result, place(tip), place(tip - 40 * view.pixel_size_um * seen.needle->direction), colour, 1, cv::LINE_AA,
              4);
   };
-  draw(run.worst.truth, {0, 200, 0});
-  draw(run.worst.seen, {60, 60, 255});
-  cv::imwrite(file, picture);
+  draw(picture.truth, {0, 200, 0});
+  draw(picture.seen, {60, 60, 255});
+  return result;
+}
+
+}  // namespace
+
+void draw_worst(const FilmRun& run, const std::string& file) {
+  VirtualMicroscope microscope = microscope_of(run.film);
+  long given = 0;
+  cv::imwrite(file, drawn(microscope, given, run, run.worst));
+}
+
+void draw_sheet(const FilmRun& run, const std::string& file) {
+  VirtualMicroscope microscope = microscope_of(run.film);
+  long given = 0;
+  cv::Mat sheet;
+  int place = 0;
+  for (const FilmPicture& picture : run.pictures) {
+    const cv::Mat one = drawn(microscope, given, run, picture);
+    char text[80];
+    std::snprintf(text, sizeof text, "%ld %s (%s) %.2f", picture.frame_index,
+                  std::string(to_string(picture.seen.state)).c_str(),
+                  std::string(to_string(picture.truth.state)).c_str(), picture.seen.confidence);
+    cv::putText(one, text, {4, 16}, cv::FONT_HERSHEY_SIMPLEX, 0.5, {0, 255, 255}, 1, cv::LINE_AA);
+    if (sheet.empty()) sheet = cv::Mat::zeros(kSheetRows * one.rows, kSheetColumns * one.cols, one.type());
+    one.copyTo(sheet({place % kSheetColumns * one.cols, place / kSheetColumns * one.rows, one.cols, one.rows}));
+    ++place;
+  }
+  cv::imwrite(file, sheet);
 }
 
 }  // namespace pellucida::test

@@ -21,10 +21,25 @@ struct FilmSizes {
   double radius_um = 0.0, thickness_um = 0.0, tip_radius_um = 0.0, holder_radius_um = 0.0;
 };
 
+/// What a frame gave the verdict on a puncture, with the truth; depths past the resting membrane along the needle, um.
+struct FrameSight {
+  CellState tracked = CellState::kNoCell, judged = CellState::kNoCell, truth = CellState::kNoCell;
+  bool is_doubted = false, has_needle = false;
+  double confidence = 0.0, needle_confidence = 0.0;
+  double tip_um = 0.0, tip_sigma_um = 0.0, membrane_um = 0.0, membrane_sigma_um = 0.0, depth_um = 0.0;
+  double true_tip_um = 0.0, true_membrane_um = 0.0;
+  double flank_um = 0.0;                                               ///< of the dimple, as `flank_depth_um` has it
+  double residual_um = 0.0, dimple_residual_um = 0.0, noise_um = 0.0;  ///< of `ShapeAudit`; NaN: not measured
+};
+
+/// Pictures of one film side by side.
+inline constexpr int kSheetColumns = 3, kSheetRows = 3;
+
 /// A random film through the tracker and the force observer.
 struct FilmRun {
   RandomFilm film;
   std::vector<FrameError> errors;  ///< a frame each; outer_px, tip_px and the like -1 where nothing was measured
+  std::vector<FrameSight> sights;  ///< a frame each
   bool has_cell = false;
   int found_count = 0;                 ///< frames with a contour reported
   int contact_count = 0;               ///< frames truly in contact
@@ -39,9 +54,11 @@ struct FilmRun {
   /// The same as `force_rms_percent` of the profile's own thickness, tip and holder on the cell's radius.
   double profile_force_rms_percent = -1.0;
   FilmSizes seen_sizes, true_sizes;
-  int covered_count = 0;  ///< frames in contact with the true force in the 95 % interval
+  int covered_count =
+      0;  ///< frames in contact with the true force in the picture's 95 % interval: the truth has the profile's modulus
   double median_frame_ms = 0.0;
   FilmPicture worst;
+  std::vector<FilmPicture> pictures;  ///< of frames spread over the film, `kSheetColumns` times `kSheetRows` at most
   double badness = 0.0;  ///< ranks films: frames confident and wrong first, then false punctures, then errors
 
   bool is_confident_and_wrong(const FrameError& error) const;
@@ -51,5 +68,7 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options = {});
 
 /// The worst frame with the true contours and tip (green) and those found (red), as PNG.
 void draw_worst(const FilmRun& run, const std::string& file);
+/// The same of `pictures`, side by side.
+void draw_sheet(const FilmRun& run, const std::string& file);
 
 }  // namespace pellucida::test

@@ -1,14 +1,15 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--specimens FOLDER] [--drawing] [--detection lines|scene] [--quality live|high] [--csv FILE] [--worst
-//               FOLDER] [--frames]
+//               [--family NAME] [--specimens FOLDER] [--drawing] [--detection auto|lines|scene] [--quality live|high]
+//               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
 // the true force (which fits the picture with --specimens alone: finite-element tables, tests/specimens; a further line
 // then says how the profile's own thickness, tip and holder would have done). --drawing: plain bright field. --film:
-// that one film alone. --widest: no wider pictures. --csv: a row a film. --worst: pictures of the ten worst films,
-// truth green, found red. --frames: also a line a frame.
+// that one film alone. --family: films of that family alone. --widest: no wider pictures. --csv: a row a film.
+// --sights: a row a frame, of what the verdict on a puncture saw. --worst: pictures of the ten worst films, truth
+// green, found red. --sheets: nine pictures of each film. --frames: also a line a frame.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -32,7 +33,7 @@ struct Choice {
   test::Split split = test::Split::kTuning;
   std::uint64_t first = 1, count = 60;
   int jobs = 1, widest_px = 2048;
-  std::string csv, worst;
+  std::string csv, sights, worst, sheets, family;
   std::vector<std::string> specimens;
   bool frames = false, drawing = false;
   TrackerOptions tracker;
@@ -63,10 +64,16 @@ Choice read_arguments(int count, char** arguments) {
       choice.widest_px = std::stoi(value());
     } else if (word == "--csv") {
       choice.csv = value();
+    } else if (word == "--sights") {
+      choice.sights = value();
+    } else if (word == "--family") {
+      choice.family = value();
     } else if (word == "--specimens") {
       choice.specimens = test::specimens_in(value());
     } else if (word == "--worst") {
       choice.worst = value();
+    } else if (word == "--sheets") {
+      choice.sheets = value();
     } else if (word == "--detection") {
       const std::string detection = value();
       const auto known = detection_from_string(detection);
@@ -205,6 +212,26 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
   if (!out.flush()) throw OutputError(file + " can't be written");
 }
 
+void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
+  std::ofstream out(file);
+  out << "seed,frame,truth,tracked,judged,is_doubted,confidence,has_needle,needle_confidence,tip_um,tip_sigma_um,"
+         "membrane_um,membrane_sigma_um,depth_um,true_tip_um,true_membrane_um,residual_um,dimple_residual_um,noise_um,"
+         "flank_um,outer_px,tip_px,pixel_size_um\n";
+  for (const FilmRun& run : runs) {
+    for (std::size_t k = 0; k < run.sights.size(); ++k) {
+      const test::FrameSight& s = run.sights[k];
+      out << run.film.seed << ',' << k << ',' << to_string(s.truth) << ',' << to_string(s.tracked) << ','
+          << to_string(s.judged) << ',' << s.is_doubted << ',' << s.confidence << ',' << s.has_needle << ','
+          << s.needle_confidence << ',' << s.tip_um << ',' << s.tip_sigma_um << ',' << s.membrane_um << ','
+          << s.membrane_sigma_um << ',' << s.depth_um << ',' << s.true_tip_um << ',' << s.true_membrane_um << ','
+          << s.residual_um << ',' << s.dimple_residual_um << ',' << s.noise_um << ',' << s.flank_um << ','
+          << run.errors[k].outer_px << ',' << run.errors[k].tip_px << ',' << run.film.scenario.image.pixel_size_um
+          << '\n';
+    }
+  }
+  if (!out.flush()) throw OutputError(file + " can't be written");
+}
+
 void print_frames(const FilmRun& run) {
   for (std::size_t k = 0; k < run.errors.size(); ++k) {
     const FrameError& e = run.errors[k];
@@ -232,15 +259,33 @@ void draw_worst_ten(const std::string& folder, const std::vector<FilmRun>& runs)
   }
 }
 
+void draw_sheets(const std::string& folder, const std::vector<FilmRun>& runs) {
+  std::filesystem::create_directories(folder);
+  for (const FilmRun& run : runs) draw_sheet(run, folder + "/film_" + std::to_string(run.film.seed) + ".png");
+}
+
+// The next so many seeds whose films are wanted.
+std::vector<std::uint64_t> seeds_of(const Choice& choice) {
+  constexpr std::uint64_t kMostPerFilm = 1000;  // no family is as rare as that
+  std::vector<std::uint64_t> seeds;
+  for (std::uint64_t seed = choice.first; seeds.size() < choice.count; ++seed) {
+    if (choice.family.empty() || test::draw_film(choice.split, seed).family == choice.family) seeds.push_back(seed);
+    if (seed - choice.first > kMostPerFilm * choice.count)
+      throw UsageError("--family: there is no family \"" + choice.family + "\" in this split");
+  }
+  return seeds;
+}
+
 void report(const Choice& choice) {
-  std::vector<FilmRun> runs(choice.count);
+  const std::vector<std::uint64_t> seeds = seeds_of(choice);
+  std::vector<FilmRun> runs(seeds.size());
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::atomic<bool> failed{false};
   const auto work = [&] {
     for (std::size_t k; !failed && (k = next++) < runs.size();) {
       try {
-        test::RandomFilm film = test::draw_film(choice.split, choice.first + k, choice.widest_px, choice.specimens);
+        test::RandomFilm film = test::draw_film(choice.split, seeds[k], choice.widest_px, choice.specimens);
         film.drawing = choice.drawing;
         runs[k] = test::run_film(film, choice.tracker);
       } catch (...) {
@@ -267,7 +312,9 @@ void report(const Choice& choice) {
   print_row("ALL", all);
   if (!choice.specimens.empty()) print_by_profile(runs);
   if (!choice.csv.empty()) write_csv(choice.csv, runs);
+  if (!choice.sights.empty()) write_sights(choice.sights, runs);
   if (!choice.worst.empty()) draw_worst_ten(choice.worst, runs);
+  if (!choice.sheets.empty()) draw_sheets(choice.sheets, runs);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ int main(int count, char** arguments) {
       const cv::Mat grey(view.height_px, view.width_px, CV_8U, const_cast<void*>(view.data),
                          static_cast<std::size_t>(view.row_bytes));
       const Observation& seen = microscope.truth().observation;
-      char stem[16];
+      char stem[24];
       std::snprintf(stem, sizeof stem, "%05llu", static_cast<unsigned long long>(seed));
       const std::vector<int> quick{cv::IMWRITE_PNG_COMPRESSION, 1};
       cv::imwrite((out / (std::string(stem) + ".png")).string(), grey, quick);

@@ -3,10 +3,11 @@
 #include "support/FuzzReader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr const char* kExtensions[] = {".tif", ".png", ".bmp"};
+  static constexpr const char* kExtensions[] = {".tif", ".png", ".bmp", ".jpg"};
   if (size == 0) return 0;
-  const pellucida::SourceOptions options{.pixel_size_um = 0.5, .frame_rate_hz = 20.0};
-  pellucida::test::fuzz_reader(data + 1, size - 1, kExtensions[data[0] % 3], [&](const auto& file) {
+  // A few bytes may be stated as a large picture: what takes seconds to fill says nothing of the readers.
+  const pellucida::SourceOptions options{.pixel_size_um = 0.5, .frame_rate_hz = 20.0, .most_megapixels = 0.5};
+  pellucida::test::fuzz_reader(data + 1, size - 1, kExtensions[data[0] % 4], [&](const auto& file) {
     const auto source = pellucida::open_source(file.string(), options);
     for (int i = 0; i < 4 && source->next(); ++i) {
     }

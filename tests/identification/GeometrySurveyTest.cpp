@@ -22,6 +22,9 @@ TEST(GeometrySurvey, ASmallOneFindsTheShippedCorrection) {
       const double ratio = geometry_factor(shipped, geometry, depth_um).ratio;
       EXPECT_NEAR(geometry_factor(profile, geometry, depth_um).ratio, ratio, 0.1 * ratio)
           << geometry.thickness_um << " um thick, " << depth_um << " um deep";
+      const double of_pressure = pressure_factor(shipped, geometry, depth_um);
+      EXPECT_NEAR(pressure_factor(profile, geometry, depth_um), of_pressure, 0.1 * of_pressure)
+          << geometry.thickness_um << " um thick, " << depth_um << " um deep";
     }
 }
 

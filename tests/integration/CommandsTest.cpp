@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 TEST(Commands, EachHasHelpAndExplainsItsOptions) {
   const auto folder = test::fresh_folder("commands_help", testing::TempDir());
-  for (const char* command : {"workstation", "simulate", "analyze", "identify", "force", "check", "export", "bench",
-                              "devices", "profiles", "inject", "trial", "replay", "report"}) {
+  for (const char* command : {"workstation", "simulate", "analyze", "identify", "force", "check", "convert", "export",
+                              "bench", "devices", "profiles", "inject", "trial", "replay", "report"}) {
     const auto outcome = test::run_program(std::string(command) + " --help", folder);
     EXPECT_EQ(outcome.exit_code, 0) << command;
     EXPECT_GT(outcome.out.size(), 80U) << command;

@@ -26,6 +26,21 @@ int ForceRun::covered_count() const {
   }));
 }
 
+double ForceFrame::covered_share_of_kind() const {
+  if (!is_measured || !(true_force_uN > 0.0) || !(upper_uN > lower_uN)) return 0.0;
+  const auto share_below = [&](double bound_uN) {
+    if (!(bound_uN > 0.0)) return 0.0;
+    return 0.5 * std::erfc(-std::log(bound_uN / true_force_uN) / scale_ratio / std::sqrt(2.0));
+  };
+  return share_below(upper_uN) - share_below(lower_uN);
+}
+
+double ForceRun::covered_share_of_kind() const {
+  double sum = 0.0;
+  for (const ForceFrame& f : frames) sum += f.true_state == CellState::kContact ? f.covered_share_of_kind() : 0.0;
+  return sum / contact_count();
+}
+
 CellProfile profile_of(const Scenario& scenario) {
   return load_profile(scenario.cell.reference);
 }
@@ -53,6 +68,9 @@ ForceRun run_force(const Scenario& scenario, const CellProfile& profile, const F
       row.force_uN = estimate.contact_force_uN;
       row.lower_uN = estimate.contact_force_lower_uN;
       row.upper_uN = estimate.contact_force_upper_uN;
+      row.picture_lower_uN = estimate.by_picture.lower_uN;
+      row.picture_upper_uN = estimate.by_picture.upper_uN;
+      row.scale_ratio = estimate.errors.scale_ratio;
     }
     run.peak_uN = std::max(run.peak_uN, row.true_force_uN);
     run.frames.push_back(row);

@@ -32,6 +32,29 @@ TEST(ForceInterval, RelativeErrorsMultiply) {
   EXPECT_NEAR(interval.lower_uN, 5.0 * std::exp(-0.392), 1e-12);
 }
 
+TEST(ForceInterval, PictureAndScaleMakeTheWhole) {
+  ForceErrors errors;
+  errors.depth_uN = 0.2;
+  errors.shape_uN = 0.1;
+  errors.relaxation_uN = 0.05;
+  errors.model_uN = 0.04;
+  errors.model_ratio = 0.05;
+  errors.geometry_ratio = 0.1;
+  errors.scale_ratio = 0.46;
+  const ForceErrors picture = errors.of_picture(), scale = errors.of_scale();
+  EXPECT_EQ(picture.scale_ratio, 0.0);
+  EXPECT_EQ(scale.absolute_uN(), 0.0);
+  EXPECT_EQ(scale.relative(), 0.46);
+  EXPECT_NEAR(std::hypot(picture.relative(), scale.relative()), errors.relative(), 1e-12);
+  EXPECT_EQ(picture.absolute_uN(), errors.absolute_uN());
+  const ForceInterval whole = interval_95(5.0, errors);
+  for (const ForceErrors& part : {picture, scale}) {
+    const ForceInterval inner = interval_95(5.0, part);
+    EXPECT_GT(inner.lower_uN, whole.lower_uN);
+    EXPECT_LT(inner.upper_uN, whole.upper_uN);
+  }
+}
+
 TEST(ForceInterval, IsNeverBelowNothingAndHoldsItsForce) {
   ForceErrors errors;
   errors.depth_uN = 1.0;

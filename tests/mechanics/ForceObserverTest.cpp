@@ -138,7 +138,7 @@ TEST(ForceObserver, APunctureThatTheMembraneDoesNotBearOutIsAContactInDoubt) {
   EXPECT_GT(e.contact_force_uN, before.contact_force_uN);
   EXPECT_GT(e.errors.depth_uN, 2.0 * before.errors.depth_uN);
   // Either may be right: the interval holds the force at both depths.
-  EXPECT_LT(e.contact_force_lower_uN, before.contact_force_uN);
+  EXPECT_LT(e.by_picture.lower_uN, before.contact_force_uN);
   EXPECT_TRUE(e.warnings & kNeedleSlip);
 }
 
@@ -241,8 +241,9 @@ TEST(ForceObserver, ANoisierDepthWidensTheInterval) {
   const ForceEstimate a = sharp.process(o);
   o.indentation_sigma_um = 3.0;
   const ForceEstimate b = blurred.process(o);
-  EXPECT_GT(b.contact_force_upper_uN - b.contact_force_lower_uN,
-            1.5 * (a.contact_force_upper_uN - a.contact_force_lower_uN));
+  EXPECT_GT(b.by_picture.upper_uN - b.by_picture.lower_uN, 1.5 * (a.by_picture.upper_uN - a.by_picture.lower_uN));
+  EXPECT_GT(b.contact_force_upper_uN, a.contact_force_upper_uN);
+  EXPECT_EQ(b.by_scale.upper_uN, a.by_scale.upper_uN);
 }
 
 TEST(ForceObserver, ACellFarLargerThanTheProfilesIsItsOwnSize) {

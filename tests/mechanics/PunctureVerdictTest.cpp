@@ -172,6 +172,121 @@ TEST(PunctureVerdict, WithoutAContactBeforeTheTrackersWordCounts) {
   EXPECT_TRUE(verdict.is_doubted());
 }
 
+/// In a frame seen with `confidence`, the dimple's flanks `flank_um` deep.
+Sight seen(double tip_um, double membrane_um, double flank_um, double confidence) {
+  Sight now = sight(tip_um, 0.3, membrane_um, 0.3);
+  now.flank_um = flank_um;
+  now.confidence = confidence;
+  now.rest_radius_um = 50.0;
+  return now;
+}
+
+/// A push to `depth_um` with flanks half as deep.
+PunctureVerdict pushed_with_flanks(double depth_um, double confidence) {
+  PunctureVerdict verdict;
+  for (double depth = 0.5; depth <= depth_um; depth += 0.5) {
+    EXPECT_FALSE(verdict.judge(seen(depth, depth, 0.5 * depth, confidence)));
+    EXPECT_FALSE(verdict.is_doubted()) << depth;
+    verdict.add(depth, 0.1 * depth);
+  }
+  return verdict;
+}
+
+TEST(PunctureVerdict, OnePoorFrameDecidesNothing) {
+  for (const double confidence : {0.2, 0.43}) {
+    PunctureVerdict verdict = pushed_with_flanks(30.0, 0.75);
+    EXPECT_FALSE(verdict.judge(seen(30.5, 14.0, 8.0, confidence))) << confidence;
+    EXPECT_TRUE(verdict.is_doubted());
+    verdict.add(22.0, 2.2);
+    // The next frames see the membrane on the tip: no puncture, and soon no doubt.
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_FALSE(verdict.judge(seen(31.0, 31.0, 15.5, 0.75)));
+      verdict.add(31.0, 3.1);
+    }
+    EXPECT_FALSE(verdict.is_doubted()) << confidence;
+  }
+}
+
+TEST(PunctureVerdict, OneFrameSeenWellDecidesAndPoorOnesDecideTogether) {
+  PunctureVerdict well = pushed_with_flanks(30.0, 0.75);
+  EXPECT_TRUE(well.judge(seen(30.5, 9.0, 3.0, 0.75)));
+
+  PunctureVerdict poor = pushed_with_flanks(30.0, 0.75);
+  EXPECT_FALSE(poor.judge(seen(30.5, 18.0, 8.0, 0.45)));
+  poor.add(24.0, 2.4);
+  bool is_through = false;
+  for (const double flank : {4.0, 2.5, 1.5}) is_through = is_through || poor.judge(seen(31.0, 2.0 * flank, flank, 0.5));
+  EXPECT_TRUE(is_through);
+}
+
+TEST(PunctureVerdict, FlanksThatAreBackTellAPunctureWhereTheContourIsTiedToTheTip) {
+  PunctureVerdict verdict = pushed_with_flanks(30.0, 0.75);
+  int frames = 0;
+  for (const double flank : {9.0, 5.0, 3.0, 2.0}) {
+    ++frames;
+    if (verdict.judge(seen(30.5, 30.5, flank, 0.75))) break;
+    verdict.add(30.5, 3.0);
+    if (flank < 9.0) {
+      EXPECT_LT(verdict.depth_by_flanks_um(), 12.0);
+    }
+  }
+  EXPECT_LE(frames, 3);
+  EXPECT_TRUE(verdict.take_puncture(1.0));
+}
+
+TEST(PunctureVerdict, FlanksThatGoBackWithTheTipOrBeyondTheRestAreNone) {
+  PunctureVerdict drawn_back = pushed_with_flanks(30.0, 0.75);
+  for (double depth = 28.0; depth > 0.0; depth -= 2.0) {
+    EXPECT_FALSE(drawn_back.judge(seen(depth, depth, 0.5 * depth, 0.75))) << depth;
+    drawn_back.add(depth, 0.1 * depth);
+  }
+  // The cell has moved and the resting outline has not: its flanks come to lie outside that.
+  PunctureVerdict moved = pushed_with_flanks(12.0, 0.75);
+  for (const double off : {5.0, 6.0, 7.0, 8.0}) {
+    EXPECT_FALSE(moved.judge(seen(12.0 - off, 12.0 - off, 6.0 - 1.6 * off, 0.75))) << off;
+    moved.add(12.0 - off, 0.1);
+  }
+  // A cell found anew: other depths, from another outline.
+  PunctureVerdict anew = pushed_with_flanks(30.0, 0.75);
+  Sight other = seen(20.0, 9.0, 3.0, 0.75);
+  other.rest_radius_um = 44.0;
+  EXPECT_FALSE(anew.judge(other));
+}
+
+TEST(PunctureVerdict, ARevokedPunctureIsAContactWhateverTheTrackerSays) {
+  PunctureVerdict verdict = pushed_with_flanks(30.0, 0.9);
+  EXPECT_TRUE(verdict.judge(seen(30.5, 9.0, 3.0, 0.9)));
+  ASSERT_TRUE(verdict.take_puncture(1.0));
+  Sight together = seen(30.5, 30.4, 15.0, 0.9);
+  together.is_tracked_punctured = true;
+  EXPECT_TRUE(verdict.judge(together));
+  EXPECT_FALSE(verdict.is_revoked());
+  EXPECT_TRUE(verdict.judge(together));
+  EXPECT_FALSE(verdict.judge(together));
+  EXPECT_TRUE(verdict.is_revoked());
+  verdict.add(30.4, 3.0);
+  EXPECT_FALSE(verdict.judge(together));
+  EXPECT_FALSE(verdict.is_revoked());
+  EXPECT_TRUE(verdict.is_doubted());
+  // And the next one is reported again.
+  for (int k = 0; k < 3; ++k) verdict.judge(seen(31.0, 31.0, 15.5, 0.9));
+  EXPECT_TRUE(verdict.judge(seen(31.5, 6.0, 2.0, 0.9)));
+  EXPECT_TRUE(verdict.take_puncture(2.0));
+}
+
+TEST(PunctureVerdict, AContourTiedToTheTipRevokesNothingWhileTheFlanksAreBack) {
+  PunctureVerdict verdict = pushed_with_flanks(30.0, 0.9);
+  EXPECT_TRUE(verdict.judge(seen(30.5, 9.0, 3.0, 0.9)));
+  for (int k = 0; k < 6; ++k) EXPECT_TRUE(verdict.judge(seen(31.0, 31.0, 2.0, 0.9))) << k;
+}
+
+TEST(PunctureVerdict, AtFirstSightAMembraneThatIsDeepRefutesTheTracker) {
+  PunctureVerdict verdict;
+  EXPECT_FALSE(verdict.judge(tracked(33.0, 18.7)));
+  EXPECT_TRUE(verdict.is_doubted());
+  EXPECT_TRUE(verdict.judge(tracked(33.0, 3.0)));
+}
+
 TEST(PunctureVerdict, WithoutAContactThereIsNoPuncture) {
   PunctureVerdict verdict;
   EXPECT_FALSE(verdict.judge(sight(30.0, 0.2, 2.0, 0.2)));

@@ -118,6 +118,7 @@ TEST_F(CellProfileFile, EveryNumberIsChecked) {
                                                                       {"/geometry_range/tip_from_ratio", 0.9},
                                                                       {"/geometry_range/spread_ratio", -1},
                                                                       {"/geometry_terms/0/tip", 4},
+                                                                      {"/geometry_pressure_terms/0/tip", 4},
                                                                       {"/schema", "other"},
                                                                       {"/schema_version", 99},
                                                                       {"/errors", 3}};
@@ -139,6 +140,12 @@ TEST_F(CellProfileFile, AFaultSaysWhereAndWhatIsAllowed) {
   json["errors"][0]["to_um"] = "deep";
   EXPECT_NE(fault(json.dump()).find("cell.json: errors[0]: to_um is \"deep\", but must be a number"),
             std::string::npos);
+}
+
+TEST_F(CellProfileFile, TermsOfThePressureNeedThoseOfTheForce) {
+  auto json = nlohmann::json::parse(to_json(load_profile("mouse-oocyte")));
+  json.erase("geometry_terms");
+  EXPECT_NE(fault(json.dump()).find("geometry_pressure_terms needs geometry_terms"), std::string::npos);
 }
 
 TEST_F(CellProfileFile, AFileThatIsNoJsonIsAnInputError) {

@@ -68,12 +68,27 @@ TEST_P(ShippedGeometry, BeyondTheRangeTheFactorStays) {
   EXPECT_EQ(geometry_factor(profile_, finest, deepest_um + 5).slope_per_um, 0.0);
 }
 
+// A thick wall yields under the needle by itself; the liquid is pressed less than the needle's force says.
+TEST_P(ShippedGeometry, ThePressureFallsBehindTheForceOfAThickWall) {
+  EXPECT_EQ(pressure_factor(profile_, own_, 20.0), 1.0);
+  MembraneGeometry thick = own_;
+  thick.thickness_um *= 2.0;
+  // The embryo's have not been fitted.
+  if (!profile_.geometry_pressure_terms.empty()) {
+    EXPECT_LT(pressure_factor(profile_, thick, 15.0), 0.8 * geometry_factor(profile_, thick, 15.0).ratio);
+  }
+  profile_.geometry_pressure_terms.clear();
+  EXPECT_EQ(pressure_factor(profile_, thick, 15.0), geometry_factor(profile_, thick, 15.0).ratio);
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, ShippedGeometry, ::testing::Values("mouse-oocyte", "mouse-embryo"),
                          [](const auto& which) { return std::string(which.param).substr(6); });
 
 TEST(MembraneGeometry, WithoutTermsTheFactorIsOne) {
   CellProfile profile = load_profile("mouse-oocyte");
   profile.geometry_terms.clear();
+  profile.geometry_pressure_terms.clear();
+  EXPECT_EQ(pressure_factor(profile, {40.0, 12.0, 1.0, 30.0}, 20.0), 1.0);
   EXPECT_EQ(geometry_factor(profile, {40.0, 12.0, 1.0, 30.0}, 20.0).ratio, 1.0);
   EXPECT_FALSE(is_beyond_range(profile, {40.0, 39.0, 1.0, 30.0}));
 }

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <thread>
@@ -66,6 +67,23 @@ TEST_F(OperatorConsoleTest, TheGuideGoesAndTheDepthStopStays) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   EXPECT_LT(depth_um(), 14.0);
+}
+
+// A cell found to be stiffer than its kind bears the kind's force at a smaller depth: the depth limit follows, also on
+// the hand at work, and goes back with the scale.
+TEST_F(OperatorConsoleTest, TheDepthLimitFollowsTheCellsOwnScale) {
+  choose("Mouse");
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  const CellLimits of_kind = console_.limits();
+  run_.add_scale_measurement({.known_force_uN = 2.0, .at_indentation_um = 10.0, .known_force_sigma_percent = 5.0});
+  ASSERT_TRUE(tick_until([&] { return console_.limits().max_depth_um != of_kind.max_depth_um; }));
+  const auto scene = run_.scenes()->peek();
+  ASSERT_TRUE(scene && scene->remarks.has_own_scale);
+  EXPECT_GT(std::abs(std::log(scene->remarks.scale_ratio)), 0.2);
+  EXPECT_NEAR(console_.limits().max_depth_um, of_kind.max_depth_um / std::cbrt(scene->remarks.scale_ratio), 0.1);
+  EXPECT_EQ(console_.limits().max_force_uN, of_kind.max_force_uN);
+  run_.forget_scale();
+  EXPECT_TRUE(tick_until([&] { return console_.limits().max_depth_um == of_kind.max_depth_um; }));
 }
 
 TEST_F(OperatorConsoleTest, AnEmergencyStopOutlivesTheHand) {

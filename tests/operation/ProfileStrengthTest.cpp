@@ -55,6 +55,14 @@ TEST_P(ShippedProfile, ThePushIsHeldAtTheForceLimit) {
   EXPECT_LT(force_uN, 1.01 * settings.limits.max_force_uN);
 }
 
+// The force at the puncture is the kind's; a cell eight times as stiff bears it at half the depth.
+TEST_P(ShippedProfile, AStifferCellBearsItsForceAtASmallerDepth) {
+  const CellStrength stiff = strength_of(profile_, 8.0);
+  EXPECT_EQ(stiff.puncture_force_uN, strength_.puncture_force_uN);
+  EXPECT_NEAR(stiff.puncture_depth_um, 0.5 * strength_.puncture_depth_um, 1e-9);
+  EXPECT_NEAR(stiff.max_stiffness_uN_per_um, 2.0 * strength_.max_stiffness_uN_per_um, 1e-9);
+}
+
 struct Injected {
   InjectionOutcome outcome;
   double peak_uN = 0.0;  // of the hand's contact force

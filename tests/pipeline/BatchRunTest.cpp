@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/DamageCounter.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pipeline/FlatSource.h"
 
@@ -32,6 +33,45 @@ TEST(BatchRun, ABrokenInputLeavesWhatCameBefore) {
     EXPECT_EQ(result.rows.size(), 7U);
     ASSERT_TRUE(result.input_fault);
     EXPECT_THROW(std::rethrow_exception(result.input_fault), InputError);
+  }
+}
+
+// Frames 4 to 6 were not decoded as they were recorded.
+class DamagedSource final : public test::FlatSource {
+ public:
+  using test::FlatSource::FlatSource;
+  std::optional<Frame> next() override {
+    auto frame = test::FlatSource::next();
+    if (frame) {
+      const long index = frame->frame_index;
+      frame->damage = damage_.add(index >= 4 && index <= 6, "bits are missing");
+    }
+    return frame;
+  }
+
+ private:
+  DamageCounter damage_;
+};
+
+TEST(BatchRun, ADamagedFrameIsKeptNotMeasured) {
+  for (const int job_count : {1, 2}) {
+    DamagedSource source(10, 20.0);
+    std::vector<Scene> scenes;
+    const BatchResult result =
+        run_batch(source, {.job_count = job_count}, [&](const Scene& scene) { scenes.push_back(scene); });
+    ASSERT_EQ(scenes.size(), 10U);
+    std::vector<std::string> told;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      EXPECT_EQ(scenes[i].measurement.state.has_value(), i < 4 || i > 6) << i;
+      EXPECT_TRUE(scenes[i].frame) << i;
+      for (const Event& event : scenes[i].events) {
+        if (event.kind == event_kind::kDamaged) told.push_back(std::to_string(i) + ": " + event.detail);
+      }
+    }
+    EXPECT_EQ(told, (std::vector<std::string>{"4: from frame 4 on not decoded as recorded (bits are missing)",
+                                              "7: over, after 3 frames"}));
+    EXPECT_EQ(damage_line(result),
+              "damaged  3 frames were not decoded as recorded: kept, not measured; the first: 4 (bits are missing)\n");
   }
 }
 

@@ -78,6 +78,46 @@ TEST_F(Counterfactual, TheForceGoesWithTheModulus) {
   EXPECT_LT(result.variants[1].changes.indentation_rms_um, 10.0 * kNineDigits);
 }
 
+std::vector<Event> hints_in(const SessionReader& session) {
+  std::vector<Event> hints = session.events();
+  std::erase_if(hints, [](const Event& event) { return event.kind != event_kind::kHint; });
+  return hints;
+}
+
+// A hint counts from its frame on; before it every number stays, and a replay of the result knows it too.
+TEST_F(Counterfactual, AHintChangesTheTrackingFromItsFrameOn) {
+  const SessionReader before(recorded());
+  const std::size_t from = before.steps().size() / 2;
+  auto options = again(recorded(), Rerun::kTracking);
+  options.keep_frames = true;
+  const Measurement& there = before.measurements()[from];
+  options.pipeline.hints = {{.kind = PersonHint::Kind::kNoCell,
+                             .x_um = there.cell_x_um,
+                             .y_um = there.cell_y_um,
+                             .since_s = before.steps()[from].time_s}};
+  run_counterfactual(recorded(), options, {same(recorded(), at("hinted"))});
+  const SessionReader now(at("hinted"));
+  ASSERT_EQ(now.steps().size(), before.steps().size());
+  for (std::size_t i = 0; i < from; ++i) {
+    EXPECT_TRUE(equal_as_written(before.measurements()[i], now.measurements()[i])) << i;
+  }
+  for (std::size_t i = from; i < now.steps().size(); ++i) {
+    EXPECT_EQ(now.measurements()[i].state, CellState::kNoCell) << i;
+  }
+  ASSERT_EQ(hints_in(now).size(), 1U);
+  EXPECT_NEAR(hints_in(now)[0].time_s, before.steps()[from].time_s, 1e-6);
+  EXPECT_NE(now.info().provenance_json.find("no cell at"), std::string::npos);
+
+  run_counterfactual(at("hinted"), again(at("hinted"), Rerun::kTracking), {same(at("hinted"), at("hinted-again"))});
+  expect_equal_rows(at("hinted"), at("hinted-again"));
+  EXPECT_EQ(hints_in(SessionReader(at("hinted-again"))).size(), 1U);
+  run_counterfactual(at("hinted"), again(at("hinted"), Rerun::kMechanics), {same(at("hinted"), at("hinted-forces"))});
+  EXPECT_EQ(hints_in(SessionReader(at("hinted-forces"))).size(), 1U);
+
+  options.rerun = Rerun::kMechanics;
+  EXPECT_THROW(run_counterfactual(recorded(), options, {same(recorded(), at("refused"))}), UsageError);
+}
+
 // Several variants at once give what each gives alone.
 TEST_F(Counterfactual, VariantsDoNotDisturbEachOther) {
   auto options = again(recorded(), Rerun::kMechanics);
@@ -226,17 +266,54 @@ TEST(RunProvenance, TheRecordedOptionsComeBack) {
   profile.effective_young_modulus_kPa /= 3.0;
   info.profile_json = to_json(profile);
   info.provenance_json = to_json(RunProvenance{}, options, profile);
-  info.palpation_json = palpation_json({.known_force_uN = 1.5, .indentation_um = 12.0, .relative_sigma = 0.1}, {}, {});
+  const ScaleMeasurement push{.known_force_uN = 1.5, .at_indentation_um = 12.0, .known_force_sigma_percent = 10.0};
+  const ScaleMeasurement drawn{.suction_kPa = 2.0,
+                               .tongue_um = 8.5,
+                               .mouth_radius_um = 10.0,
+                               .modulus_kPa = 31.0,
+                               .modulus_sigma_percent = 14.0,
+                               .modulus_of_profile_ratio = 1.28,
+                               .since_s = 2.5};
+  info.palpation_json = palpation_json({push, drawn}, {}, {});
   const PipelineOptions read = recorded_options(info);
   EXPECT_EQ(read.revolve_step_deg, 15.0);
   EXPECT_EQ(read.tracker.quality, TrackerOptions::Quality::kHigh);
   EXPECT_EQ(read.tracker.contour_point_count, 128);
   ASSERT_TRUE(read.given_profile);
   EXPECT_EQ(to_json(*read.given_profile), to_json(profile));
-  ASSERT_TRUE(read.palpation);
-  EXPECT_EQ(read.palpation->known_force_uN, 1.5);
-  EXPECT_EQ(read.palpation->indentation_um, 12.0);
-  EXPECT_EQ(read.palpation->relative_sigma, 0.1);
+  ASSERT_EQ(read.scale_measurements.size(), 2U);
+  EXPECT_EQ(read.scale_measurements[0].known_force_uN, 1.5);
+  EXPECT_EQ(read.scale_measurements[0].at_indentation_um, 12.0);
+  EXPECT_EQ(read.scale_measurements[0].known_force_sigma_percent, 10.0);
+  EXPECT_EQ(way_of(read.scale_measurements[1]), ScaleWay::kAspiration);
+  EXPECT_EQ(read.scale_measurements[1].modulus_kPa, 31.0);
+  EXPECT_EQ(read.scale_measurements[1].since_s, 2.5);
+  EXPECT_EQ(palpation_json(read.scale_measurements, {}, {}), info.palpation_json);
+}
+
+// A session may be anybody's.
+TEST(RunProvenance, WordsOfAWrongTypeAreNoWords) {
+  for (const char* tracker : {R"({"detection":5})", R"({"quality":[],"detection":{}})", "{}"}) {
+    SessionInfo info;
+    info.provenance_json = std::string(R"({"parameters":{"tracker":)") + tracker + "}}";
+    const PipelineOptions read = recorded_options(info);
+    EXPECT_EQ(read.tracker.detection, TrackerOptions::Detection::kLines) << tracker;
+    EXPECT_EQ(read.tracker.quality, TrackerOptions::Quality::kLive) << tracker;
+  }
+}
+
+// Earlier versions knew one push.
+TEST(RunProvenance, APalpationOfAnEarlierVersionComesBack) {
+  SessionInfo info;
+  info.palpation_json =
+      R"({"known_force_uN":0.7,"at_indentation_um":5.0,"known_relative_sigma":0.1,"cell_scale_ratio":1.2})";
+  const PipelineOptions read = recorded_options(info);
+  ASSERT_EQ(read.scale_measurements.size(), 1U);
+  EXPECT_EQ(read.scale_measurements[0].known_force_uN, 0.7);
+  EXPECT_EQ(read.scale_measurements[0].at_indentation_um, 5.0);
+  EXPECT_NEAR(read.scale_measurements[0].known_force_sigma_percent, 10.0, 1e-9);
+  info.palpation_json = R"({"measurements":[{"known_force_uN":0.7}]})";
+  EXPECT_THROW(recorded_options(info), InputError);
 }
 
 }  // namespace

@@ -129,6 +129,63 @@ TEST_F(RecorderTest, WithoutMemoryImagesGoAndRowsStay) {
   EXPECT_EQ(written.measurements().back().state, CellState::kFree);
 }
 
+// A sink slower than the camera: surfaces go first, then images; rows, events and the hand stay, each loss is counted
+// everywhere, and the frames in front of the queue's end are whole.
+TEST_F(RecorderTest, ASlowSinkCostsSurfacesFirstThenImages) {
+  const auto measured_with_surface = [](Scene scene) {
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i < 300; ++i) points->InsertNextPoint(i, 0.5 * i, 1.0);
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(points);
+    scene.surface = Frozen<vtkPolyData>(surface.Get());
+    return measured(std::move(scene));
+  };
+  const auto frames = scenes(200);
+  StalledDisk disk;
+  Recorder recorder(session(), info(), clock_, 1'000'000, disk.wait());
+  bool hand_taken = true;
+  for (const Scene& frame : frames) {
+    recorder.announce(frame);
+    recorder.settle(measured_with_surface(frame));
+    if (frame.measurement.frame % 10 == 0) {
+      vtkNew<vtkPoints> points;
+      points->InsertNextPoint(1.0, 2.0, 3.0);
+      vtkNew<vtkPolyData> block;
+      block->SetPoints(points);
+      hand_taken = recorder.hand(Frozen<vtkPolyData>(block.Get()), frame.measurement.time_s) && hand_taken;
+      recorder.event({frame.measurement.time_s, event_kind::kNote, "said meanwhile"});
+    }
+    EXPECT_LE(recorder.waiting_bytes(), 1'000'000U + 200U * sizeof(Scene)) << "the queue has a bound";
+  }
+  disk.go_on();
+  recorder.close();
+
+  EXPECT_TRUE(hand_taken);
+  EXPECT_EQ(recorder.written_count(), 200U);
+  EXPECT_GT(recorder.dropped_count(), 50U);
+  EXPECT_GT(recorder.thinned_count(), recorder.dropped_count() + 5);
+  const SessionReport report = check_session(session(), false);
+  EXPECT_EQ(report.problem_count, 0U) << testing::PrintToString(report.problems);
+  EXPECT_EQ(report.counts.thinned_count, recorder.thinned_count());
+  EXPECT_EQ(report.counts.dropped_count, recorder.dropped_count());
+  const SessionReader written(session());
+  EXPECT_EQ(written.stated_counts().thinned_count, recorder.thinned_count());
+  ASSERT_EQ(written.steps().size(), 200U);
+  EXPECT_EQ(written.hand_block_count(), 20U);
+  EXPECT_EQ(of_kind(written, "note").size(), 20U);
+  long first_without_surface = 200, first_without_image = 200;
+  for (const SessionStep& step : written.steps()) {
+    if (!step.has(SessionPart::kSurface)) first_without_surface = std::min(first_without_surface, step.frame_index);
+    if (!step.has(SessionPart::kFrame)) first_without_image = std::min(first_without_image, step.frame_index);
+    EXPECT_FALSE(step.has(SessionPart::kSurface) && !step.has(SessionPart::kFrame)) << step.frame_index;
+  }
+  EXPECT_LT(first_without_surface, first_without_image);
+  const auto thinned = of_kind(written, "thinned");
+  ASSERT_EQ(thinned.size(), 1U);
+  EXPECT_TRUE(thinned[0].detail.starts_with(std::to_string(recorder.thinned_count()) + " frames")) << thinned[0].detail;
+  for (const Measurement& row : written.measurements()) EXPECT_EQ(row.state, CellState::kFree);
+}
+
 // The advice names what was slow: here the measuring, which settles nothing.
 TEST_F(RecorderTest, TheReasonIsTheQueueThatWasFull) {
   const auto frames = scenes(300);

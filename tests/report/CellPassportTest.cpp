@@ -202,6 +202,30 @@ TEST(CellPassport, EachWarningIsSaidInWords) {
   }
 }
 
+// The kind's spread is no fault of a recording: it widens the interval and raises no doubt.
+TEST(CellPassport, OnlyWhatThePictureLeavesOpenIsADoubt) {
+  const auto with = [](double picture_ratio, double scale_ratio) {
+    SyntheticRows rows;
+    rows.approach();
+    rows.push(0.5, 20.0, linear);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      Measurement& m = rows.row(i);
+      m.contact_force_lower_uN = 0.3 * m.contact_force_uN;
+      m.contact_force_upper_uN = 3.0 * m.contact_force_uN;
+      m.contact_force_picture_lower_uN = (1.0 - 1.96 * picture_ratio) * m.contact_force_uN;
+      m.contact_force_picture_upper_uN = (1.0 + 1.96 * picture_ratio) * m.contact_force_uN;
+      m.contact_force_scale_lower_uN = std::exp(-1.96 * scale_ratio) * m.contact_force_uN;
+      m.contact_force_scale_upper_uN = std::exp(1.96 * scale_ratio) * m.contact_force_uN;
+    }
+    return only_contact(rows);
+  };
+  const auto usual = with(0.09, 0.46), blurred = with(0.25, 0.46);
+  EXPECT_NEAR(usual.picture_sigma_percent, 9.0, 1e-9);
+  EXPECT_NEAR(usual.scale_sigma_percent, 46.0, 1e-9);
+  EXPECT_FALSE(mentions(usual.doubt_list, "a wide interval"));
+  EXPECT_TRUE(mentions(blurred.doubt_list, "shows the peak force to +- 49 % only"));
+}
+
 TEST(CellPassport, DoubtsNameWhatSpeaksAgainstTheNumbers) {
   SyntheticRows rows;
   rows.push(0.5, 20.0, linear);
@@ -217,7 +241,7 @@ TEST(CellPassport, DoubtsNameWhatSpeaksAgainstTheNumbers) {
   const auto& doubts = cells.at(0).contact_list.at(0).doubt_list;
   EXPECT_TRUE(mentions(doubts, "first seen in contact"));
   EXPECT_TRUE(mentions(doubts, "low confidence: 40 %"));
-  EXPECT_TRUE(mentions(doubts, "known to +- 55 % only"));
+  EXPECT_TRUE(mentions(doubts, "shows the peak force to +- 55 % only"));
   EXPECT_TRUE(mentions(doubts, "3 frames in contact have no force"));
   EXPECT_TRUE(mentions(doubts, "no force: the needle was not seen"));
   EXPECT_TRUE(mentions(doubts, "ends in contact"));

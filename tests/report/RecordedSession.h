@@ -14,8 +14,9 @@ namespace pellucida::test {
 inline constexpr const char* kHostileName = "dish <script>alert(\"1\")</script> & co.avi";
 
 /// `rows` as a session on the disk; rows in contact have a surface, grown by `growth`, with a tension of 0.4 uN/um.
-inline void write_session(const std::filesystem::path& folder, const SyntheticRows& rows, double growth = 1.02) {
-  SessionInfo info;
+inline void write_session(const std::filesystem::path& folder, const SyntheticRows& rows, double growth = 1.02,
+                          const SessionInfo& given = {}) {
+  SessionInfo info = given;
   info.source.name = kHostileName;
   info.source.width_px = 728;
   info.source.height_px = 486;

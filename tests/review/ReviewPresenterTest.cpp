@@ -8,7 +8,6 @@
 
 #include "pellucida/core/Error.h"
 #include "presenters/NodeHistory.h"
-#include "presenters/Playback.h"
 #include "presenters/RecordedSession.h"
 #include "presenters/ReviewEvents.h"
 #include "presenters/SessionCurves.h"
@@ -33,6 +32,8 @@ RecordedSession two_touches() {
     row.contact_force_uN = force_uN;
     row.contact_force_lower_uN = 0.8 * force_uN;
     row.contact_force_upper_uN = 1.2 * force_uN;
+    row.contact_force_picture_lower_uN = 0.95 * force_uN;
+    row.contact_force_picture_upper_uN = 1.05 * force_uN;
     row.indentation_um = indentation_um;
     session.rows.push_back(row);
     session.times_s.push_back(time_s);
@@ -51,78 +52,6 @@ RecordedSession two_touches() {
   session.profile.name = "mouse-oocyte";
   session.complete = true;
   return session;
-}
-
-TEST(Playback, FollowsTheTimesOfTheSessionAndSkipsWhatIsOver) {
-  Playback playback({0.0, 0.1, 0.2, 1.0, 1.1, 2.0});
-  playback.play(true, 100.0);
-  EXPECT_FALSE(playback.tick(100.05));
-  EXPECT_TRUE(playback.tick(100.15));
-  EXPECT_EQ(playback.step(), 1U);
-  // Late by most of a second: the frames between are left out.
-  EXPECT_TRUE(playback.tick(101.05));
-  EXPECT_EQ(playback.step(), 3U);
-  EXPECT_NEAR(playback.position_s(), 1.05, 1e-9);
-}
-
-TEST(Playback, EndsAtTheEndAndBeginsAgainFromThere) {
-  Playback playback({0.0, 1.0, 2.0});
-  playback.play(true, 0.0);
-  EXPECT_TRUE(playback.tick(5.0));
-  EXPECT_EQ(playback.step(), 2U);
-  EXPECT_FALSE(playback.playing());
-  playback.play(true, 6.0);
-  EXPECT_EQ(playback.step(), 0U);
-  EXPECT_TRUE(playback.playing());
-}
-
-TEST(Playback, LoopsAndKeepsThePaceOverTheEnd) {
-  Playback playback({0.0, 1.0, 2.0});
-  playback.set_loop(true);
-  playback.play(true, 0.0);
-  playback.tick(3.25);
-  EXPECT_TRUE(playback.playing());
-  EXPECT_DOUBLE_EQ(playback.position_s(), 1.25);
-  EXPECT_EQ(playback.step(), 1U);
-}
-
-TEST(Playback, BackwardsAtAnySpeed) {
-  Playback playback({0.0, 1.0, 2.0});
-  playback.set_backwards(true, 0.0);
-  playback.set_speed_ratio(0.5, 0.0);
-  playback.play(true, 0.0);
-  EXPECT_EQ(playback.step(), 2U);
-  playback.tick(2.0);
-  EXPECT_DOUBLE_EQ(playback.position_s(), 1.0);
-  EXPECT_EQ(playback.step(), 1U);
-  // A change of speed doesn't move the position.
-  playback.set_speed_ratio(10.0, 2.0);
-  EXPECT_DOUBLE_EQ(playback.position_s(), 1.0);
-  playback.tick(2.05);
-  EXPECT_NEAR(playback.position_s(), 0.5, 1e-9);
-  playback.set_speed_ratio(1000.0, 2.05);
-  EXPECT_EQ(playback.speed_ratio(), Playback::kMostSpeed_ratio);
-}
-
-TEST(Playback, StepsStayWithinTheSessionAndEndPlaying) {
-  Playback playback({0.0, 0.0, 2.0});
-  playback.play(true, 0.0);
-  playback.step_by(1);
-  EXPECT_FALSE(playback.playing());
-  // Two steps share a time: each can be reached.
-  EXPECT_EQ(playback.step(), 2U);
-  playback.step_by(-1);
-  EXPECT_EQ(playback.step(), 1U);
-  playback.step_by(-10);
-  EXPECT_EQ(playback.step(), 0U);
-  playback.step_by(99);
-  EXPECT_EQ(playback.step(), 2U);
-  playback.go_to_time(-5.0, 0.0);
-  EXPECT_EQ(playback.position_s(), 0.0);
-  Playback nothing;
-  nothing.step_by(1);
-  nothing.play(true, 0.0);
-  EXPECT_FALSE(nothing.tick(1.0));
 }
 
 TEST(RecordedSession, AStepIsFoundByItsTime) {
@@ -241,9 +170,39 @@ TEST(SessionCurves, TheForceOverTimeIsTheRecordedOneWithAGap) {
   EXPECT_DOUBLE_EQ(data.curve.y[0], 0.5);
   EXPECT_TRUE(std::isnan(data.curve.y[5]));
   EXPECT_DOUBLE_EQ(data.curve.upper[9], 1.2 * 1.4);
+  // The whole, and in it what the picture leaves open.
+  ASSERT_EQ(data.inner.size(), 10U);
+  EXPECT_DOUBLE_EQ(data.inner.upper[9], 1.05 * 1.4);
+  EXPECT_TRUE(std::isnan(data.inner.y[5]));
   EXPECT_DOUBLE_EQ(data.x_end, session.end_s());
   ASSERT_EQ(data.marks.size(), 2U);
   EXPECT_DOUBLE_EQ(data.marks[1].x, 5.3);
+}
+
+TEST(RecordedSession, TheScaleOfAFrameIsTheCellsOwnOnceItWasMeasured) {
+  RecordedSession session = two_touches();
+  session.scale_ratio = 1.2;
+  Measurement& row = session.rows[7];
+  ForceRemarks remarks;
+  add_scale(session, row, remarks);
+  EXPECT_FALSE(remarks.has_own_scale);
+  row.puncture_probability = 0.01;
+  row.contact_force_scale_lower_uN = row.contact_force_uN * std::exp(-1.96 * 0.08);
+  row.contact_force_scale_upper_uN = row.contact_force_uN * std::exp(1.96 * 0.08);
+  add_scale(session, row, remarks);
+  EXPECT_TRUE(remarks.has_own_scale);
+  EXPECT_EQ(remarks.scale_ratio, 1.2);
+  EXPECT_NEAR(remarks.scale_sigma_ratio, 0.08, 1e-12);
+}
+
+TEST(SessionCurves, ASessionOfAnEarlierVersionHasOneBand) {
+  RecordedSession session = two_touches();
+  for (Measurement& row : session.rows) {
+    row.contact_force_picture_lower_uN = row.contact_force_picture_upper_uN = Measurement::kNotMeasured;
+  }
+  EXPECT_TRUE(force_over_time(session).inner.empty());
+  EXPECT_TRUE(force_over_indentation(session, 16).inner.empty());
+  EXPECT_DOUBLE_EQ(force_over_time(session).curve.upper[9], 1.2 * 1.4);
 }
 
 TEST(SessionCurves, TheTouchOfTheFrameIsInFrontOfTheOthers) {
@@ -255,6 +214,7 @@ TEST(SessionCurves, TheTouchOfTheFrameIsInFrontOfTheOthers) {
   const CurveChartData first = force_over_indentation(session, 7), second = force_over_indentation(session, 16);
   EXPECT_EQ(first.curve.size(), 5U);
   EXPECT_EQ(second.curve.size(), 4U);
+  EXPECT_EQ(second.inner.size(), 4U);
   EXPECT_EQ(second.faint.size(), 5U);
   EXPECT_TRUE(force_over_indentation(session, 0).curve.empty());
 }

@@ -37,7 +37,7 @@ class ReviewWindowTest : public DisplayTest {
       return answer_;
     };
     choice.folder_to_write = [this](const QString&, const std::filesystem::path&) { return answer_; };
-    choice.session = [this] { return answer_; };
+    choice.session = [this](const QString&) { return answer_; };
     choice.may_replace = [this](const std::vector<std::filesystem::path>&) {
       ++questions_;
       return replace_;

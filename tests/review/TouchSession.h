@@ -14,8 +14,8 @@ inline double indentation_of(long frame) {
   return frame < 5 ? 0.0 : 0.8 * static_cast<double>(frame - 4);
 }
 
-/// Thirty frames, ten a second: five free, then a touch that goes deeper.
-inline void write_touch(const std::filesystem::path& folder, bool close = true) {
+/// Thirty frames, ten a second: five free, and so many more where the touch is late, then a touch that goes deeper.
+inline void write_touch(const std::filesystem::path& folder, bool close = true, long late_frames = 0) {
   SessionInfo info;
   info.source.name = "synthetic";
   info.source.width_px = 728;
@@ -27,10 +27,10 @@ inline void write_touch(const std::filesystem::path& folder, bool close = true) 
   info.profile_name = "mouse-oocyte";
   SessionWriter writer(folder, info);
   for (long frame = 0; frame < kFrames; ++frame) {
-    Scene scene = synthetic_scene(indentation_of(frame), frame);
+    Scene scene = synthetic_scene(indentation_of(frame - late_frames), frame);
     scene.measurement.frame = frame;
     scene.measurement.time_s = kStep_s * static_cast<double>(frame);
-    scene.measurement.state = frame < 5 ? CellState::kFree : CellState::kContact;
+    scene.measurement.state = frame < 5 + late_frames ? CellState::kFree : CellState::kContact;
     for (auto* part : {&scene.membranes, &scene.tools, &scene.surface}) {
       auto own = vtkSmartPointer<vtkPolyData>::New();
       own->DeepCopy(part->shallow_copy());

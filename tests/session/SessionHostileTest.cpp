@@ -3,13 +3,13 @@
 #include <sys/stat.h>
 #include <vtkNew.h>
 
-#include "DataFile.h"
 #include "SessionJson.h"
 #include "TestSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionExport.h"
 #include "pellucida/session/SessionReader.h"
+#include "pellucida/vtk_files/DataFile.h"
 
 namespace pellucida {
 namespace {
@@ -214,7 +214,7 @@ TEST_F(SessionHostile, APartThatAsksForTheWorldIsNamed) {
                                        with("offset=\"0\"", "offset=\"-1\""),
                                        with("LittleEndian", "BigEndian"),
                                        with("UInt32", "Int8"),
-                                       with("vtkLZ4", "vtkXYZ"),
+                                       with("vtkZLib", "vtkXYZ"),
                                        with("Float64", "String"),
                                        "",
                                        "<VTKFile>",

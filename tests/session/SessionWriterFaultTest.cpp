@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <random>
+
 #include "TestSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/session/SessionCheck.h"
@@ -31,7 +33,8 @@ TEST(SessionWriterFault, FullDiskKeepsWhatWasWrittenBefore) {
       setrlimit(RLIMIT_FSIZE, &limit);
       Scene scene = make_scene(5);
       std::vector<std::uint8_t> pixels(256 * 256);
-      for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>((i * i) >> 7U);
+      std::mt19937 random(1);
+      for (std::uint8_t& pixel : pixels) pixel = static_cast<std::uint8_t>(random());
       scene.frame = Frozen(make_frame({pixels.data(), PixelFormat::kGray8, 256, 256, 256, 0.825}, time_of(5), 5));
       try {
         writer.write(scene);

@@ -9,10 +9,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "SameData.h"
 #include "TestSession.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionReader.h"
+#include "pellucida/vtk_files/SurfacePrecision.h"
 
 namespace pellucida {
 namespace {
@@ -40,6 +42,43 @@ TEST(SessionWriter, LaysOutTheFolderOfTheContract) {
   for (const auto& entry : fs::recursive_directory_iterator(folder / "s")) {
     EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
   }
+}
+
+// Several sessions with parts in common: each is whole, and the same as if it had packed them itself.
+TEST(SessionWriter, PartsThatWereMadeReadyElsewhereAreThoseOfTheScene) {
+  const TemporaryFolder folder;
+  write_session(folder / "alone", 4);
+  CommonPacker packer;
+  SessionWriter one(folder / "one", make_info(), {.sync = SessionSync::kAtEnd});
+  SessionWriter other(folder / "other", make_info(), {.sync = SessionSync::kAtEnd});
+  for (long frame = 0; frame < 4; ++frame) {
+    const Scene scene = make_scene(frame);
+    const Frozen surface(narrowed_surface(scene.surface.shallow_copy()));
+    StepParts ready;
+    ready.membranes = packer.pack(SessionPart::kMembranes, scene.membranes, scene.measurement);
+    ready.tools = packer.pack(SessionPart::kTools, scene.tools, scene.measurement);
+    ready.surface_arrays = packer.pack_arrays(surface);
+    for (SessionWriter* writer : {&one, &other}) {
+      ready.surface = surface.shallow_copy();
+      writer->write(scene, ready);
+    }
+  }
+  const SessionReader expected(folder / "alone");
+  for (SessionWriter* writer : {&one, &other}) {
+    writer->event({0.05, "contact", "needle, outer membrane"});
+    writer->close();
+    const SessionReport report = check_session(writer->folder(), false);
+    EXPECT_TRUE(report.fine()) << testing::PrintToString(report.problems);
+    const SessionReader session(writer->folder());
+    EXPECT_EQ(session.stated_counts().byte_count, expected.stated_counts().byte_count);
+    for (std::size_t step = 0; step < 4; ++step) {
+      for (const SessionPart part : {SessionPart::kSurface, SessionPart::kMembranes, SessionPart::kTools}) {
+        expect_same(session.load(step, part).shallow_copy(), expected.load(step, part).shallow_copy());
+      }
+    }
+  }
+  EXPECT_FALSE(packer.pack(SessionPart::kTools, {}, {}));
+  EXPECT_FALSE(packer.pack_arrays({}));
 }
 
 TEST(SessionWriter, StampsEveryDataFile) {
@@ -105,8 +144,9 @@ TEST(SessionWriter, TablesHaveTheHeadersOfTheContract) {
             "frame,time_s,state,confidence,cell_x_um,cell_y_um,axis_deg,tip_x_um,tip_y_um,indentation_um,"
             "dimple_radius_um,contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,"
             "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
-            "puncture_probability");
-  EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,");
+            "puncture_probability,contact_force_picture_lower_uN,contact_force_picture_upper_uN,"
+            "contact_force_scale_lower_uN,contact_force_scale_upper_uN");
+  EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,,,,,");
   const auto events = rows_of(folder / "s/events.csv");
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0], "time_s,kind,detail");
@@ -134,7 +174,7 @@ TEST(SessionWriter, WritesOnlyThePartsThatAreThere) {
   EXPECT_FALSE(fs::exists(folder / "s/frames/frame_00000001.vti"));
   EXPECT_TRUE(fs::is_empty(folder / "s/surface"));
   EXPECT_TRUE(fs::is_empty(folder / "s/membranes"));
-  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,,,,,");
   EXPECT_EQ(writer.counts().step_count, 2U);
   EXPECT_EQ(writer.counts().files(SessionPart::kFrame), 1U);
   EXPECT_TRUE(check_session(folder / "s", false).fine());

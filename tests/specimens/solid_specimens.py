@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Makes the tables of specimens of any geometry with GetFEM: force, pressure and shape of a spherical shell full of liquid
-under a needle opposite the holding pipette.
+"""Makes the tables of specimens of any geometry with GetFEM: force, pressure, shape, loads and tension of a spherical shell
+full of liquid under a needle opposite the holding pipette.
 
     apt install python3-getfem
     /usr/bin/python3 tests/specimens/solid_specimens.py --first 1 --count 24 --output resources/reference
@@ -27,6 +27,8 @@ BULK_RATIO = 111.7  # of the liquid
 # The pressure holds an element's volume on average; under a fine tip its parts would swell and turn inside out. This
 # holds them one by one. It adds nothing where the volume is kept.
 LOCAL_VOLUME = 20.0
+MEMBRANE_STEPS = 5  # of the force table; loads and tension change slowly
+OUTER_COLUMNS, INNER_COLUMNS = 1000, 5000  # first numbers of mesh regions
 
 
 def draw(index):
@@ -84,6 +86,11 @@ class Solid:
         lower = [g for g in outer if g not in upper]
         mesh.set_region(4, np.array(upper).T)
         mesh.set_region(5, np.array(lower).T)
+        # Columns of elements, from the needle's pole to the holder's; the faces of each at the outside and the inside.
+        self.theta, self.across = theta, across
+        for first, group in ((OUTER_COLUMNS, outer), (INNER_COLUMNS, inner)):
+            for cv, f in group:
+                mesh.set_region(first + cv // across, np.array([[cv], [f]]))
 
         mfu = gf.MeshFem(mesh, 2)
         mfu.set_fem(gf.Fem('FEM_QK(2,2)'))
@@ -154,6 +161,54 @@ class Solid:
         expression = '2*pi*X(1)*kt*pos_part(1-sqr(X(1)/a))*(down+u(2))'
         return float(gf.asm_generic(self.mim, 0, expression, 4, self.md))
 
+    def loads(self):
+        """(r, z) of what liquid, needle and holder exert on each column of elements, summed round the axis, uN."""
+        cofactor = '[1+Grad_u(2,2),-Grad_u(2,1);-Grad_u(1,2),1+Grad_u(1,1)]'
+        liquid = f'-P*2*pi*X(1)*(1+u(1)/X(1))*({cofactor}*Normal)'
+        tip = '(-2*pi*X(1)*kt*pos_part(1-sqr(X(1)/a))*[u(1);u(2)+down])'
+        holder = '(-2*pi*X(1)*kr*pos_part(1-sqr((X(1)-ring)/half))*u)'
+
+        def total(expression, region):
+            return np.array([gf.asm_generic(self.mim, 0, f'({expression}).[{axes}]', region, self.md)
+                             for axes in ('1;0', '0;1')])
+
+        out = []
+        for column, (t0, t1) in enumerate(zip(self.theta[:-1], self.theta[1:])):
+            tool = tip if 0.5 * (t0 + t1) < 0.5 * math.pi else holder
+            out.append(total(liquid, INNER_COLUMNS + column) + total(tool, OUTER_COLUMNS + column))
+        return np.array(out, dtype=float)
+
+    def tension(self):
+        """Half the trace of the stress resultant at the middle of each column, per present length, uN/um: the force
+        through a material section across the wall over the present length of the middle surface there."""
+        t = 0.5 * (self.theta[:-1] + self.theta[1:])
+        at, weight = np.polynomial.legendre.leggauss(12)
+        rho = MID_RADIUS_UM + 0.5 * self.thickness * at
+        x, z = np.outer(np.sin(t), rho), np.outer(np.cos(t), rho)
+        points = np.vstack([np.append(x.ravel(), MID_RADIUS_UM * np.sin(t)), np.append(z.ravel(), MID_RADIUS_UM * np.cos(t))])
+
+        def values(expression):
+            return np.asarray(self.md.interpolation(expression, points, self.mesh), dtype=float)
+
+        stretch = 1 + values('u(1)') / points[0]
+        f = values('Grad_u').reshape(2, 2, -1, order='F') + np.eye(2)[:, :, None]
+        jacobian = f[0, 0] * f[1, 1] - f[0, 1] * f[1, 0]
+        mu = 1e-3 * MODULUS_KPA / 3
+        q = -values('p') + LOCAL_VOLUME * mu * (jacobian * stretch - 1)
+        cofactor = np.array([[f[1, 1], -f[1, 0]], [-f[0, 1], f[0, 0]]])
+        piola = mu * f + q * stretch * cofactor
+        hoop = mu * stretch + q * jacobian
+        n = x.size
+        along = np.array([np.cos(t), -np.sin(t)])  # the meridian's direction at rest
+        pull = np.einsum('ijck,jc->ick', piola[:, :, :n].reshape(2, 2, *x.shape), along)
+        across = 0.5 * self.thickness * weight
+        now = np.einsum('ijc,jc->ic', f[:, :, n:], along)
+        length = np.hypot(*now)
+        meridian = np.einsum('ick,ck,k->ic', pull, x, across)
+        meridian = np.einsum('ic,ic->c', meridian, now / length) / (stretch[n:] * points[0][n:])
+        parallel = hoop[:n].reshape(x.shape) @ (rho * across) / (MID_RADIUS_UM * length)
+        return 0.5 * (meridian + parallel)
+
     def faces(self):
         """(angle, outer r, z, inner r, z) of the nodes on both faces, by the angle from the needle's pole."""
         mfu, u = self.mfu, self.md.variable('u')
@@ -179,18 +234,20 @@ def extrapolate(known, to):
 
 
 def compute(index, deepest, step):
-    """(geometry, force rows, shapes) by the depth of the outer membrane's pole, um; as deep as Newton gets."""
+    """(solid, force rows, shapes, membrane) by the depth of the outer membrane's pole, um; as deep as Newton gets."""
     thickness, tip, holder = draw(index)
     solid = Solid(thickness, tip, holder)
     solid.solve(0.0)
     known = [(0.0, solid.state())]
-    rows, shapes = [], []
+    rows, shapes, membrane = [], [], []
+    area = 2 * math.pi * MID_RADIUS_UM**2 * -np.diff(np.cos(solid.theta))
     pole = MID_RADIUS_UM + thickness / 2
     depth, h = 0.0, 0.25 * step
     while True:
         faces = solid.faces()
         rows.append((pole - faces[0][2][0], solid.force(), 1e3 * float(solid.md.variable('P')[0])))
         shapes.append(faces)
+        membrane.append((1e3 * solid.loads() / area[:, None], solid.tension()))
         target = depth + step
         if target > deepest + 1e-9:
             break
@@ -203,12 +260,12 @@ def compute(index, deepest, step):
             else:
                 h = 0.4 * (to - depth)
                 if h < 0.002:
-                    return solid, rows, shapes
-    return solid, rows, shapes
+                    return solid, rows, shapes, membrane
+    return solid, rows, shapes, membrane
 
 
-def write(folder, index, solid, rows, shapes):
-    """NAME-1-force.csv, NAME-1-profile.csv and NAME-geometry.json, as resources/reference has them."""
+def write(folder, index, solid, rows, shapes, membrane):
+    """NAME-1-force.csv, NAME-1-profile.csv, NAME-1-membrane.csv and NAME-geometry.json, as resources/reference has them."""
     name = f'specimen-{index}'
     with open(folder / f'{name}-1-force.csv', 'w', newline='') as file:
         out = csv.writer(file, lineterminator='\n')
@@ -224,6 +281,15 @@ def write(folder, index, solid, rows, shapes):
             for k in range(len(outer[0])):
                 out.writerow([f'{max(row[0], 0.0):.5g}', f'{outer[0][k]:.5f}'] +
                              [f'{value + 0.0:.3f}' for value in (outer[1][k], outer[2][k], inner[1][k], inner[2][k])])
+    with open(folder / f'{name}-1-membrane.csv', 'w', newline='') as file:
+        out = csv.writer(file, lineterminator='\n')
+        out.writerow(['indentation_um', 'theta0_rad', 'load_r_kPa', 'load_z_kPa', 'tension_uN_per_um'])
+        middle = 0.5 * (solid.theta[:-1] + solid.theta[1:])
+        for step in range(MEMBRANE_STEPS, len(rows), MEMBRANE_STEPS):
+            load, tension = membrane[step]
+            for k in range(len(middle)):
+                out.writerow([f'{rows[step][0]:.5g}', f'{middle[k]:.5f}'] +
+                             [f'{value:.4g}' for value in (*load[k], tension[k])])
     geometry = {
         'middle_radius_um': MID_RADIUS_UM,
         'thickness_um': round(solid.thickness, 6),
@@ -247,8 +313,8 @@ def main():
     gf.util('warning level', 0)
     options.output.mkdir(parents=True, exist_ok=True)
     for index in range(options.first, options.first + options.count):
-        solid, rows, shapes = compute(index, options.deepest_um, options.step_um)
-        write(options.output, index, solid, rows, shapes)
+        solid, rows, shapes, membrane = compute(index, options.deepest_um, options.step_um)
+        write(options.output, index, solid, rows, shapes, membrane)
         print(f'specimen {index}: thickness {solid.thickness:.2f}, tip {solid.tip:.2f}, holder {solid.holder:.2f} um; '
               f'{rows[-1][1]:.3f} uN at {rows[-1][0]:.2f} um', flush=True)
 

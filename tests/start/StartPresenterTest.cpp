@@ -84,8 +84,8 @@ TEST(StartLists, NameWhatIsShipped) {
   ASSERT_GE(profiles.size(), 2U);
   EXPECT_EQ(profiles.front().title, "mouse-oocyte (Mouse oocyte)");
   const auto lessons = lesson_entries();
-  ASSERT_EQ(lessons.size(), 6U);
-  EXPECT_EQ(lessons.front().title, "1. What a spring network feels");
+  ASSERT_EQ(lessons.size(), 12U);
+  EXPECT_EQ(lessons.front().title, "1. What a snake does");
   EXPECT_EQ(index_of(lessons, lessons[3].value), 3);
   EXPECT_EQ(index_of(lessons, "algebra"), 0);
 }
@@ -168,7 +168,6 @@ TEST(StartChoices, ALessonWithItsLook) {
   EXPECT_EQ(choice.mode, StartMode::kTeach);
   EXPECT_EQ(choice.lesson, "volume");
   EXPECT_TRUE(choice.large_letters);
-  EXPECT_FALSE(choice.light_theme);
 }
 
 TEST(StartWords, OptionsBecomeFieldsAndAnotherSizeInTheFileIsSaid) {

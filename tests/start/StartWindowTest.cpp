@@ -131,7 +131,7 @@ TEST_F(StartWindowTest, CardsAreChosenAndStartedWithKeys) {
   input_.tap(kReturnKey);
   ASSERT_TRUE(pass_until([&] { return window_->choice().has_value(); }));
   EXPECT_EQ(window_->choice()->mode, StartMode::kTeach);
-  EXPECT_EQ(window_->choice()->lesson, "volume");
+  EXPECT_EQ(window_->choice()->lesson, "from-contour-to-3d");
 }
 
 TEST_F(StartWindowTest, ASessionDroppedOrClickedOpensReview) {
@@ -276,7 +276,7 @@ TEST_F(StartWindowTest, TabReachesEveryControlInItsOrderAndAllHaveNames) {
   long before = -1;
   for (const char* name :
        {"scenario", "hand", "path", "chooseFile", "chooseFolder", "recordingProfile", "recordingPixel", "frameRate",
-        "searchCameras", "cameraProfile", "objective", "specimenPixel", "lessons", "lightTheme", "largeLetters"}) {
+        "searchCameras", "cameraProfile", "objective", "specimenPixel", "lessons", "largeLetters"}) {
     EXPECT_GT(place(name), before) << name;
     before = place(name);
   }

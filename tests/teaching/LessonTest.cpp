@@ -3,11 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Resources.h"
 #include "pellucida/membrane/Indenter.h"
 #include "pellucida/teaching/PokedCell.h"
 #include "support/DocsPage.h"
@@ -17,7 +23,8 @@ namespace {
 
 TEST(Lesson, TheShippedOnesAreWhole) {
   const auto lessons = all_lessons();
-  ASSERT_GE(lessons.size(), 4u);
+  ASSERT_GE(lessons.size(), 10u);
+  const std::vector<std::string> scenarios = list_resources("scenarios", ".json");
   std::set<int> orders;
   for (const Lesson& lesson : lessons) {
     EXPECT_FALSE(lesson.title.empty()) << lesson.name;
@@ -26,6 +33,47 @@ TEST(Lesson, TheShippedOnesAreWhole) {
     for (const auto& answer : lesson.answers) EXPECT_GT(answer.explanation.size(), 20u) << lesson.name;
     EXPECT_TRUE(orders.insert(lesson.order).second) << lesson.name << ": its place is taken";
     EXPECT_EQ(load_lesson(lesson.name).title, lesson.title);
+    EXPECT_FALSE(lesson.to_do.empty()) << lesson.name;
+    EXPECT_FALSE(lesson.observe.empty()) << lesson.name;
+    EXPECT_EQ(std::count(scenarios.begin(), scenarios.end(), lesson.scenario), 1)
+        << lesson.name << ' ' << lesson.scenario;
+  }
+}
+
+// German ones: the same lessons, in other words.
+TEST(Lesson, TheGermanOnesAreTheSameLessons) {
+  const auto english = all_lessons(), german = all_lessons("lessons/de");
+  ASSERT_EQ(german.size(), english.size());
+  for (std::size_t k = 0; k < english.size(); ++k) {
+    const Lesson &one = english[k], &other = german[k];
+    EXPECT_EQ(other.name, one.name);
+    EXPECT_NE(other.title, one.title);
+    EXPECT_EQ(other.scenario, one.scenario) << one.name;
+    EXPECT_EQ(other.hand_depth_um, one.hand_depth_um) << one.name;
+    EXPECT_EQ(other.explains_tip, one.explains_tip) << one.name;
+    TeachingParameters a = one.setting, b = other.setting;
+    EXPECT_EQ(markdown(fields_of(a)), markdown(fields_of(b))) << one.name;
+    EXPECT_EQ(other.text.size(), one.text.size()) << one.name;
+    EXPECT_EQ(other.to_do.size(), one.to_do.size()) << one.name;
+    EXPECT_EQ(other.observe.size(), one.observe.size()) << one.name;
+    ASSERT_EQ(other.answers.size(), one.answers.size()) << one.name;
+    for (std::size_t a_k = 0; a_k < one.answers.size(); ++a_k) {
+      EXPECT_EQ(other.answers[a_k].is_right, one.answers[a_k].is_right) << one.name;
+      EXPECT_NE(other.answers[a_k].explanation, one.answers[a_k].explanation) << one.name;
+    }
+  }
+}
+
+// The setting of each lesson moves the needle to where the lesson begins, without a blow-up.
+TEST(Lesson, EachSettingRuns) {
+  for (const Lesson& lesson : all_lessons()) {
+    PokedCell cell(lesson.setting);
+    cell.set_hand(lesson.hand_depth_um, 0.0);
+    while (cell.time_s() < 0.6 && cell.step()) {
+    }
+    EXPECT_FALSE(cell.blow_up()) << lesson.name;
+    const double give_um = lesson.setting.hand_give_um_per_uN * cell.push_force_uN();
+    EXPECT_NEAR(cell.depth_um() + give_um, lesson.hand_depth_um, 1.0) << lesson.name;
   }
 }
 
@@ -102,6 +150,49 @@ TEST(Lesson, TheirNumbersAreTrue) {
   EXPECT_NEAR(leak.advance_to(40.0).volume_um3 / leak.model().volume().rest_volume_um3(), 7.0 / 8.0, 0.005);
   const double limit_s = PokedCell(load_lesson("time-steps").setting).stability().stable_step_s;
   EXPECT_NEAR(1e6 * limit_s, 146.0, 0.5);
+}
+
+// The lessons on contours, punctures, delays and fixtures.
+TEST(Lesson, TheirFurtherNumbersAreTrue) {
+  const TeachingParameters oocyte;
+  const CellProfile profile = profile_of(oocyte);
+  // from-contour-to-3d: a radius one hundredth larger.
+  CellProfile wider = profile;
+  wider.mid_radius_um *= 1.01;
+  const double volume_um3 = Indenter(profile, setup_of(profile, oocyte)).model().volume().rest_volume_um3();
+  const double wider_um3 = Indenter(wider, setup_of(wider, oocyte)).model().volume().rest_volume_um3();
+  EXPECT_NEAR(wider_um3 / volume_um3, 1.030, 0.001);
+  // prescribed-contour: the stiffest motion of the network of 162 nodes, and an error of 0.1 um.
+  const TeachingParameters coarse = load_lesson("time-steps").setting;
+  ASSERT_EQ(coarse.mesh_frequency, 4);
+  const double omega_per_s = 2.0 / PokedCell(coarse).stability().stable_step_s;
+  const double stiffness_uN_per_um = coarse.node_mass_kg * omega_per_s * omega_per_s;
+  EXPECT_NEAR(stiffness_uN_per_um, 188.0, 1.0);
+  EXPECT_NEAR(0.1 * stiffness_uN_per_um, 18.8, 0.1);
+  EXPECT_NEAR(0.1 * stiffness_uN_per_um / force_uN(oocyte, 10.0), 18.0, 0.5);
+  // puncture: the work up to it, by trapezia of 1 um; latency-and-passivity: 5 um further on.
+  Indenter needle(profile, setup_of(profile, oocyte));
+  std::vector<double> forces_uN{0.0}, works_pJ{0.0};
+  for (int depth_um = 1; depth_um <= 44; ++depth_um) {
+    forces_uN.push_back(needle.advance_to(depth_um).push_force_uN);
+    works_pJ.push_back(works_pJ.back() + 0.5 * (forces_uN.back() + forces_uN[forces_uN.size() - 2]));
+  }
+  EXPECT_NEAR(works_pJ[44], 125.0, 1.0);
+  EXPECT_LT(works_pJ[44], 0.5 * 7.5 * 44.0);
+  EXPECT_NEAR(works_pJ[44] - works_pJ[39], 34.0, 0.6);
+  EXPECT_NEAR(forces_uN[44] - forces_uN[39], 1.5, 0.05);
+  // why-fixtures-help: the cell does not hold the tip back sideways.
+  EXPECT_NEAR(100.0 * std::tan(5.0 * std::numbers::pi / 180.0), 8.7, 0.05);
+  const auto pushed = [](double across_um) {
+    PokedCell cell(load_lesson("why-fixtures-help").setting);
+    cell.set_hand(20.0, across_um);
+    while (cell.time_s() < 3.0 && cell.step()) {
+    }
+    return std::pair(cell.potential_energy_pJ(), cell.push_force_uN());
+  };
+  const auto straight = pushed(0.0), beside = pushed(8.7);
+  EXPECT_NEAR(beside.first - straight.first, 0.6, 0.1);
+  EXPECT_NEAR(beside.second / straight.second, 0.98, 0.005);
 }
 
 // Lesson "invented-mass": the force overshoots and pulls on the way in, and still swings half a second later.

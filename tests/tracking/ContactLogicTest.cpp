@@ -56,6 +56,23 @@ TEST(ContactLogic, ATipThatIsNotKnownTellsNoPuncture) {
   EXPECT_EQ(logic.update({18.0, 10.0, true, 0.25, 0.3}), CellState::kPunctured);
 }
 
+TEST(ContactLogic, AMembraneOnTheTipAgainHasNotGivenWay) {
+  ContactLogic logic = fresh();
+  for (double depth = 1.0; depth <= 30.0; depth += 1.0) logic.update({depth, depth, true, 0.25, 0.3});
+  ASSERT_EQ(logic.update({30.0, 12.0, true, 0.25, 0.3}), CellState::kPunctured);
+  // At rest, or on its way there, it has.
+  for (const double membrane : {8.0, 4.0, 2.0, 1.0, 1.0, 1.0})
+    EXPECT_EQ(logic.update({30.0, membrane, true, 0.25, 0.3}), CellState::kPunctured) << membrane;
+  EXPECT_EQ(logic.update({30.0, 29.0, true, 0.25, 0.3}), CellState::kPunctured);
+  EXPECT_EQ(logic.update({30.0, 29.5, true, 0.25, 0.3}), CellState::kPunctured);
+  EXPECT_EQ(logic.update({30.0, 29.5, true, 0.25, 0.3}), CellState::kContact);
+  // A needle drawn out of a punctured cell is not on its membrane again.
+  EXPECT_EQ(logic.update({31.0, 12.0, true, 0.25, 0.3}), CellState::kPunctured);
+  for (double tip = 20.0; tip > 0.0; tip -= 1.0)
+    EXPECT_EQ(logic.update({tip, 1.0, true, 0.25, 0.3}), CellState::kPunctured) << tip;
+  EXPECT_EQ(logic.update({-1.0, 0.0, true, 0.25, 0.3}), CellState::kFree);
+}
+
 TEST(ContactLogic, ASlowApproachIsNoticedWithinTwoPixels) {
   // 12 um/s at 30 frames a second and 0.825 um a pixel: half a pixel a frame.
   std::mt19937 random(2);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 
@@ -61,6 +62,123 @@ TEST(TrackingStep, TellsTheStoryOfAPuncture) {
   }
   EXPECT_EQ(story, (std::vector<std::string>{"found", "contact", "puncture", "release"}));
   EXPECT_NEAR(puncture_s, true_puncture_s, 0.07);
+}
+
+// A film with a second cell beside the one that is held.
+class Hints : public testing::Test {
+ protected:
+  Hints() : microscope_(with_bystander()) {}
+
+  static Scenario with_bystander() {
+    Scenario scenario = load_scenario("default");
+    scenario.bystander.cell_radius_um = 45.0;
+    scenario.bystander.cell_x_um = kOther_um.x();
+    scenario.bystander.cell_y_um = kOther_um.y();
+    return scenario;
+  }
+
+  Scene next() {
+    Scene scene;
+    scene.frame = microscope_.next()->image;
+    auto result = step_.process(scene);
+    EXPECT_TRUE(result.has_value());
+    if (result->observation->state != CellState::kNoCell && result->observation->state != CellState::kLost)
+      held_um_ = result->observation->center_um;
+    return *result;
+  }
+  static std::vector<std::string> hints_in(const Scene& scene) {
+    std::vector<std::string> details;
+    for (const Event& event : scene.events) {
+      if (event.kind == event_kind::kHint) details.push_back(event.detail);
+    }
+    return details;
+  }
+  void point(PersonHint::Kind kind, const Eigen::Vector2d& place_um, double since_s = 0.0) {
+    step_.add_hint({.kind = kind, .x_um = place_um.x(), .y_um = place_um.y(), .since_s = since_s});
+  }
+  static bool has_cell(const Scene& scene) {
+    return scene.observation->state != CellState::kNoCell && scene.observation->state != CellState::kLost;
+  }
+
+  inline static const Eigen::Vector2d kOther_um{480.0, 80.0};
+  VirtualMicroscope microscope_;
+  TrackingStep step_;
+  Eigen::Vector2d held_um_ = Eigen::Vector2d::Zero();
+};
+
+TEST_F(Hints, AClickChoosesTheCellAndTakingItBackTheUsualOne) {
+  next();
+  const Eigen::Vector2d usual_um = held_um_;
+  ASSERT_GT((usual_um - kOther_um).norm(), 100.0);
+  point(PersonHint::Kind::kCell, kOther_um + Eigen::Vector2d(10.0, 5.0));
+  const Scene hinted = next();
+  ASSERT_EQ(hints_in(hinted).size(), 1U);
+  EXPECT_EQ(hints_in(hinted)[0], "cell at 490.000 85.000 um: found");
+  EXPECT_LT((held_um_ - kOther_um).norm(), 5.0);
+  EXPECT_TRUE(hints_in(next()).empty());
+  EXPECT_LT((held_um_ - kOther_um).norm(), 5.0);
+  point(PersonHint::Kind::kTakeBack, {0.0, 0.0});
+  EXPECT_EQ(hints_in(next()).size(), 1U);
+  EXPECT_LT((held_um_ - usual_um).norm(), 5.0);
+}
+
+TEST_F(Hints, WhatIsNoCellIsNotTakenForOneAgainUntilThatIsTakenBack) {
+  next();
+  const Eigen::Vector2d usual_um = held_um_;
+  point(PersonHint::Kind::kNoCell, usual_um);
+  for (int k = 0; k < 20; ++k) {
+    const Scene scene = next();
+    if (has_cell(scene)) {
+      EXPECT_GT((scene.observation->center_um - usual_um).norm(), 100.0);
+    }
+  }
+  point(PersonHint::Kind::kTakeBack, {0.0, 0.0});
+  EXPECT_TRUE(has_cell(next()));
+  EXPECT_LT((held_um_ - usual_um).norm(), 5.0);
+}
+
+TEST_F(Hints, ACellHintOverrulesAnEarlierOne) {
+  next();
+  const Eigen::Vector2d usual_um = held_um_;
+  point(PersonHint::Kind::kNoCell, usual_um);
+  next();
+  point(PersonHint::Kind::kCell, usual_um);
+  EXPECT_TRUE(has_cell(next()));
+  EXPECT_LT((held_um_ - usual_um).norm(), 5.0);
+}
+
+TEST_F(Hints, APlaceWithoutACellIsSaidSo) {
+  next();
+  point(PersonHint::Kind::kCell, {30.0, 380.0});
+  EXPECT_NE(hints_in(next()).at(0).find("nothing like a cell"), std::string::npos);
+}
+
+TEST_F(Hints, TheTipIsWhereOnePoints) {
+  Scene scene = next();
+  ASSERT_TRUE(scene.observation->needle);
+  const Eigen::Vector2d truth_um = microscope_.truth().observation.needle->tip_um;
+  point(PersonHint::Kind::kNeedleTip, truth_um + Eigen::Vector2d(3.0, -2.0));
+  scene = next();
+  EXPECT_NE(hints_in(scene).at(0).find("followed"), std::string::npos) << hints_in(scene)[0];
+  ASSERT_TRUE(scene.observation->needle);
+  EXPECT_LT((scene.observation->needle->tip_um - microscope_.truth().observation.needle->tip_um).norm(), 2.0);
+
+  // Where there is none the needle stays what it was.
+  point(PersonHint::Kind::kNeedleTip, {60.0, 370.0});
+  scene = next();
+  EXPECT_NE(hints_in(scene).at(0).find("no straight shaft"), std::string::npos) << hints_in(scene)[0];
+  ASSERT_TRUE(scene.observation->needle);
+  EXPECT_LT((scene.observation->needle->tip_um - microscope_.truth().observation.needle->tip_um).norm(), 2.0);
+}
+
+TEST_F(Hints, AHintWaitsForItsFrame) {
+  next();
+  const double rate_hz = microscope_.info().frame_rate_hz;
+  point(PersonHint::Kind::kCell, kOther_um, 3.0 / rate_hz);
+  EXPECT_TRUE(hints_in(next()).empty());
+  EXPECT_TRUE(hints_in(next()).empty());
+  EXPECT_EQ(hints_in(next()).size(), 1U);
+  EXPECT_THROW(point(PersonHint::Kind::kCell, {std::nan(""), 0.0}), UsageError);
 }
 
 TEST(TrackingStep, EventsOfEachChange) {

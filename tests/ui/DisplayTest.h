@@ -3,6 +3,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QPixmap>
+#include <QWidget>
 #include <functional>
 
 #include "pellucida/visualization/VirtualDisplay.h"
@@ -18,6 +20,13 @@ class DisplayTest : public testing::Test {
     static char name[] = "test";
     static char* argv[] = {name, nullptr};
     if (!qApp) new QApplication(argc, argv);
+  }
+
+  /// For a person's judgement: the window as it is, as NAME.png in the folder that PELLUCIDA_PICTURES names; nothing
+  /// without.
+  static void keep_picture(QWidget& window, const char* name) {
+    const QByteArray folder = qgetenv("PELLUCIDA_PICTURES");
+    if (!folder.isEmpty()) window.grab().save(QString("%1/%2.png").arg(QString::fromLocal8Bit(folder), name));
   }
 
   /// The window's events for a time, or until a condition holds: false when it doesn't within a minute.

@@ -9,9 +9,11 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QShortcut>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -19,8 +21,11 @@
 #include "HandControl.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
+#include "pellucida/visualization/Readout.h"
+#include "pellucida/visualization_vtk/FeedView.h"
 #include "ui/DisplayTest.h"
 #include "ui/XInput.h"
+#include "widgets/GaugeBar.h"
 #include "widgets/ViewWidget.h"
 
 namespace pellucida {
@@ -230,6 +235,103 @@ TEST_F(GuideWindowTest, TheStopDoesNotWaitForABusyWindow) {
     // Some milliseconds; the margin is for a machine that is busy with other things.
     EXPECT_LT((*all)[all->size() / 2], 100.0);
     EXPECT_LT(all->back(), 1000.0);
+  }
+}
+
+// The image's place of a point, on the screen.
+QPoint on_screen(GuideWindow& window, const Eigen::Vector2d& place_um) {
+  ViewWidget* view = nullptr;
+  FeedView* found = nullptr;
+  for (auto* widget : window.findChildren<QVTKOpenGLNativeWidget*>()) {
+    auto* one = dynamic_cast<ViewWidget*>(widget);
+    if (auto* image = one ? dynamic_cast<FeedView*>(&one->view()) : nullptr) {
+      view = one;
+      found = image;
+    }
+  }
+  FeedView& feed = *found;
+  const double height_px = view->height();
+  // The view is linear: where two places lie tells where all do.
+  const Eigen::Vector2d origin_um = feed.place_um(0.0, 0.0, height_px);
+  const Eigen::Vector2d per_px = (feed.place_um(100.0, 100.0, height_px) - origin_um) / 100.0;
+  const Eigen::Vector2d place_px = (place_um - origin_um).cwiseQuotient(per_px);
+  return view->mapToGlobal(
+      QPoint(static_cast<int>(std::lround(place_px.x())), static_cast<int>(std::lround(place_px.y()))));
+}
+
+std::string label_text(QWidget& window, const char* name) {
+  const auto* label = window.findChild<QLabel*>(name);
+  return label ? label->text().toStdString() : std::string("no label ") + name;
+}
+
+TEST_F(GuideWindowTest, AHintIsGivenByKeyAndClickAndTakenBackByAKey) {
+  open();
+  ASSERT_TRUE(pass_until([&] { return label_text(*window_, "statePill") == "Free"; }))
+      << label_text(*window_, "statePill");
+  ASSERT_TRUE(pass_until([&] { return console_->plan().has_value(); }));
+  const Eigen::Vector2d cell_um = console_->plan()->cell.center_um.eigen().head<2>();
+  const auto click = [&](const Eigen::Vector2d& place_um) {
+    const QPoint at = on_screen(*window_, place_um);
+    input_.move(at.x(), at.y());
+    pass(100);
+    input_.left_button(true);
+    pass(50);
+    input_.left_button(false);
+  };
+  const auto notice = [&](const char* words) {
+    return pass_until([&] { return label_text(*window_, "notice").find(words) != std::string::npos; });
+  };
+  input_.key(test::kShiftKey, true);
+  input_.tap(test::kOKey);
+  input_.key(test::kShiftKey, false);
+  pass(300);
+  keep_picture(*window_, "guide-hint-prompt");
+  click(cell_um);
+  EXPECT_TRUE(notice("Hint: no cell at")) << label_text(*window_, "notice");
+  EXPECT_TRUE(pass_until([&] { return label_text(*window_, "statePill") == "No cell"; }));
+  // The click moved no needle.
+  EXPECT_EQ(state(), kReady);
+  keep_picture(*window_, "guide-no-cell");
+  input_.tap(test::kBackspaceKey);
+  EXPECT_TRUE(notice("taken back")) << label_text(*window_, "notice");
+  EXPECT_TRUE(pass_until([&] { return label_text(*window_, "statePill") == "Free"; }));
+  input_.tap(test::kOKey);
+  pass(300);
+  click(cell_um);
+  EXPECT_TRUE(notice("found")) << label_text(*window_, "notice");
+}
+
+std::vector<GaugeBox*> gauges(QWidget& window) {
+  std::vector<GaugeBox*> boxes;
+  for (QFrame* frame : window.findChildren<QFrame*>("gaugeBox")) boxes.push_back(dynamic_cast<GaugeBox*>(frame));
+  return boxes;
+}
+
+TEST_F(GuideWindowTest, TheGaugesShowTheLimitsOfHandAndPlan) {
+  open();
+  ASSERT_TRUE(pass_until([&] { return console_->plan().has_value(); }));
+  EXPECT_TRUE(pass_until([&] {
+    const auto boxes = gauges(*window_);
+    return boxes.size() == 4 && boxes[3]->gauge().value.find("µm") != std::string::npos &&
+           boxes[0]->gauge().limit == "limit " + readout::number(console_->limits().max_force_uN, 1) + " µN";
+  }));
+  for (const auto& size : {QSize(1400, 900), QSize(1000, 640)}) {
+    window_->resize(size);
+    pass(400);
+    for (const GaugeBox* box : gauges(*window_)) {
+      EXPECT_TRUE(box->isVisible());
+      for (const QLabel* label : box->findChildren<QLabel*>()) {
+        if (!label->isVisible()) continue;
+        EXPECT_TRUE(box->rect().contains(label->geometry())) << label->text().toStdString();
+        EXPECT_GE(label->height(), label->fontMetrics().height())
+            << label->text().toStdString() << " at " << size.width();
+        EXPECT_LE(label->fontMetrics().horizontalAdvance(label->text()), label->width())
+            << label->text().toStdString() << " at " << size.width();
+      }
+    }
+    keep_picture(*window_, size.width() == 1400 ? "guide-1400" : "guide-1000");
+    // The scale has its place at every size.
+    EXPECT_TRUE(window_->findChild<QWidget*>("scaleGauge")->isVisible()) << size.width();
   }
 }
 

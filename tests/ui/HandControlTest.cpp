@@ -18,26 +18,15 @@
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "presenters/HandPresenter.h"
+#include "ui/OffscreenWidgets.h"
 #include "widgets/HandBar.h"
 #include "widgets/ViewWidget.h"
 
 namespace pellucida {
 namespace {
 
-// Widgets without a display: nothing is drawn, all events are real.
-class Widgets : public testing::Test {
+class Widgets : public test::OffscreenWidgets {
  protected:
-  Widgets() {
-    static QApplication* app = [] {
-      qputenv("QT_QPA_PLATFORM", "offscreen");
-      static int argc = 1;
-      static char name[] = "test";
-      static char* argv[] = {name, nullptr};
-      return new QApplication(argc, argv);
-    }();
-    EXPECT_TRUE(app);
-  }
-
   static QPushButton* button(QWidget& parent, const QString& text) {
     for (auto* one : parent.findChildren<QPushButton*>()) {
       if (one->text() == text) return one;

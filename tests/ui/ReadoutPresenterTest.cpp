@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace pellucida {
 namespace {
 
@@ -40,6 +42,21 @@ TEST(ReadoutPresenter, ShowsTheScenesFigures) {
   EXPECT_EQ(texts.pressure.text, "152 Pa");
   EXPECT_EQ(texts.confidence.text, "93 %");
   EXPECT_EQ(force_notice(scene).text, "");
+}
+
+TEST(ReadoutPresenter, SaysWhichPartOpensTheInterval) {
+  Scene scene = measured_scene();
+  EXPECT_EQ(readout_texts(&scene, oocyte()).force_parts.text, "");
+  Measurement& m = scene.measurement;
+  m.contact_force_picture_lower_uN = m.contact_force_uN * (1.0 - 1.96 * 0.09);
+  m.contact_force_picture_upper_uN = m.contact_force_uN * (1.0 + 1.96 * 0.09);
+  m.contact_force_scale_lower_uN = m.contact_force_uN * std::exp(-1.96 * 0.46);
+  m.contact_force_scale_upper_uN = m.contact_force_uN * std::exp(1.96 * 0.46);
+  EXPECT_EQ(readout_texts(&scene, oocyte()).force_parts.text, "picture ±9 %, kind of cell ±46 %");
+  EXPECT_EQ(readout_texts(&scene, oocyte()).force_parts_short, "±9 %, kind ±46 %");
+  EXPECT_NE(readout_texts(&scene, oocyte()).force_tip.find("single cells of this kind"), std::string::npos);
+  m.puncture_probability = 0.02;
+  EXPECT_EQ(readout_texts(&scene, oocyte()).force_parts.text, "picture ±9 %, this cell ±46 %");
 }
 
 TEST(ReadoutPresenter, BeforeTheFirstSceneThereAreDashesAndTheProfile) {

@@ -76,6 +76,8 @@ TEST(StatusPresenter, TheWorstLossIsTheOneNamed) {
   EXPECT_EQ(presenter.update(status, nullptr, false, 0, 0.0).lost.text, "3 frames not measured");
   status.gap_count = 1;
   EXPECT_EQ(presenter.update(status, nullptr, false, 0, 0.0).lost.text, "1 frame lost by the source");
+  status.recorder_thinned_count = 5;
+  EXPECT_EQ(presenter.update(status, nullptr, false, 0, 0.0).lost.text, "5 frames recorded without their surface");
   status.recorder_dropped_count = 2;
   const StatusTexts texts = presenter.update(status, nullptr, false, 0, 0.0);
   EXPECT_EQ(texts.lost.text, "2 frames recorded without their image");

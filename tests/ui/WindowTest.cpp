@@ -7,8 +7,8 @@
 
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/guide/Guide.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
-#include "pellucida/ui/Guide.h"
 #include "pellucida/visualization/Palette.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
@@ -120,7 +120,7 @@ TEST_F(Window, HasTheHandsBarWithItsStopWhenThereIsAHand) {
   reader->Update();
   // The stop at the right end of the bar, in the smallest window too.
   int red = 0;
-  for (int y = 640 - 185; y < 640 - 115; ++y) {
+  for (int y = 640 - 262; y < 640 - 202; ++y) {
     for (int x = 850; x < 1000; ++x) {
       red += reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, 0) > 200 &&
              reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, 1) < 130;

@@ -24,7 +24,8 @@ TEST(Palette, EachThemeReadsOnItsSurfaces) {
   for (const ThemeColors* theme : {&dark_theme(), &light_theme()}) {
     for (const Color& ground : {theme->window, theme->panel, theme->raised}) {
       EXPECT_GE(contrast_ratio(theme->text, ground), 7.0);
-      for (const Color& writing : {theme->text_dim, theme->accent, theme->record, theme->warning, theme->good}) {
+      for (const Color& writing :
+           {theme->text_dim, theme->faint, theme->accent, theme->record, theme->warning, theme->good, theme->plan}) {
         EXPECT_GE(contrast_ratio(writing, ground), 4.5) << writing.css() << " on " << ground.css();
       }
     }
@@ -33,10 +34,14 @@ TEST(Palette, EachThemeReadsOnItsSurfaces) {
   }
 }
 
-TEST(Palette, PillsCarryDarkWriting) {
+TEST(Palette, PillsCarryTheirWriting) {
   for (const CellState state :
        {CellState::kNoCell, CellState::kFree, CellState::kContact, CellState::kPunctured, CellState::kLost}) {
-    EXPECT_GE(contrast_ratio(state_color(state), palette::kWindow), 4.5) << to_string(state);
+    for (const ThemeColors* theme : {&dark_theme(), &light_theme()}) {
+      EXPECT_GE(contrast_ratio(state_color(state, *theme), theme->window), 4.5) << to_string(state);
+      // Named in charts too.
+      EXPECT_GE(contrast_ratio(state_color(state, *theme), theme->panel), 4.5) << to_string(state);
+    }
   }
 }
 

@@ -6,7 +6,7 @@
 namespace pellucida {
 namespace {
 
-// Ends a piece of work that was cancelled; nobody hears of it.
+// Ends a piece of work that was cancelled; its result is dropped.
 struct WorkCancelled {};
 
 }  // namespace

@@ -7,20 +7,23 @@
 #include <QRegularExpression>
 #include <QString>
 #include <QStyleFactory>
+#include <QWidget>
+#include <utility>
+#include <vector>
 
 #include "pellucida/visualization/Palette.h"
 
 namespace pellucida {
 namespace {
 
-const ThemeColors* applied_theme = nullptr;
+double type_scale_applied = 1.0;
 
 // The sheet names colours as @name; they are filled in from the palette.
 const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #handBar, #transportBar, #nodeFacts { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
@@ -33,7 +36,7 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 #pageTitle { font-size: 22px; font-weight: 600; }
 #pageText { color: @dim; font-size: 14px; }
 #problem { font-size: 14px; }
-QPushButton[lit="true"]:checked:enabled { border-color: @accent; background: @border; }
+QPushButton[lit="true"]:checked:enabled { border-color: @accent; background: @raised; }
 QPushButton[narrow="true"] { padding: 0px; font-size: 15px; }
 QTreeWidget { background: @panel; border: none; font-size: 12px; outline: none; }
 QTreeWidget::item { padding: 3px 6px; border: none; background: transparent; }
@@ -85,6 +88,13 @@ QSlider::groove:horizontal { height: 4px; background: @border; border-radius: 2p
 QSlider::sub-page:horizontal { background: @accent; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: @text; }
 QLabel[figure="true"] { font-size: 23px; font-weight: 700; }
+QLabel[gaugeName="true"] { color: @dim; font-size: 13px; font-weight: 700; }
+QLabel[gaugeAlarm="true"] { font-size: 13px; font-weight: 800; border-radius: 4px; padding: 1px 7px; }
+QLabel[gaugeValue="true"] { font-weight: 700; }
+QLabel[gaugeNote="true"] { color: @dim; font-size: 12px; }
+QLabel[fact="true"] { font-size: 15px; font-weight: 700; }
+QLabel[kept="true"] { border: 1px solid @border; border-radius: 5px; padding: 1px 7px; }
+QLabel[smallFigure="true"] { font-size: 14px; font-weight: 700; }
 QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
 #startCard { background: @panel; border: 1px solid @border; border-radius: 10px; }
 #startCard[current="true"] { border: 1px solid @accent; }
@@ -99,6 +109,9 @@ QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
 #startCard QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
 #startCard QLineEdit[blank="true"] { color: @dim; }
 #startCard QLineEdit:hover, #startCard QLineEdit:focus { border-color: @accent; }
+#noteText { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
+#noteText:focus { border-color: @accent; }
+#noteWhere { color: @dim; font-size: 12px; }
 #startCard QListWidget { background: @raised; border: 1px solid @border; border-radius: 6px; font-size: 12px; }
 #startCard QListWidget:focus { border-color: @accent; }
 #startCard QCheckBox:focus { color: @accent; }
@@ -151,18 +164,49 @@ QString scaled(const QString& sheet, double scale) {
   return result + sheet.mid(from);
 }
 
+// A phrase has the colour it was written with in a sheet of its own: the same role's colour in the new theme.
+void recolor_labels(const ThemeColors& before, const ThemeColors& now) {
+  std::vector<std::pair<QString, QString>> colors;
+  const auto add = [&](const Color& from, const Color& to) {
+    colors.emplace_back(QString::fromStdString(from.css()), QString::fromStdString(to.css()));
+  };
+  for (const Color ThemeColors::*role :
+       {&ThemeColors::window, &ThemeColors::text, &ThemeColors::text_dim, &ThemeColors::accent, &ThemeColors::record,
+        &ThemeColors::warning, &ThemeColors::good, &ThemeColors::plan}) {
+    add(before.*role, now.*role);
+  }
+  for (const auto state : {CellState::kNoCell, CellState::kFree, CellState::kContact, CellState::kPunctured}) {
+    add(state_color(state, before), state_color(state, now));
+  }
+  for (QWidget* widget : QApplication::allWidgets()) {
+    const QString sheet = widget->styleSheet();
+    if (!sheet.contains('#')) continue;
+    static const QRegularExpression hex("#[0-9a-f]{6}");
+    QString changed = sheet;
+    for (auto found = hex.globalMatch(sheet); found.hasNext();) {
+      const QRegularExpressionMatch match = found.next();
+      for (const auto& [from, to] : colors) {
+        if (match.captured() == from) changed.replace(match.capturedStart(), match.capturedLength(), to);
+      }
+    }
+    if (changed != sheet) widget->setStyleSheet(changed);
+  }
+}
+
 }  // namespace
 
 QColor to_qt(const Color& color) {
   return QColor::fromRgbF(color.red, color.green, color.blue);
 }
 
-const ThemeColors& current_theme() noexcept {
-  return applied_theme ? *applied_theme : dark_theme();
+double applied_type_scale() noexcept {
+  return type_scale_applied;
 }
 
 void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale) {
-  applied_theme = &theme;
+  const ThemeColors& before = current_theme();
+  set_current_theme(theme);
+  type_scale_applied = type_scale;
   app.setStyle(QStyleFactory::create("Fusion"));
   QPalette colors;
   colors.setColor(QPalette::Window, to_qt(theme.window));
@@ -184,6 +228,7 @@ void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale)
       {"@plan", theme.plan},     {"@faint", theme.faint},  {"@good", theme.good}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
   app.setStyleSheet(scaled(sheet, type_scale));
+  if (before.is_light != theme.is_light) recolor_labels(before, theme);
 }
 
 }  // namespace pellucida

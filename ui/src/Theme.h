@@ -11,9 +11,10 @@ struct ThemeColors;
 /// A palette's colour for Qt.
 QColor to_qt(const Color& color);
 
-/// Fusion style, palette and style sheet from a theme's colours; all letters `type_scale` times as large.
+/// Makes `theme` the current one: Fusion style, palette and style sheet from its colours; all letters `type_scale`
+/// times as large. What is open follows.
 void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale = 1.0);
-/// The theme applied last; the dark one before.
-const ThemeColors& current_theme() noexcept;
+/// The scale of letters applied last; 1 before.
+double applied_type_scale() noexcept;
 
 }  // namespace pellucida

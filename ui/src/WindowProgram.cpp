@@ -6,11 +6,15 @@
 #include <QIcon>
 #include <QMutex>
 #include <QSet>
+#include <QSocketNotifier>
 #include <QSurfaceFormat>
 #include <cstdio>
 
+#include "Look.h"
 #include "Theme.h"
+#include "Translation.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/visualization/Palette.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 
@@ -30,7 +34,7 @@ void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& t
 
 }  // namespace
 
-WindowProgram::WindowProgram(const ThemeColors& theme) {
+WindowProgram::WindowProgram(const WindowOptions& options) {
   MessageLog::install();
   qInstallMessageHandler(take_qt_message);
   if (!display_answers()) {
@@ -41,16 +45,34 @@ WindowProgram::WindowProgram(const ThemeColors& theme) {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
   application_ = std::make_unique<QApplication>(argument_count_, arguments_);
   QApplication::setApplicationName("Pellucida");
   // The desktop entry and the icon of an installed program.
   QApplication::setDesktopFileName("pellucida");
   QApplication::setWindowIcon(QIcon::fromTheme("pellucida"));
-  apply_theme(*application_, theme);
+  Look look = remembered_look();
+  if (!options.theme.empty()) look.theme = options.theme;
+  if (!options.language.empty()) look.language = options.language;
+  translation_ = std::make_unique<Translation>(look.language);
+  apply_theme(*application_, look.theme == "light" ? light_theme() : dark_theme());
 }
 
-int WindowProgram::show(QWidget& window) {
+WindowProgram::~WindowProgram() = default;
+
+int WindowProgram::show(QWidget& window, const WindowOptions& options) {
+  std::unique_ptr<QSocketNotifier> stop;
+  if (options.stop_descriptor >= 0) {
+    stop = std::make_unique<QSocketNotifier>(options.stop_descriptor, QSocketNotifier::Read);
+    QObject::connect(stop.get(), &QSocketNotifier::activated, [&stop, &window] {
+      // It stays readable: once is enough.
+      stop->setEnabled(false);
+      window.close();
+      // The loops of dialogs, too.
+      QApplication::exit(0);
+    });
+  }
   window.show();
   return QApplication::exec();
 }

@@ -89,9 +89,8 @@ class CameraSource final : public FrameSource {
       throw DeviceError(info_.name + ": the camera delivers no images since frame " + std::to_string(last_index_) +
                         "; check its cable");
     }
-    if (last_index_ < 0) first_arrival_s_ = arrival_s;
     Frame frame;
-    frame.time_s = arrival_s - first_arrival_s_;
+    frame.time_s = time_of(1e-3 * capture_.get(cv::CAP_PROP_POS_MSEC), arrival_s);
     const GapCounter::Place place = gaps_.add(frame.time_s);
     frame.frame_index = last_index_ = place.frame_index;
     frame.gap_count = place.gap_count;
@@ -100,12 +99,25 @@ class CameraSource final : public FrameSource {
   }
 
  private:
+  // Since the first frame, by the driver's stamp of the exposure's end where it gives one, else by the arrival. What is
+  // decided at the first frame holds for all: the two clocks may differ.
+  double time_of(double driver_s, double arrival_s) {
+    const bool stamped = std::isfinite(driver_s) && driver_s > 0.0;
+    if (last_index_ < 0) {
+      by_driver_ = stamped;
+      first_s_ = stamped ? driver_s : arrival_s;
+    }
+    if (by_driver_ && !stamped) throw DeviceError(info_.name + ": the driver gives no time for an image");
+    return (by_driver_ ? driver_s : arrival_s) - first_s_;
+  }
+
   SourceInfo info_;
   cv::VideoCapture capture_;
   cv::Mat pixels_;
   SteadyClock clock_;
   GapCounter gaps_{1.0};
-  double first_arrival_s_ = 0.0;
+  double first_s_ = 0.0;
+  bool by_driver_ = false;
   long last_index_ = -1;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -59,6 +60,11 @@ void follow_iso(std::ifstream& stream, ContainerExtent& extent) {
     std::uint64_t size = big_endian(bytes, 0, 4);
     if (size == 1) size = big_endian(bytes, 8, 8);
     if (size < 8) return;
+    // A size that leads round to a place before is longer than any file.
+    if (size > std::numeric_limits<std::uint64_t>::max() - position) {
+      extent.declared_bytes = std::numeric_limits<std::uint64_t>::max();
+      return;
+    }
     position += size;
     extent.declared_bytes = position;
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "pellucida/core/ImageView.h"
@@ -13,6 +14,7 @@ struct GreyImage {
   int height_px = 0;
   PixelFormat format = PixelFormat::kGray8;
   std::vector<std::uint8_t> bytes;  ///< width * height * bytes a pixel, host byte order
+  std::string damage;               ///< what the decoder had to make up for, in its words; empty for none
 
   int bit_depth() const noexcept { return format == PixelFormat::kGray16 ? 16 : 8; }
   std::size_t pixel_count() const noexcept {

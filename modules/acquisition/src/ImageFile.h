@@ -12,8 +12,9 @@ namespace pellucida {
 struct ImageFileInfo {
   int width_px = 0;
   int height_px = 0;
-  int bit_depth = 8;    ///< 8 or 16
-  long page_count = 1;  ///< above 1 only of a TIFF
+  int bit_depth = 8;     ///< 8 or 16
+  long page_count = 1;   ///< above 1 only of a TIFF
+  bool cut_off = false;  ///< a TIFF of which pages behind the last one can't be found
   PhysicalSize physical;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "ImageFile.h"
@@ -10,6 +11,7 @@
 #include "TiffPages.h"
 #include "pellucida/acquisition/FolderContent.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/DamageCounter.h"
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida {
@@ -31,13 +33,18 @@ class ImageSequenceSource final : public FrameSource {
   using Read = std::function<GreyImage(long)>;
 
   /// `where` names image `i` in an error's text.
-  ImageSequenceSource(SourceInfo info, Read read, std::function<std::string(long)> where)
-      : info_(std::move(info)), read_(std::move(read)), where_(std::move(where)) {}
+  /// `check_end` throws where there should have been more.
+  ImageSequenceSource(SourceInfo info, Read read, std::function<std::string(long)> where,
+                      std::function<void()> check_end = {})
+      : info_(std::move(info)), read_(std::move(read)), where_(std::move(where)), check_end_(std::move(check_end)) {}
 
   const SourceInfo& info() const noexcept override { return info_; }
 
   std::optional<Frame> next() override {
-    if (next_ >= *info_.frame_count) return std::nullopt;
+    if (next_ >= *info_.frame_count) {
+      if (const auto check_end = std::exchange(check_end_, {})) check_end();
+      return std::nullopt;
+    }
     const GreyImage image = read_(next_);
     if (image.width_px != info_.width_px || image.height_px != info_.height_px ||
         image.bit_depth() != info_.bit_depth) {
@@ -48,6 +55,7 @@ class ImageSequenceSource final : public FrameSource {
     Frame frame;
     frame.frame_index = next_;
     frame.time_s = static_cast<double>(next_) / info_.frame_rate_hz;
+    frame.damage = damage_.add(!image.damage.empty(), image.damage);
     frame.image = Frozen(make_frame(image.view(info_.pixel_size_um), frame.time_s, frame.frame_index));
     ++next_;
     return frame;
@@ -55,6 +63,7 @@ class ImageSequenceSource final : public FrameSource {
 
   bool restart() override {
     next_ = 0;
+    damage_ = {};
     return true;
   }
 
@@ -66,6 +75,8 @@ class ImageSequenceSource final : public FrameSource {
   SourceInfo info_;
   Read read_;
   std::function<std::string(long)> where_;
+  std::function<void()> check_end_;
+  DamageCounter damage_;
   long next_ = 0;
 };
 
@@ -160,6 +171,11 @@ std::unique_ptr<FrameSource> open_image_file(const std::filesystem::path& file, 
   const ImageFileInfo first = read_image_info(file, most_megapixels);
   SourceInfo info = info_from(name, first, first.page_count);
   auto where = [name](long index) { return name + ", page " + std::to_string(index + 1); };
+  auto check_end = [name, first] {
+    if (!first.cut_off) return;
+    throw InputError(name + ": broken off after page " + std::to_string(first.page_count) +
+                     " (the next one can't be found); copy or record it again");
+  };
   if (first.page_count == 1) {
     // A still is read at once: what can't be decoded is an input error before any option is looked at.
     auto image = std::make_shared<const GreyImage>(read_image(file, most_megapixels));
@@ -168,7 +184,7 @@ std::unique_ptr<FrameSource> open_image_file(const std::filesystem::path& file, 
     info.frame_rate_hz = 1.0;
     info.frame_rate_origin = "still";
     return std::make_unique<ImageSequenceSource>(
-        std::move(info), [image](long) { return *image; }, std::move(where));
+        std::move(info), [image](long) { return *image; }, std::move(where), std::move(check_end));
   }
   check_options(options);
   settle_pixel_size(info, options, first.physical);
@@ -178,7 +194,8 @@ std::unique_ptr<FrameSource> open_image_file(const std::filesystem::path& file, 
     pages->go_to(index);
     return pages->read();
   };
-  return std::make_unique<ImageSequenceSource>(std::move(info), std::move(read), std::move(where));
+  return std::make_unique<ImageSequenceSource>(std::move(info), std::move(read), std::move(where),
+                                               std::move(check_end));
 }
 
 }  // namespace pellucida

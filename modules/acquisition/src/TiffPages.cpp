@@ -3,6 +3,8 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <cstdarg>
+#include <cstdio>
 #include <cstring>
 
 #include "pellucida/core/Error.h"
@@ -36,10 +38,21 @@ void TiffPages::Close::operator()(::tiff* file) const noexcept {
 
 TiffPages::TiffPages(const std::filesystem::path& file, double most_megapixels)
     : file_(file), most_megapixels_(most_megapixels) {
-  // What is wrong is said once, by the exception. Each time anew: other libraries put handlers of their own here.
-  TIFFSetErrorHandler(nullptr);
-  TIFFSetWarningHandler(nullptr);
-  tiff_.reset(TIFFOpen(file.c_str(), "rm"));
+  // What is wrong is said once, by us. Handlers of this file alone: other libraries put their own in the common place.
+  const auto free = [](TIFFOpenOptions* options) { TIFFOpenOptionsFree(options); };
+  const std::unique_ptr<TIFFOpenOptions, decltype(free)> options(TIFFOpenOptionsAlloc(), free);
+  const TIFFErrorHandlerExtR keep = [](TIFF*, void* user, const char*, const char* pattern, va_list arguments) {
+    char text[256];
+    std::vsnprintf(text, sizeof text, pattern, arguments);
+    auto& complaints = *static_cast<Complaints*>(user);
+    ++complaints.count;
+    complaints.newest = text;
+    return 1;
+  };
+  const TIFFErrorHandlerExtR pass_over = [](TIFF*, void*, const char*, const char*, va_list) { return 1; };
+  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep, complaints_.get());
+  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), pass_over, nullptr);
+  tiff_.reset(TIFFOpenExt(file.c_str(), "rm", options.get()));
   if (!tiff_) throw InputError(file.string() + ": broken TIFF (its first page can't be found)");
 
   TIFF* page = tiff_.get();
@@ -59,7 +72,9 @@ TiffPages::TiffPages(const std::filesystem::path& file, double most_megapixels)
   }
   info_.bit_depth = bits == 16 ? 16 : 8;
   info_.physical = physical_of(page);
+  const long before = complaints_->count;
   info_.page_count = TIFFNumberOfDirectories(page);
+  info_.cut_off = complaints_->count > before;
   go_to(0);
 }
 
@@ -122,6 +137,13 @@ bool TiffPages::read_samples(std::uint8_t* samples, std::size_t row_bytes) const
 }
 
 GreyImage TiffPages::read() const {
+  const long before = complaints_->count;
+  GreyImage image = read_page();
+  if (complaints_->count > before) image.damage = complaints_->newest;
+  return image;
+}
+
+GreyImage TiffPages::read_page() const {
   TIFF* page = tiff_.get();
   const auto broken = [&] {
     return InputError(file_.string() + ": broken TIFF (page " + std::to_string(page_ + 1) + " can't be read)");

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "Grey.h"
 #include "ImageFile.h"
@@ -22,6 +23,7 @@ class TiffPages {
   const ImageFileInfo& info() const noexcept { return info_; }
 
   /// The reader's current page, as grey. Throws InputError when it is damaged.
+  /// What the library mended is in the image's `damage`.
   GreyImage read() const;
 
   /// Goes to page `index` (0-based). Cheap for the next one. Throws InputError when the file breaks off before it.
@@ -31,11 +33,19 @@ class TiffPages {
   struct Close {
     void operator()(::tiff* file) const noexcept;
   };
+  GreyImage read_page() const;
   int channel_count() const;
   void require_layout() const;
   bool read_samples(std::uint8_t* samples, std::size_t row_bytes) const;
 
+  // What the library complains of; it keeps the address.
+  struct Complaints {
+    long count = 0;
+    std::string newest;
+  };
+
   std::filesystem::path file_;
+  std::unique_ptr<Complaints> complaints_ = std::make_unique<Complaints>();
   double most_megapixels_ = 0.0;
   std::unique_ptr<::tiff, Close> tiff_;
   long page_ = 0;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "ContainerExtent.h"
 #include "GapCounter.h"
@@ -12,7 +11,9 @@
 #include "ImageFile.h"
 #include "MatGrey.h"
 #include "SourceCalibration.h"
+#include "VideoDecoder.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core_vtk/DamageCounter.h"
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida {
@@ -28,20 +29,19 @@ class VideoFileSource final : public FrameSource {
     silence_video_libraries();
     info_.name = name;
     open();
-    info_.width_px = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_WIDTH));
-    info_.height_px = static_cast<int>(capture_.get(cv::CAP_PROP_FRAME_HEIGHT));
+    info_.width_px = decoder_->width_px();
+    info_.height_px = decoder_->height_px();
     require_size(name, static_cast<std::uint64_t>(std::max(info_.width_px, 0)),
                  static_cast<std::uint64_t>(std::max(info_.height_px, 0)), options.most_megapixels);
-    if (const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT); count >= 1.0)
-      info_.frame_count = std::lround(count);
+    if (const long count = decoder_->frame_count(); count >= 1) info_.frame_count = count;
 
     // Without a first frame there is nothing to open.
-    if (!capture_.read(pixels_)) throw InputError(name + ": a video without a readable frame" + cut_text());
+    if (!decoder_->read()) throw InputError(name + ": a video without a readable frame" + cut_text());
     restart_first();
 
     // What the container says of time, then what the user says.
     check_options(options);
-    const double rate_hz = capture_.get(cv::CAP_PROP_FPS);
+    const double rate_hz = decoder_->rate_hz();
     PhysicalSize metadata;
     if (std::isfinite(rate_hz) && rate_hz > 0.0 && rate_hz <= kFastest_hz) metadata.frame_rate_hz = rate_hz;
     settle_pixel_size(info_, options, metadata);
@@ -54,17 +54,18 @@ class VideoFileSource final : public FrameSource {
 
   std::optional<Frame> next() override {
     if (ended_) return std::nullopt;
-    if (!capture_.read(pixels_)) {
+    if (!decoder_->read()) {
       ended_ = true;
       check_end();
       return std::nullopt;
     }
-    if (pixels_.cols != info_.width_px || pixels_.rows != info_.height_px) {
+    const cv::Mat& pixels = decoder_->picture();
+    if (pixels.cols != info_.width_px || pixels.rows != info_.height_px) {
       throw InputError(info_.name + ": the picture changes its size after frame " + std::to_string(last_index_) +
                        "; cut the video there");
     }
     // Stamps are counted from the first frame on; a stream without them counts frames.
-    const double stamp_s = capture_.get(cv::CAP_PROP_POS_MSEC) * 1e-3;
+    const double stamp_s = decoder_->stamp_s();
     if (delivered_ == 0) first_stamp_s_ = stamp_s;
     const bool stamped = std::isfinite(stamp_s) && (delivered_ == 0 || stamp_s > last_stamp_s_);
     const double stream_s = stamped ? stamp_s - first_stamp_s_ : last_stream_s_ + 1.0 / stream_rate_hz_;
@@ -78,7 +79,8 @@ class VideoFileSource final : public FrameSource {
     frame.time_s = stream_s * stream_rate_hz_ / info_.frame_rate_hz;
     frame.frame_index = place.frame_index;
     frame.gap_count = place.gap_count;
-    frame.image = Frozen(make_frame(grey_from_mat(pixels_).view(info_.pixel_size_um), frame.time_s, frame.frame_index));
+    frame.damage = damage_.add(decoder_->damaged(), decoder_->complaint());
+    frame.image = Frozen(make_frame(grey_from_mat(pixels).view(info_.pixel_size_um), frame.time_s, frame.frame_index));
     return frame;
   }
 
@@ -89,7 +91,8 @@ class VideoFileSource final : public FrameSource {
 
  private:
   void open() {
-    if (!capture_.open(file_.string(), cv::CAP_FFMPEG)) {
+    decoder_ = std::make_unique<VideoDecoder>(file_);
+    if (!decoder_->is_open()) {
       if (!extent_.has_index) {
         throw InputError(info_.name + ": cut off (an MP4 without its index can't be read); copy or record it again");
       }
@@ -105,6 +108,7 @@ class VideoFileSource final : public FrameSource {
     first_stamp_s_ = last_stamp_s_ = last_stream_s_ = 0.0;
     last_index_ = -1;
     delivered_ = 0;
+    damage_ = {};
     ended_ = false;
   }
 
@@ -116,7 +120,9 @@ class VideoFileSource final : public FrameSource {
     const long expected = info_.frame_count.value_or(0);
     const long missing = expected - (last_index_ + 1);
     const bool counted = extent_.kind == ContainerExtent::Kind::kRiff || extent_.kind == ContainerExtent::Kind::kIso;
-    const bool few = counted && missing > std::max(2L, expected / 100);
+    // An AVI counts exactly; one frame that can't be found there shifts the times behind it.
+    const bool exact = extent_.kind == ContainerExtent::Kind::kRiff;
+    const bool few = counted && missing > (exact ? 0L : std::max(2L, expected / 100));
     const bool cut = extent_.cut_off() && (missing > 0 || !counted);
     if (!few && !cut) return;
     std::string text = info_.name;
@@ -129,8 +135,8 @@ class VideoFileSource final : public FrameSource {
   std::filesystem::path file_;
   ContainerExtent extent_;
   SourceInfo info_;
-  cv::VideoCapture capture_;
-  cv::Mat pixels_;
+  std::unique_ptr<VideoDecoder> decoder_;
+  DamageCounter damage_;
   double stream_rate_hz_ = 1.0;
   GapCounter gaps_{1.0};
   double first_stamp_s_ = 0.0;

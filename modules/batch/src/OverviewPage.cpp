@@ -133,22 +133,28 @@ std::string recordings(std::span<const BatchRow> rows) {
       "<h2>Recordings</h2>\n<p class=\"dim\">A name leads to the recording&#39;s session. All numbers: <a "
       "href=\"summary.csv\">summary.csv</a></p>\n<div class=\"wide\"><table><thead><tr><th>recording</th><th>group</th>"
       "<th>result</th><th class=\"n\">frames</th><th class=\"n\">duration<br>s</th><th class=\"n\">measured<br>%</th>"
-      "<th class=\"n\">peak force<br>µN</th><th class=\"n\">95 % interval<br>µN</th><th class=\"n\">at depth<br>µm</th>"
+      "<th class=\"n\">peak force<br>µN</th><th class=\"n\">95 % interval<br>µN</th><th class=\"n\">picture; "
+      "scale<br>σ, %</th>"
+      "<th class=\"n\">at depth<br>µm</th>"
       "<th class=\"n\">puncture<br>µN</th><th class=\"n\">at depth<br>µm</th><th>warnings</th>"
       "<th class=\"n\">analysis<br>s</th></tr></thead>\n<tbody>";
   for (const BatchRow& row : rows) {
     const RecordingSummary& s = row.numbers;
     const bool measured = !row.session.empty();
-    html += "<tr>" + name_cell(row) + cell(html_text(row.group)) + result_cell(row) +
-            cell(measured ? std::to_string(s.frame_count) : "–", true) + number_cell(s.duration_s, 2) +
-            number_cell(100.0 * s.measured_share, 0) + number_cell(s.peak_force_uN, 2) +
-            cell(std::isnan(s.peak_force_lower_uN)
-                     ? "–"
-                     : fixed_number(s.peak_force_lower_uN, 2) + " to " + fixed_number(s.peak_force_upper_uN, 2),
-                 true) +
-            number_cell(s.peak_depth_um, 1) + number_cell(s.puncture_force_uN, 2) +
-            number_cell(s.puncture_depth_um, 1) + cell(html_text(s.warnings)) + number_cell(row.wall_time_s, 1) +
-            "</tr>\n";
+    html +=
+        "<tr>" + name_cell(row) + cell(html_text(row.group)) + result_cell(row) +
+        cell(measured ? std::to_string(s.frame_count) : "–", true) + number_cell(s.duration_s, 2) +
+        number_cell(100.0 * s.measured_share, 0) + number_cell(s.peak_force_uN, 2) +
+        cell(std::isnan(s.peak_force_lower_uN)
+                 ? "–"
+                 : fixed_number(s.peak_force_lower_uN, 2) + " to " + fixed_number(s.peak_force_upper_uN, 2),
+             true) +
+        cell(std::isnan(s.peak_scale_sigma_percent)
+                 ? "–"
+                 : fixed_number(s.peak_picture_sigma_percent, 0) + "; " + fixed_number(s.peak_scale_sigma_percent, 0),
+             true) +
+        number_cell(s.peak_depth_um, 1) + number_cell(s.puncture_force_uN, 2) + number_cell(s.puncture_depth_um, 1) +
+        cell(html_text(s.warnings)) + number_cell(row.wall_time_s, 1) + "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
 }

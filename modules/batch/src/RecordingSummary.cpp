@@ -18,10 +18,17 @@ constexpr Field<S> kSummaryColumns[] = {
     {"measured_share", "0..1", &S::measured_share, kAnyNumber,
      "share of the frames with a contact force, 0 uN included"},
     {"peak_force_uN", "uN", &S::peak_force_uN, kAnyNumber, "largest contact force"},
-    {"peak_force_lower_uN", "uN", &S::peak_force_lower_uN, kAnyNumber, "lower end of its 95 % interval"},
-    {"peak_force_upper_uN", "uN", &S::peak_force_upper_uN, kAnyNumber, "upper end of its 95 % interval"},
+    {"peak_force_lower_uN", "uN", &S::peak_force_lower_uN, kAnyNumber, "lower end of its 95 % interval, the whole"},
+    {"peak_force_upper_uN", "uN", &S::peak_force_upper_uN, kAnyNumber, "upper end of it"},
     {"peak_depth_um", "um", &S::peak_depth_um, kAnyNumber, "indentation in that frame"},
     {"peak_stiffness_uN_per_um", "uN/um", &S::peak_stiffness_uN_per_um, kAnyNumber, "tangent stiffness in that frame"},
+    {"peak_picture_sigma_percent", "%", &S::peak_picture_sigma_percent, kAnyNumber,
+     "what the picture leaves open of that force (depth, sizes, model): standard deviation over the force; independent "
+     "from recording to recording, but for the model's part"},
+    {"peak_scale_sigma_percent", "%", &S::peak_scale_sigma_percent, kAnyNumber,
+     "what the scale leaves open: how single cells of the kind differ, or what is left of it once this cell's scale "
+     "was "
+     "measured"},
     {"puncture_time_s", "s", &S::puncture_time_s, kAnyNumber, "time of the first event `puncture`"},
     {"puncture_force_uN", "uN", &S::puncture_force_uN, kAnyNumber, "largest contact force up to then"},
     {"puncture_depth_um", "um", &S::puncture_depth_um, kAnyNumber, "indentation in the frame of that force"},
@@ -68,6 +75,9 @@ RecordingSummary summarize_recording(const std::filesystem::path& session) {
     summary.peak_force_uN = peak->contact_force_uN;
     summary.peak_force_lower_uN = peak->contact_force_lower_uN;
     summary.peak_force_upper_uN = peak->contact_force_upper_uN;
+    const ForceSpread spread = force_spread(*peak);
+    summary.peak_picture_sigma_percent = 100.0 * spread.picture_ratio;
+    summary.peak_scale_sigma_percent = 100.0 * spread.scale_ratio;
     summary.peak_depth_um = peak->indentation_um;
     summary.peak_stiffness_uN_per_um = peak->stiffness_uN_per_um;
   }

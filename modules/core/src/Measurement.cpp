@@ -27,8 +27,9 @@ constexpr Field<M> kColumns[] = {
     {"dimple_radius_um", "um", &M::dimple_radius_um, kAny, "radius of the dimple's mouth; 0 without contact", kFirst},
     {"contact_force_uN", "uN", &M::contact_force_uN, kAny,
      "force of the needle on the cell along its push; 0 when free or punctured", kFirst},
-    {"contact_force_lower_uN", "uN", &M::contact_force_lower_uN, kAny, "lower end of its 95 % interval", kFirst},
-    {"contact_force_upper_uN", "uN", &M::contact_force_upper_uN, kAny, "upper end of its 95 % interval", kFirst},
+    {"contact_force_lower_uN", "uN", &M::contact_force_lower_uN, kAny,
+     "lower end of its 95 % interval, the whole: picture and scale", kFirst},
+    {"contact_force_upper_uN", "uN", &M::contact_force_upper_uN, kAny, "upper end of it", kFirst},
     {"pressure_Pa", "Pa", &M::pressure_Pa, kAny, "excess pressure inside the cell", kFirst},
     {"volume_um3", "um^3", &M::volume_um3, kAny, "volume enclosed by the outer membrane", kFirst},
     {"frame_age_ms", "ms", &M::frame_age_ms, kAny, "time from the frame's arrival to this row", kFirst},
@@ -49,7 +50,16 @@ constexpr Field<M> kColumns[] = {
      "0..1",
      &M::puncture_probability,
      {0, 1},
-     "probability that a force like this punctures the membrane; only if the cell was palpated (`--known-force-uN`)"},
+     "probability that a force like this punctures the membrane; only if the cell's own scale was measured"},
+    {"contact_force_picture_lower_uN", "uN", &M::contact_force_picture_lower_uN, kAny,
+     "lower end of the 95 % interval of what the picture leaves open (depth, shape, geometry, model): for comparing "
+     "forces of one cell with each other"},
+    {"contact_force_picture_upper_uN", "uN", &M::contact_force_picture_upper_uN, kAny, "upper end of it"},
+    {"contact_force_scale_lower_uN", "uN", &M::contact_force_scale_lower_uN, kAny,
+     "lower end of the 95 % interval of what the scale leaves open (how single cells of the kind differ; less once "
+     "this "
+     "cell's scale was measured): one factor on all forces of a cell"},
+    {"contact_force_scale_upper_uN", "uN", &M::contact_force_scale_upper_uN, kAny, "upper end of it"},
 };
 
 double M::*number_of(const Field<M>& column) {
@@ -64,12 +74,13 @@ std::string header_of(bool all) {
   return header;
 }
 
-double parse_number(const std::string& cell, std::string_view name) {
+double parse_number(std::string_view cell, std::string_view name) {
   if (cell.empty()) return Measurement::kNotMeasured;
   double value = 0.0;
   const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    throw InputError("measurements.csv: \"" + cell + "\" in column " + std::string(name) + " is not a number");
+    throw InputError("measurements.csv: \"" + std::string(cell) + "\" in column " + std::string(name) +
+                     " is not a number");
   }
   return value;
 }
@@ -98,7 +109,11 @@ std::string to_csv(const Measurement& m) {
 }
 
 Measurement measurement_from_csv(std::string_view row) {
-  const auto cells = split_csv(row);
+  CsvCells cells;
+  return measurement_from_cells(cells.split(row));
+}
+
+Measurement measurement_from_cells(std::span<const std::string_view> cells) {
   static const std::size_t kColumnCount = split_csv(measurement_header_start()).size();
   if (cells.size() < kColumnCount) {
     throw InputError("measurements.csv: a row of " + std::to_string(cells.size()) + " cells; " +
@@ -109,7 +124,7 @@ Measurement measurement_from_csv(std::string_view row) {
   m.time_s = parse_number(cells[1], "time_s");
   m.state = cell_state_from_string(cells[2]);
   if (!m.state && !cells[2].empty()) {
-    throw InputError("measurements.csv: \"" + cells[2] + "\" in column state is not a state");
+    throw InputError("measurements.csv: \"" + std::string(cells[2]) + "\" in column state is not a state");
   }
   for (std::size_t i = 0; i < std::size(kColumns); ++i) {
     const std::size_t cell = 3 + i;
@@ -117,6 +132,29 @@ Measurement measurement_from_csv(std::string_view row) {
         cell < cells.size() ? parse_number(cells[cell], kColumns[i].name) : Measurement::kNotMeasured;
   }
   return m;
+}
+
+ForceSpread force_spread(const Measurement& m) noexcept {
+  // Half the width of a 95 % interval is 1.96 standard deviations.
+  const auto ratio = [&](double lower_uN, double upper_uN) {
+    return m.contact_force_uN > 0.0 ? (upper_uN - lower_uN) / (2.0 * 1.96 * m.contact_force_uN)
+                                    : Measurement::kNotMeasured;
+  };
+  ForceSpread spread;
+  spread.picture_ratio = ratio(m.contact_force_picture_lower_uN, m.contact_force_picture_upper_uN);
+  // The scale's is of the logarithm, and large: there the width is no measure of it.
+  if (m.contact_force_uN > 0.0 && m.contact_force_scale_lower_uN > 0.0) {
+    spread.scale_ratio = std::log(m.contact_force_scale_upper_uN / m.contact_force_scale_lower_uN) / (2.0 * 1.96);
+  }
+  spread.is_own_scale = std::isfinite(m.puncture_probability);
+  return spread;
+}
+
+std::string to_string(const ForceSpread& spread) {
+  if (!std::isfinite(spread.picture_ratio) || !std::isfinite(spread.scale_ratio)) return {};
+  const auto percent = [](double ratio) { return std::to_string(std::lround(100.0 * ratio)) + " %"; };
+  return "picture +-" + percent(spread.picture_ratio) + (spread.is_own_scale ? ", this cell +-" : ", kind of cell +-") +
+         percent(spread.scale_ratio);
 }
 
 Measurement measurement_from(const Observation& observation) {

@@ -37,6 +37,21 @@ std::vector<std::string> split_csv(std::string_view line) {
   return cells;
 }
 
+std::span<const std::string_view> CsvCells::split(std::string_view line) {
+  cells_.clear();
+  if (line.find_first_of("\"\r") != std::string_view::npos) {
+    texts_ = split_csv(line);
+    cells_.assign(texts_.begin(), texts_.end());
+    return cells_;
+  }
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    cells_.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return cells_;
+    line.remove_prefix(comma + 1);
+  }
+}
+
 std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"\n\r") == std::string_view::npos) return std::string(text);
   std::string cell = "\"";

@@ -180,6 +180,90 @@ double SolidTerm::largest_volume_change(const Eigen::Matrix3Xd& x_um) const {
   return largest;
 }
 
+void RevolvedSurface::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  for (std::size_t k = 0; k + 2 < nodes_.size(); k += 2) {
+    pairs.emplace_back(nodes_[k], nodes_[k + 1]);
+    pairs.emplace_back(nodes_[k], nodes_[k + 2]);
+    pairs.emplace_back(nodes_[k + 1], nodes_[k + 2]);
+  }
+}
+
+void RevolvedSurface::bind(const BlockMatrix& matrix) {
+  slots_.clear();
+  for (std::size_t k = 0; k + 2 < nodes_.size(); k += 2) {
+    std::array<BlockSlot, 6> slots;
+    std::size_t n = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c <= r; ++c) slots[n++] = matrix.slot(nodes_[k + r], nodes_[k + c]);
+    }
+    slots_.push_back(slots);
+  }
+}
+
+namespace {
+
+// A Gauss point of a piece of a surface's meridian: shape functions, their slopes, radius and slope of the height.
+struct SurfacePoint {
+  std::array<double, 3> shape, slope;
+  double r_um = 0.0, dz_um = 0.0;
+};
+
+// `q`-th point of the piece whose first node is `nodes[k]`.
+SurfacePoint surface_point(const Eigen::Matrix3Xd& x_um, const std::vector<int>& nodes, std::size_t k, std::size_t q) {
+  SurfacePoint point{quadratic(kGaussPlace[q]), quadratic_slope(kGaussPlace[q])};
+  for (std::size_t n = 0; n < 3; ++n) {
+    point.r_um += point.shape[n] * x_um(0, nodes[k + n]);
+    point.dz_um += point.slope[n] * x_um(2, nodes[k + n]);
+  }
+  return point;
+}
+
+}  // namespace
+
+double RevolvedSurface::volume_um3(const Eigen::Matrix3Xd& x_um) const {
+  double volume = 0.0;
+  for (std::size_t k = 0; k + 2 < nodes_.size(); k += 2) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const auto [shape, slope, r, dz] = surface_point(x_um, nodes_, k, q);
+      volume -= std::numbers::pi * kGaussWeight[q] * r * r * dz;
+    }
+  }
+  return volume;
+}
+
+void RevolvedSurface::add_slope(const Eigen::Matrix3Xd& x_um, double factor, Eigen::Matrix3Xd& sum) const {
+  for (std::size_t k = 0; k + 2 < nodes_.size(); k += 2) {
+    for (std::size_t q = 0; q < 3; ++q) {
+      const auto [shape, slope, r, dz] = surface_point(x_um, nodes_, k, q);
+      const double weight = -std::numbers::pi * kGaussWeight[q] * factor;
+      for (std::size_t n = 0; n < 3; ++n) {
+        sum(0, nodes_[k + n]) += weight * 2.0 * r * dz * shape[n];
+        sum(2, nodes_[k + n]) += weight * r * r * slope[n];
+      }
+    }
+  }
+}
+
+void RevolvedSurface::add_curvature(const Eigen::Matrix3Xd& x_um, double factor, BlockMatrix& hessian) const {
+  for (std::size_t k = 0, piece = 0; k + 2 < nodes_.size(); k += 2, ++piece) {
+    std::array<Eigen::Matrix3d, 6> blocks;
+    blocks.fill(Eigen::Matrix3d::Zero());
+    for (std::size_t q = 0; q < 3; ++q) {
+      const auto [shape, slope, r, dz] = surface_point(x_um, nodes_, k, q);
+      const double weight = -2.0 * std::numbers::pi * kGaussWeight[q] * factor;
+      std::size_t n = 0;
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b <= a; ++b, ++n) {
+          blocks[n](0, 0) += weight * dz * shape[a] * shape[b];
+          blocks[n](0, 2) += weight * r * shape[a] * slope[b];
+          blocks[n](2, 0) += weight * r * slope[a] * shape[b];
+        }
+      }
+    }
+    for (std::size_t n = 0; n < 6; ++n) hessian.add(slots_[piece][n], blocks[n]);
+  }
+}
+
 RevolvedLiquidTerm::RevolvedLiquidTerm(const Eigen::Matrix3Xd& rest_um, std::vector<int> surface,
                                        double stiffness_uN_per_um2)
     : surface_(std::move(surface)), stiffness_(stiffness_uN_per_um2) {
@@ -187,66 +271,24 @@ RevolvedLiquidTerm::RevolvedLiquidTerm(const Eigen::Matrix3Xd& rest_um, std::vec
 }
 
 void RevolvedLiquidTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
-  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
-    pairs.emplace_back(surface_[k], surface_[k + 1]);
-    pairs.emplace_back(surface_[k], surface_[k + 2]);
-    pairs.emplace_back(surface_[k + 1], surface_[k + 2]);
-  }
+  surface_.append_coupled_nodes(pairs);
 }
 
 void RevolvedLiquidTerm::bind(const BlockMatrix& matrix) {
-  slots_.clear();
-  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
-    std::array<BlockSlot, 6> slots;
-    std::size_t n = 0;
-    for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c <= r; ++c) slots[n++] = matrix.slot(surface_[k + r], surface_[k + c]);
-    }
-    slots_.push_back(slots);
-  }
+  surface_.bind(matrix);
 }
 
 double RevolvedLiquidTerm::volume_um3(const Eigen::Matrix3Xd& x_um) const {
-  double volume = 0.0;
-  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
-    for (std::size_t q = 0; q < 3; ++q) {
-      const auto shape = quadratic(kGaussPlace[q]), slope = quadratic_slope(kGaussPlace[q]);
-      double r = 0.0, dz = 0.0;
-      for (std::size_t n = 0; n < 3; ++n) {
-        r += shape[n] * x_um(0, surface_[k + n]);
-        dz += slope[n] * x_um(2, surface_[k + n]);
-      }
-      volume -= std::numbers::pi * kGaussWeight[q] * r * r * dz;
-    }
-  }
-  return volume;
+  return surface_.volume_um3(x_um);
 }
 
 double RevolvedLiquidTerm::pressure_uN_per_um2(const Eigen::Matrix3Xd& x_um) const {
   return -stiffness_ * (volume_um3(x_um) - rest_volume_um3_) / rest_volume_um3_;
 }
 
-void RevolvedLiquidTerm::add_slope(const Eigen::Matrix3Xd& x_um, double factor, Eigen::Matrix3Xd& sum) const {
-  for (std::size_t k = 0; k + 2 < surface_.size(); k += 2) {
-    for (std::size_t q = 0; q < 3; ++q) {
-      const auto shape = quadratic(kGaussPlace[q]), slope = quadratic_slope(kGaussPlace[q]);
-      double r = 0.0, dz = 0.0;
-      for (std::size_t n = 0; n < 3; ++n) {
-        r += shape[n] * x_um(0, surface_[k + n]);
-        dz += slope[n] * x_um(2, surface_[k + n]);
-      }
-      const double weight = -std::numbers::pi * kGaussWeight[q] * factor;
-      for (std::size_t n = 0; n < 3; ++n) {
-        sum(0, surface_[k + n]) += weight * 2.0 * r * dz * shape[n];
-        sum(2, surface_[k + n]) += weight * r * r * slope[n];
-      }
-    }
-  }
-}
-
 double RevolvedLiquidTerm::rank_one(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd& direction) const {
   direction = Eigen::Matrix3Xd::Zero(3, x_um.cols());
-  add_slope(x_um, 1.0, direction);
+  surface_.add_slope(x_um, 1.0, direction);
   return stiffness_ / rest_volume_um3_;
 }
 
@@ -254,32 +296,25 @@ double RevolvedLiquidTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* g
                                BlockMatrix* hessian) const {
   const double change = volume_um3(x_um) - rest_volume_um3_;
   const double factor = stiffness_ * change / rest_volume_um3_;
-  if (gradient_uN) add_slope(x_um, factor, *gradient_uN);
-  if (hessian) {
-    for (std::size_t k = 0, piece = 0; k + 2 < surface_.size(); k += 2, ++piece) {
-      std::array<Eigen::Matrix3d, 6> blocks;
-      blocks.fill(Eigen::Matrix3d::Zero());
-      for (std::size_t q = 0; q < 3; ++q) {
-        const auto shape = quadratic(kGaussPlace[q]), slope = quadratic_slope(kGaussPlace[q]);
-        double r = 0.0, dz = 0.0;
-        for (std::size_t n = 0; n < 3; ++n) {
-          r += shape[n] * x_um(0, surface_[k + n]);
-          dz += slope[n] * x_um(2, surface_[k + n]);
-        }
-        const double weight = -2.0 * std::numbers::pi * kGaussWeight[q] * factor;
-        std::size_t n = 0;
-        for (std::size_t a = 0; a < 3; ++a) {
-          for (std::size_t b = 0; b <= a; ++b, ++n) {
-            blocks[n](0, 0) += weight * dz * shape[a] * shape[b];
-            blocks[n](0, 2) += weight * r * shape[a] * slope[b];
-            blocks[n](2, 0) += weight * r * slope[a] * shape[b];
-          }
-        }
-      }
-      for (std::size_t n = 0; n < 6; ++n) hessian->add(slots_[piece][n], blocks[n]);
-    }
-  }
+  if (gradient_uN) surface_.add_slope(x_um, factor, *gradient_uN);
+  if (hessian) surface_.add_curvature(x_um, factor, *hessian);
   return 0.5 * factor * change;
+}
+
+SuctionTerm::SuctionTerm(std::vector<int> patch) : surface_(std::move(patch)) {}
+
+void SuctionTerm::append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const {
+  surface_.append_coupled_nodes(pairs);
+}
+
+void SuctionTerm::bind(const BlockMatrix& matrix) {
+  surface_.bind(matrix);
+}
+
+double SuctionTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const {
+  if (gradient_uN) surface_.add_slope(x_um, -pressure_, *gradient_uN);
+  if (hessian) surface_.add_curvature(x_um, -pressure_, *hessian);
+  return -pressure_ * surface_.volume_um3(x_um);
 }
 
 AxisTerm::AxisTerm(int node_count, std::vector<int> axis, double stiffness_uN_per_um)

@@ -43,6 +43,25 @@ class SolidTerm final : public EnergyTerm {
   std::vector<std::array<BlockSlot, 45>> slots_;
 };
 
+/// The volume below a surface of revolution, V = -pi int r^2 dz along its meridian, with its derivatives.
+class RevolvedSurface {
+ public:
+  /// `nodes`: from the pole at +z on, three to a quadratic piece.
+  explicit RevolvedSurface(std::vector<int> nodes) : nodes_(std::move(nodes)) {}
+
+  void append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const;
+  void bind(const BlockMatrix& matrix);
+  double volume_um3(const Eigen::Matrix3Xd& x_um) const;
+  /// Adds `factor` times dV/dx.
+  void add_slope(const Eigen::Matrix3Xd& x_um, double factor, Eigen::Matrix3Xd& sum) const;
+  /// Adds `factor` times d2V/dx2.
+  void add_curvature(const Eigen::Matrix3Xd& x_um, double factor, BlockMatrix& hessian) const;
+
+ private:
+  std::vector<int> nodes_;
+  std::vector<std::array<BlockSlot, 6>> slots_;
+};
+
 /// The liquid inside a surface of revolution, as VolumeTerm: U = 1/2 kv (V - V0)^2 / V0.
 class RevolvedLiquidTerm final : public EnergyTerm {
  public:
@@ -61,11 +80,25 @@ class RevolvedLiquidTerm final : public EnergyTerm {
   double pressure_uN_per_um2(const Eigen::Matrix3Xd& x_um) const;
 
  private:
-  void add_slope(const Eigen::Matrix3Xd& x_um, double factor, Eigen::Matrix3Xd& sum) const;
-
-  std::vector<int> surface_;
+  RevolvedSurface surface_;
   double stiffness_, rest_volume_um3_ = 0.0;
-  std::vector<std::array<BlockSlot, 6>> slots_;
+};
+
+/// A constant pressure that draws a patch of a surface of revolution outward, whichever way that comes to face:
+/// U = -p V, V the volume between the patch and the plane of its rim, which must be held along the axis.
+class SuctionTerm final : public EnergyTerm {
+ public:
+  /// `patch`: its nodes from the pole at +z to the rim, three to a quadratic piece.
+  explicit SuctionTerm(std::vector<int> patch);
+  void set_pressure(double pressure_uN_per_um2) noexcept { pressure_ = pressure_uN_per_um2; }
+
+  void append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const override;
+  void bind(const BlockMatrix& matrix) override;
+  double add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_uN, BlockMatrix* hessian) const override;
+
+ private:
+  RevolvedSurface surface_;
+  double pressure_ = 0.0;
 };
 
 /// Keeps nodes in the plane y = 0, where nothing else acts, and those of the axis on it, by stiff springs.

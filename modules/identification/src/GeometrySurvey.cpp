@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ProfileSpecimen.h"
 #include "Workers.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/fem/SolidReference.h"
@@ -42,15 +43,15 @@ MembraneGeometry drawn(int index, double radius_um) {
           radius_um * evenly_in_log(halton(index, 5), kHolder_ratio)};
 }
 
+struct LogRatios {
+  std::vector<double> force, pressure;
+};
+
 /// ln (solid / springs) at each depth step from the first on, as far as both reach.
-std::vector<double> log_ratios(const CellProfile& profile, const MembraneGeometry& geometry,
-                               const std::stop_token& cancel) {
-  ShellSpecimen specimen;
+LogRatios log_ratios(const CellProfile& profile, const MembraneGeometry& geometry, const std::stop_token& cancel) {
+  ShellSpecimen specimen = specimen_of(profile);
   specimen.mid_radius_um = geometry.mid_radius_um;
   specimen.thickness_um = geometry.thickness_um;
-  specimen.young_modulus_kPa = profile.effective_young_modulus_kPa;
-  specimen.poisson_ratio = profile.poisson_ratio;
-  specimen.bulk_modulus_ratio = profile.volume_stiffness_ratio;
   const CellProfile cell = adapted_to(profile, geometry);
   ShellContact contact;
   contact.tip_radius_um = geometry.tip_radius_um;  // not as wide as the springs' mesh needs it
@@ -64,12 +65,16 @@ std::vector<double> log_ratios(const CellProfile& profile, const MembraneGeometr
   const SolidCurve reference = solid.run(deepest_um, step_um, {}, cancel);
   CellProfile bare = profile;
   bare.geometry_terms.clear();
+  bare.geometry_pressure_terms.clear();
   const MembraneSetup setup{geometry.mid_radius_um, geometry.thickness_um};
   const auto springs = force_curve(bare, geometry, setup, deepest_um, step_um);
-  std::vector<double> ratios;
+  LogRatios ratios;
   for (std::size_t k = 1; k < std::min(reference.steps.size(), springs.size()); ++k) {
     if (springs[k].report.status != SolveStatus::kConverged) break;
-    ratios.push_back(std::log(reference.steps[k].force_uN / springs[k].push_force_uN));
+    const double pressure_ratio = 1e3 * reference.steps[k].pressure_kPa / springs[k].pressure_Pa;
+    if (!(pressure_ratio > 0.0)) break;
+    ratios.force.push_back(std::log(reference.steps[k].force_uN / springs[k].push_force_uN));
+    ratios.pressure.push_back(std::log(pressure_ratio));
   }
   return ratios;
 }
@@ -107,7 +112,7 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   if (options.cell_count < kFewest)
     throw UsageError("survey of geometries: give " + std::to_string(kFewest) + " cells or more");
   const double radius_um = profile.mid_radius_um;
-  std::vector<std::vector<double>> ratios(static_cast<std::size_t>(options.cell_count) + 1);
+  std::vector<LogRatios> ratios(static_cast<std::size_t>(options.cell_count) + 1);
   std::atomic<int> done = 0;
   run_jobs(options.cell_count + 1, options.threads, [&](int k) {
     if (cancel.stop_requested()) return;
@@ -120,17 +125,17 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   // A row for each cell and depth.
   const std::vector<GeometryTerm> terms = all_terms();
   const MembraneGeometry own = geometry_of(profile);
-  std::vector<double> values;
+  std::vector<double> forces, pressures;
   std::vector<int> cell_of_row;
   std::vector<Eigen::RowVectorXd> lines;
-  const std::vector<double>& base = ratios.front();
+  const LogRatios& base = ratios.front();
   for (int c = 1; c <= options.cell_count; ++c) {
     const MembraneGeometry geometry = drawn(c, radius_um);
     const double log_thickness = std::log(geometry.thickness_um / own.thickness_um),
                  log_tip = std::log(geometry.tip_radius_um / own.tip_radius_um),
                  log_holder = std::log(geometry.holder_radius_um / own.holder_radius_um);
-    const std::vector<double>& here = ratios[static_cast<std::size_t>(c)];
-    for (std::size_t k = 0; k < std::min(here.size(), base.size()); ++k) {
+    const LogRatios& here = ratios[static_cast<std::size_t>(c)];
+    for (std::size_t k = 0; k < std::min(here.force.size(), base.force.size()); ++k) {
       const double depth = kDepthStep_ratio * static_cast<double>(k + 1);
       Eigen::RowVectorXd line(static_cast<Eigen::Index>(terms.size()));
       for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -139,7 +144,8 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
                                              std::pow(depth, terms[t].depth);
       }
       lines.push_back(line);
-      values.push_back(here[k] - base[k]);
+      forces.push_back(here.force[k] - base.force[k]);
+      pressures.push_back(here.pressure[k] - base.pressure[k]);
       cell_of_row.push_back(c);
     }
   }
@@ -150,15 +156,18 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   }
   Eigen::MatrixXd rows(static_cast<Eigen::Index>(lines.size()), static_cast<Eigen::Index>(terms.size()));
   for (std::size_t k = 0; k < lines.size(); ++k) rows.row(static_cast<Eigen::Index>(k)) = lines[k];
-  const Eigen::VectorXd all =
-      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  const Eigen::VectorXd fitted = solve(rows, all);
-  profile.geometry_terms = terms;
-  for (std::size_t t = 0; t < terms.size(); ++t)
-    profile.geometry_terms[t].coefficient = fitted[static_cast<Eigen::Index>(t)];
-  profile.geometry_range = {kThickness_ratio[0], kThickness_ratio[1], kTip_ratio[0],
-                            kTip_ratio[1],       kHolder_ratio[0],    kHolder_ratio[1],
-                            kDeepest_ratio,      options.cell_count,  left_out_rms(rows, all, cell_of_row)};
+  const auto fit = [&](const std::vector<double>& logs, double& spread) {
+    const Eigen::VectorXd all = Eigen::Map<const Eigen::VectorXd>(logs.data(), static_cast<Eigen::Index>(logs.size()));
+    const Eigen::VectorXd fitted = solve(rows, all);
+    spread = left_out_rms(rows, all, cell_of_row);
+    std::vector<GeometryTerm> with_values = terms;
+    for (std::size_t t = 0; t < terms.size(); ++t) with_values[t].coefficient = fitted[static_cast<Eigen::Index>(t)];
+    return with_values;
+  };
+  profile.geometry_range = {kThickness_ratio[0], kThickness_ratio[1], kTip_ratio[0],  kTip_ratio[1],
+                            kHolder_ratio[0],    kHolder_ratio[1],    kDeepest_ratio, options.cell_count};
+  profile.geometry_terms = fit(forces, profile.geometry_range.spread_ratio);
+  profile.geometry_pressure_terms = fit(pressures, profile.geometry_range.pressure_spread_ratio);
 }
 
 }  // namespace pellucida

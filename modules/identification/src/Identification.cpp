@@ -7,6 +7,7 @@
 
 #include "CurveSensitivity.h"
 #include "MotionConstants.h"
+#include "ProfileSpecimen.h"
 #include "Workers.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
@@ -61,19 +62,7 @@ double reach_um(const IdentificationRequest& request) {
 /// The solid's curve in the form of the shells'; nothing where it couldn't be solved down to `to_um`.
 std::optional<ReferenceCurve> solid_curve(const CellProfile& cell, double to_um, double step_um,
                                           const std::stop_token& cancel) {
-  ShellSpecimen specimen;
-  specimen.mid_radius_um = cell.mid_radius_um;
-  specimen.thickness_um = cell.thickness_um;
-  specimen.young_modulus_kPa = cell.effective_young_modulus_kPa;
-  specimen.poisson_ratio = cell.poisson_ratio;
-  specimen.bulk_modulus_ratio = cell.volume_stiffness_ratio;
-  ShellContact contact;
-  contact.tip_radius_um = cell.tip_radius_um;
-  contact.tip_bond_per_um = cell.tip_bond_per_um;
-  contact.holder_ring_um = cell.holder_ring_um;
-  contact.holder_half_width_um = cell.holder_half_width_um;
-  contact.holder_bond_per_um = cell.holder_bond_per_um;
-  SolidReference solid(specimen, contact);
+  SolidReference solid(specimen_of(cell), contact_of(cell));
   const SolidCurve curve = solid.run(to_um, std::min(step_um, to_um), {}, cancel);
   if (curve.outcome != CurveOutcome::kComplete) return std::nullopt;
   ReferenceCurve reference;
@@ -132,6 +121,7 @@ Identification identify(const IdentificationRequest& request,
   profile.references.clear();
   profile.errors.clear();
   profile.geometry_terms.clear();  // they belong to the constants
+  profile.geometry_pressure_terms.clear();
   profile.geometry_range = {};
   set_regions(profile);
   if (!(profile.body.k2_ratio > 0.0)) set_starting_constants(profile);
@@ -141,11 +131,11 @@ Identification identify(const IdentificationRequest& request,
   const double anchor_um = std::min(profile.puncture_indentation_um, deepest_um);
   const double step_um = anchor_um / std::ceil(anchor_um / request.step_um - 1e-9);  // one point at the anchor
   const ReferenceOptions options{deepest_um, step_um, request.edge_length_ratio, request.threads};
-  const auto tell = [&](std::string_view stage, double share) {
+  const auto report = [&](std::string_view stage, double share) {
     if (progress) progress(stage, share);
   };
   auto references = compute_reference_curves(
-      profile, options, [&](double share) { tell("finite elements", share); }, cancel);
+      profile, options, [&](double share) { report("finite elements", share); }, cancel);
   if (cancel.stop_requested()) cancelled();
   double largest_stretch = 1.0;
   for (const ReferenceCurve& curve : references) {
@@ -168,7 +158,7 @@ Identification identify(const IdentificationRequest& request,
   fit.threads = request.threads;
   fit.anchor_um = anchor_um;
   result.fit = fit_constants(
-      profile, references, fit, [&](int evaluations, double) { tell("fit", 1.0 - std::exp(-evaluations / 16.0)); },
+      profile, references, fit, [&](int evaluations, double) { report("fit", 1.0 - std::exp(-evaluations / 16.0)); },
       cancel);
   if (cancel.stop_requested()) cancelled();
   if (!result.fit.complete) {
@@ -189,7 +179,7 @@ Identification identify(const IdentificationRequest& request,
   // What they err by.
   const double shell_ratio = anchor_force_uN / force_near_uN(references[0], anchor_um);
   result.curves.resize(references.size());
-  tell("errors", 0.0);
+  report("errors", 0.0);
   std::optional<ReferenceCurve> solid;
   run_jobs(static_cast<int>(references.size()) + 1, request.threads, [&](int k) {
     if (k == static_cast<int>(references.size())) {
@@ -216,7 +206,7 @@ Identification identify(const IdentificationRequest& request,
   const MotionConstants motion = motion_constants(profile);
   profile.node_mass_kg = motion.node_mass_kg;
   profile.damping_uN_s_per_um = motion.damping_uN_s_per_um;
-  tell("done", 1.0);
+  report("done", 1.0);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "ProfileSpecimen.h"
 #include "Workers.h"
 #include "pellucida/fem/ShellReference.h"
 #include "pellucida/membrane/Indenter.h"
@@ -16,28 +17,6 @@ constexpr int kConfigurations = 4;
 /// Configuration 4's offset, less on a small cell.
 constexpr double kOffset_um = 10.0, kMostOffset = 0.4;
 
-ShellSpecimen specimen_of(const CellProfile& profile) {
-  ShellSpecimen specimen;
-  specimen.mid_radius_um = profile.mid_radius_um;
-  specimen.thickness_um = profile.thickness_um;
-  specimen.young_modulus_kPa = profile.effective_young_modulus_kPa;
-  specimen.poisson_ratio = profile.poisson_ratio;
-  specimen.bulk_modulus_ratio = profile.volume_stiffness_ratio;
-  return specimen;
-}
-
-ShellContact contact_of(const CellProfile& profile, double holder_angle_rad, double offset_um) {
-  ShellContact contact;
-  contact.holder_angle_rad = holder_angle_rad;
-  contact.lateral_offset_um = offset_um;
-  contact.tip_radius_um = profile.tip_radius_um;
-  contact.tip_bond_per_um = profile.tip_bond_per_um;
-  contact.holder_ring_um = profile.holder_ring_um;
-  contact.holder_half_width_um = profile.holder_half_width_um;
-  contact.holder_bond_per_um = profile.holder_bond_per_um;
-  return contact;
-}
-
 }  // namespace
 
 ReferenceCurve compute_reference_curve(const CellProfile& profile, double holder_angle_rad, double offset_um,
@@ -46,10 +25,10 @@ ReferenceCurve compute_reference_curve(const CellProfile& profile, double holder
                                        const std::stop_token& cancel) {
   ShellReference shell(specimen_of(profile), contact_of(profile, holder_angle_rad, offset_um),
                        {.edge_length_ratio = options.edge_length_ratio});
-  const auto heard = [&](const ShellStep&, double share) {
+  const auto on_step = [&](const ShellStep&, double share) {
     if (progress) progress(share);
   };
-  const ShellCurve curve = shell.run(options.max_indentation_um, options.step_um, heard, cancel);
+  const ShellCurve curve = shell.run(options.max_indentation_um, options.step_um, on_step, cancel);
   ReferenceCurve reference;
   reference.holder_angle_rad = holder_angle_rad;
   reference.offset_um = offset_um;
@@ -72,19 +51,19 @@ std::vector<ReferenceCurve> compute_reference_curves(const CellProfile& profile,
                                                      const std::stop_token& cancel) {
   std::vector<ReferenceCurve> curves(kConfigurations);
   std::vector<double> shares(kConfigurations, 0.0);
-  std::mutex heard;
+  std::mutex progress_mutex;
   run_jobs(kConfigurations, options.threads, [&](int k) {
     const ShellContact contact =
         contact_for_configuration(k + 1, std::min(kOffset_um, kMostOffset * profile.mid_radius_um));
-    const auto tell = [&](double share) {
+    const auto report = [&](double share) {
       if (!progress) return;
-      const std::lock_guard lock(heard);
+      const std::lock_guard lock(progress_mutex);
       shares[static_cast<std::size_t>(k)] = share;
       progress(std::accumulate(shares.begin(), shares.end(), 0.0) / kConfigurations);
     };
     auto& curve = curves[static_cast<std::size_t>(k)];
     curve =
-        compute_reference_curve(profile, contact.holder_angle_rad, contact.lateral_offset_um, options, tell, cancel);
+        compute_reference_curve(profile, contact.holder_angle_rad, contact.lateral_offset_um, options, report, cancel);
     curve.configuration = k + 1;
   });
   return curves;

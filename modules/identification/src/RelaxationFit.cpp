@@ -148,7 +148,7 @@ RelaxationFit fit_relaxation(const RelaxationRecord& record, int arm_count) {
     best.elastic_uN = model.elastic_uN;
     predict(record, model, best.force_uN);
   }
-  if (!std::isfinite(least_cost)) throw NothingMeasuredError("relaxation: no arms tell this record");
+  if (!std::isfinite(least_cost)) throw NothingMeasuredError("relaxation: no arms describe this record");
 
   std::sort(best.arms.begin(), best.arms.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
   const Eigen::VectorXd off = record.force_uN - best.force_uN;

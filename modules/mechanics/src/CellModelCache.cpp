@@ -15,6 +15,10 @@ constexpr double kThicknessStep_ratio = 0.01, kToolStep_ratio = 0.03;
 /// or the needle's offset by this; a holder that turned by so much is followed.
 constexpr double kOffsetStep_um = 0.75;
 constexpr double kHolderTurn_rad = 0.002;
+/// A model that has served so many frames before the contact is worth a path.
+constexpr int kSteadyFrames = 5;
+/// A shape read off the path is in equilibrium when no node's residual force is above this times E h.
+constexpr double kPathTolerance_um = 1e-3;
 /// How deep the risk of puncture is reported, in puncture indentations.
 constexpr double kRiskDepth_ratio = 1.3;
 /// A stiffness' slope by depth is taken over this.
@@ -36,6 +40,9 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
            holds(&MembraneGeometry::holder_radius_um, kToolStep_ratio);
   }
   if (!fits) {
+    path_.reset();
+    steady_frames_ = 0;
+    has_turned_ = false;
     built_ = seen;
     indenter_ = std::make_unique<Indenter>(profile_, built_, placement.push(), placement.holder());
     rest_stiffness_uN_per_um_ = indenter_->advance_to(0.0).stiffness_uN_per_um;
@@ -43,8 +50,20 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
     outer_radius_um_ = built_.mid_radius_um + 0.5 * built_.thickness_um;
   } else if (model().setup().holder.dot(placement.holder()) < std::cos(kHolderTurn_rad)) {
     indenter_->set_holder(placement.holder());
+    path_.reset();
+    steady_frames_ = 0;
+    has_turned_ = o.state != CellState::kFree;
+  }
+  if (o.state == CellState::kFree) {
+    has_turned_ = false;
+    if (!path_ && ++steady_frames_ >= kSteadyFrames) start_path();
   }
   return !fits;
+}
+
+void CellModelCache::start_path() {
+  const MembraneSetup& setup = model().setup();
+  path_ = std::make_unique<EquilibriumPath>(profile_, built_, setup.push, setup.holder);
 }
 
 IndentationState CellModelCache::press(double depth_um, const SolvedShape* known) {
@@ -53,6 +72,17 @@ IndentationState CellModelCache::press(double depth_um, const SolvedShape* known
     start_anew_ = false;
     return indenter_->adopt(*known);
   }
+  if (!has_turned_) {
+    if (!path_) start_path();
+    if (const auto shape = path_->at(depth_um)) {
+      start_anew_ = false;
+      return indenter_->adopt_checked(*shape, kPathTolerance_um);
+    }
+  }
+  return press_solved(depth_um);
+}
+
+IndentationState CellModelCache::press_solved(double depth_um) {
   if (start_anew_) indenter_->reset();
   const IndentationState state = indenter_->advance_to(depth_um);
   start_anew_ = state.report.status != SolveStatus::kConverged;
@@ -66,9 +96,9 @@ IndentationState CellModelCache::release() {
   return state;
 }
 
-std::optional<CellScale> CellModelCache::scale_after(const Palpation& palpation) {
-  const double depth_um = std::min(palpation.indentation_um, deepest_um());
-  const bool by_force = palpation.known_force_uN > 0.0;
+std::optional<CellModelCache::PushModel> CellModelCache::model_of(const Palpation& push) {
+  const double depth_um = std::min(push.indentation_um, deepest_um());
+  const bool by_force = push.known_force_uN > 0.0;
   indenter_->reset();
   const IndentationState before = indenter_->advance_to(std::max(0.0, depth_um - kSlopeStep_um));
   const IndentationState at = indenter_->advance_to(depth_um);
@@ -76,11 +106,39 @@ std::optional<CellScale> CellModelCache::scale_after(const Palpation& palpation)
   if (at.report.status != SolveStatus::kConverged || !(at.push_force_uN > 0.0)) return std::nullopt;
   ForceErrors model;
   add_model_errors(profile_, at.push_force_uN, rest_stiffness_uN_per_um_, model);
-  const double relative = std::hypot(model.model_ratio, model.model_uN / at.push_force_uN);
-  const double value = by_force ? at.push_force_uN : at.stiffness_uN_per_um;
-  const double slope =
+  PushModel result;
+  result.sigma_ratio = std::hypot(model.model_ratio, model.model_uN / at.push_force_uN);
+  result.value = by_force ? at.push_force_uN : at.stiffness_uN_per_um;
+  result.slope_per_um =
       by_force ? at.stiffness_uN_per_um : (at.stiffness_uN_per_um - before.stiffness_uN_per_um) / kSlopeStep_um;
-  return update_scale(scale_before(profile_), palpation, value, slope, relative);
+  return result;
+}
+
+std::optional<CellScale> CellModelCache::scale_after(std::span<const ScaleMeasurement> measurements) {
+  struct Push {
+    double ratio, variance;
+  };
+  std::vector<Push> pushes, moduli;
+  double model_sigma = 0.0;
+  for (const ScaleMeasurement& measurement : measurements) {
+    if (way_of(measurement) == ScaleWay::kAspiration) {
+      const double ratio =
+          measurement.modulus_kPa / (measurement.modulus_of_profile_ratio * profile_.effective_young_modulus_kPa);
+      moduli.push_back({ratio, std::pow(0.01 * measurement.modulus_sigma_percent, 2)});
+      continue;
+    }
+    const Palpation push = push_of(measurement);
+    const auto model = model_of(push);
+    if (!model) return std::nullopt;
+    const double by_depth = model->slope_per_um * push.indentation_sigma_um / model->value;
+    pushes.push_back({std::max(push.known_force_uN, push.known_stiffness_uN_per_um) / model->value,
+                      push.relative_sigma * push.relative_sigma + by_depth * by_depth});
+    model_sigma = std::max(model_sigma, model->sigma_ratio);
+  }
+  ScaleEstimate estimate(scale_before(profile_), geometry_.force_sigma_ratio(), model_sigma);
+  for (const Push& push : pushes) estimate.add_push(push.ratio, push.variance);
+  for (const Push& modulus : moduli) estimate.add_modulus(modulus.ratio, modulus.variance);
+  return estimate.result();
 }
 
 std::vector<PunctureRisk> CellModelCache::puncture_risk(double step_um, const CellScale& scale) {

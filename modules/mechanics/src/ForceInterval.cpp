@@ -21,6 +21,18 @@ double ForceErrors::relative() const noexcept {
   return std::hypot(std::hypot(model_ratio, scale_ratio), geometry_ratio);
 }
 
+ForceErrors ForceErrors::of_picture() const noexcept {
+  ForceErrors errors = *this;
+  errors.scale_ratio = 0.0;
+  return errors;
+}
+
+ForceErrors ForceErrors::of_scale() const noexcept {
+  ForceErrors errors;
+  errors.scale_ratio = scale_ratio;
+  return errors;
+}
+
 ForceInterval interval_95(double force_uN, const ForceErrors& errors) noexcept {
   const double absolute = kInterval * errors.absolute_uN(), relative = kInterval * errors.relative();
   ForceInterval interval;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "CellModelCache.h"
 #include "CellPlacement.h"
+#include "ContactSight.h"
 #include "DepthFilter.h"
 #include "ErrorBudget.h"
 #include "ForceReport.h"
@@ -17,10 +20,6 @@
 namespace pellucida {
 namespace {
 
-/// Noise of the indentation when the tracker gives none: a quarter of a pixel at 0.8 um.
-constexpr double kDefaultDepthSigma_um = 0.2;
-/// And of the tip along the needle.
-constexpr double kDefaultTipSigma_um = 0.4;
 /// Rounds of finding the contour's nearest places again.
 constexpr int kProjections = 3;
 /// What no filter averages out: the edge's centre line may lie a little beside the membrane, the same in every frame.
@@ -32,7 +31,7 @@ class ForceObserver::Impl {
  public:
   Impl(CellProfile profile, const ForceOptions& options)
       : profile_(std::move(profile)), options_(checked(options)), cell_(profile_), report_(profile_, options_) {
-    scale_ = {1.0, profile_.force_scale_relative_sigma};
+    scale_ = scale_before(profile_);
   }
 
   const CellProfile& profile() const noexcept { return profile_; }
@@ -42,16 +41,28 @@ class ForceObserver::Impl {
       throw UsageError("a cell's scale: its ratio must be above 0, its sigma 0 or above");
     }
     scale_ = scale;
-    palpation_.reset();
+    measurements_.clear();
+    counted_ = 0;
+    has_own_scale_ = false;
   }
 
-  void set_palpation(const Palpation& palpation) {
-    validate(palpation);
-    palpation_ = palpation;
-    palpated_ = false;
+  void set_scale_measurements(std::vector<ScaleMeasurement> measurements) {
+    for (const ScaleMeasurement& one : measurements) {
+      const bool lacks =
+          way_of(one) == ScaleWay::kAspiration &&
+          !(one.modulus_kPa > 0.0 && one.modulus_sigma_percent > 0.0 && one.modulus_of_profile_ratio > 0.0);
+      if (lacks) throw UsageError("scale of the cell: the aspiration's modulus has not been computed");
+    }
+    std::stable_sort(measurements.begin(), measurements.end(),
+                     [](const auto& a, const auto& b) { return a.since_s < b.since_s; });
+    measurements_ = std::move(measurements);
+    counted_ = 0;
+    has_own_scale_ = false;
+    scale_ = scale_before(profile_);
   }
 
   CellScale scale() const noexcept { return scale_; }
+  bool has_own_scale() const noexcept { return has_own_scale_; }
 
   std::vector<PunctureRisk> puncture_risk(double step_um) {
     if (!(step_um > 0.0)) throw UsageError("risk of puncture: the step must be above 0 um");
@@ -86,7 +97,7 @@ class ForceObserver::Impl {
     SolvedFrame frame = solve(o, depth_um, estimate);
     report_.write(frame, estimate);
     if (!estimate.converged) return estimate;
-    if (palpation_) {
+    if (has_own_scale()) {
       estimate.puncture_probability =
           puncture_probability(profile_, estimate.contact_force_uN, estimate.errors.relative());
     }
@@ -121,16 +132,21 @@ class ForceObserver::Impl {
     estimate.holder_assumed = placement_.holder_assumed();
     if (cell_.fit(o, placement_)) {
       auditor_.set_model(cell_.model().rest());
-      palpated_ = false;
+      counted_ = 0;
     }
     estimate.thickness_assumed = cell_.geometry().thickness_assumed();
-    if (palpation_ && !palpated_) palpate();
+    measure_scale(o.time_s);
   }
 
-  /// The palpation against the model of this cell; anew where the model is. The model is at rest afterwards.
-  void palpate() {
-    palpated_ = true;
-    if (const auto scale = cell_.scale_after(*palpation_)) scale_ = *scale;
+  /// What counts by now against the model of this cell; anew where the model is. The model is at rest afterwards.
+  void measure_scale(double time_s) {
+    std::size_t count = 0;
+    while (count < measurements_.size() && measurements_[count].since_s <= time_s) ++count;
+    if (count == counted_) return;
+    counted_ = count;
+    const auto scale = cell_.scale_after(std::span(measurements_).first(count));
+    has_own_scale_ = count > 0 && scale;
+    if (scale) scale_ = *scale;
   }
 
   /// How deep the needle pushes, filtered; nothing out of contact or where the membrane is through. Writes `reason`
@@ -141,35 +157,33 @@ class ForceObserver::Impl {
       leave(o, estimate);
       return std::nullopt;
     }
-    const bool has_depths = o.needle && std::isfinite(o.indentation_um);
-    const bool has_sigma = std::isfinite(o.indentation_sigma_um) && o.indentation_sigma_um > 0.0;
-    const double sigma_um = has_sigma ? o.indentation_sigma_um : kDefaultDepthSigma_um;
-    PunctureVerdict::Sight sight;
-    sight.is_tracked_punctured = o.state == CellState::kPunctured;
-    sight.has_depths = has_depths;
-    if (has_depths) {
-      sight.tip_um = placement_.contact().tip_depth_um;
-      sight.tip_sigma_um = o.needle->tip_sigma_um > 0.0 ? o.needle->tip_sigma_um : kDefaultTipSigma_um;
-      sight.membrane_um = o.indentation_um;
-      sight.membrane_sigma_um = sigma_um;
-    }
-    if (verdict_.judge(sight)) {
+    const PunctureVerdict::Sight sight = sight_of(o, placement_.contact());
+    const bool is_through = verdict_.judge(sight);
+    estimate.puncture_revoked = verdict_.is_revoked();
+    if (is_through) {
       puncture(o, estimate);
       return std::nullopt;
     }
     estimate.puncture_doubted = verdict_.is_doubted();
-    if (!has_depths) {
+    if (!sight.has_depths) {
       estimate.reason = "contact, but the needle was not seen";
       return std::nullopt;
     }
-    // A tip far past a membrane that still follows: one of the two is not where it seems, and the depth is between
-    // them.
-    const double gap_um = PunctureVerdict::is_apart(sight) ? sight.tip_um - sight.membrane_um : 0.0;
-    const double between_um = std::max(0.0, o.indentation_um) + 0.5 * gap_um;
-    const auto filtered = filter_.update(o.time_s, between_um, std::hypot(sigma_um, 0.5 * gap_um));
-    estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um, 0.5 * gap_um);
+    // A tip far past a membrane that still follows: one of the two is not where it seems; and where the flanks have
+    // come back the contour may only be tied to the tip. The depth is between them.
+    double deep_um = std::max(0.0, o.indentation_um), shallow_um = deep_um;
+    if (PunctureVerdict::is_apart(sight)) deep_um += sight.tip_um - sight.membrane_um;
+    if (verdict_.is_doubted()) shallow_um = std::min(shallow_um, verdict_.depth_by_flanks_um());
+    const double half_gap_um = 0.5 * (deep_um - shallow_um);
+    const auto filtered =
+        filter_.update(o.time_s, shallow_um + half_gap_um, std::hypot(sight.membrane_sigma_um, half_gap_um));
+    estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um, half_gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";
+    // While a puncture is in doubt a membrane on its way back bears no more than before it went.
+    if (verdict_.is_doubted() && o.indentation_um < verdict_.last_depth_um()) {
+      return std::min(filtered.depth_um, verdict_.last_depth_um());
+    }
     return filtered.depth_um;
   }
 
@@ -188,6 +202,10 @@ class ForceObserver::Impl {
     estimate.depth_sigma_um = 0.0;
   }
 
+  IndentationState press(double depth_um) {
+    return options_.observation_ratio > 0.0 ? cell_.press_solved(depth_um) : cell_.press(depth_um, known_);
+  }
+
   /// The model pressed to `depth_um`, or at rest without one, or where its contour shows that it is.
   SolvedFrame solve(const Observation& o, std::optional<double> depth_um, ForceEstimate& estimate) {
     SolvedFrame frame{.observation = o,
@@ -195,7 +213,7 @@ class ForceObserver::Impl {
                       .placement = placement_,
                       .scale = scale_,
                       .auditor = auditor_,
-                      .state = depth_um ? cell_.press(*depth_um, known_) : cell_.release(),
+                      .state = depth_um ? press(*depth_um) : cell_.release(),
                       .depth_um = depth_um.value_or(0.0),
                       .contact = depth_um.has_value()};
     estimate.iterations = frame.state.report.iterations;
@@ -211,7 +229,9 @@ class ForceObserver::Impl {
     const PunctureVerdict::Shape seen{.residual_um = shape.residual_rms_um,
                                       .dimple_residual_um = shape.dimple_residual_um,
                                       .usual_um = usual_mismatch_um(shape, frame.depth_um)};
-    if (verdict_.judge(seen)) {
+    const bool has_sprung = verdict_.judge(seen);
+    estimate.puncture_doubted = verdict_.is_doubted();
+    if (has_sprung) {
       puncture(o, estimate);
       pressed_.reset();
       frame.contact = false;
@@ -244,8 +264,9 @@ class ForceObserver::Impl {
   CellProfile profile_;
   ForceOptions options_;
   CellScale scale_;
-  std::optional<Palpation> palpation_;
-  bool palpated_ = false;  // the palpation was held against this model
+  std::vector<ScaleMeasurement> measurements_;  // by the time they count from
+  std::size_t counted_ = 0;                     // of them, in `scale_`, for this model
+  bool has_own_scale_ = false;
   CellModelCache cell_;
   ForceReport report_;
   DepthFilter filter_;
@@ -268,14 +289,17 @@ const CellProfile& ForceObserver::profile() const noexcept {
 void ForceObserver::set_scale(const CellScale& scale) {
   impl_->set_scale(scale);
 }
-void ForceObserver::set_palpation(const Palpation& palpation) {
-  impl_->set_palpation(palpation);
+void ForceObserver::set_scale_measurements(std::vector<ScaleMeasurement> measurements) {
+  impl_->set_scale_measurements(std::move(measurements));
 }
 std::vector<PunctureRisk> ForceObserver::puncture_risk(double step_um) {
   return impl_->puncture_risk(step_um);
 }
 CellScale ForceObserver::scale() const noexcept {
   return impl_->scale();
+}
+bool ForceObserver::has_own_scale() const noexcept {
+  return impl_->has_own_scale();
 }
 ForceEstimate ForceObserver::process(const Observation& observation, const SolvedShape* known) {
   return impl_->process(observation, known);

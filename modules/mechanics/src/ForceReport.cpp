@@ -54,7 +54,7 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
     fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force}, estimate);
   }
   const double scale = frame.scale.ratio * force.ratio;
-  fill_nodes(cell.indenter(), scale * cell.indenter().force_ratio(), frame.contact, estimate);
+  fill_nodes(cell.indenter(), scale, frame.contact, estimate);
 
   // The outer surface encloses what it did at rest, but for the little the liquid gives.
   estimate.volume_um3 =
@@ -63,7 +63,10 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
 
   // A model that isn't where the needle is says nothing of its force.
   if (!estimate.converged) return;
-  const ForceInterval interval = frame.contact ? interval_95(force.force_uN, estimate.errors) : ForceInterval{};
+  const auto interval_by = [&](const ForceErrors& errors) {
+    return frame.contact ? interval_95(force.force_uN, errors) : ForceInterval{};
+  };
+  const ForceInterval interval = interval_by(estimate.errors);
   estimate.depth_um = frame.depth_um;
   estimate.stiffness_uN_per_um = force.stiffness_uN_per_um;
   estimate.damping_uN_s_per_um =
@@ -77,6 +80,8 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   estimate.contact_force_uN = force.force_uN;
   estimate.contact_force_lower_uN = interval.lower_uN;
   estimate.contact_force_upper_uN = interval.upper_uN;
+  estimate.by_picture = interval_by(estimate.errors.of_picture());
+  estimate.by_scale = interval_by(estimate.errors.of_scale());
   if (frame.contact) ask_others(frame, scale, estimate);
 }
 

@@ -1,22 +1,45 @@
 #include "NodalField.h"
 
+#include <cmath>
+
 namespace pellucida {
+namespace {
+
+/// How a tool's force is spread over its patch depends on the bond and on the wall beneath it: single nodes differ from
+/// those of a solid by about this share of their root mean square (docs/method.md, 4.5).
+constexpr double kToolSpread_ratio = 1.0;
+
+/// Adds to the variance of the nodes under a tool what its distribution leaves open.
+void add_spread(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_um, double scale, Eigen::VectorXd& variance_uN2) {
+  if (tool.nodes().empty()) return;
+  Eigen::Matrix3Xd load_uN = Eigen::Matrix3Xd::Zero(3, x_um.cols());
+  tool.add(x_um, &load_uN, nullptr);
+  const double mean_square_uN2 = load_uN.squaredNorm() / static_cast<double>(tool.nodes().size());
+  for (const int node : tool.nodes()) variance_uN2[node] += std::pow(kToolSpread_ratio * scale, 2) * mean_square_uN2;
+}
+
+}  // namespace
 
 void fill_nodes(const Indenter& indenter, double scale, bool contact, ForceEstimate& estimate) {
   const MembraneModel& model = indenter.model();
   const Eigen::Matrix3Xd& x = indenter.positions_um();
-  const Eigen::Matrix3Xd force = scale * model.elastic_force_uN(x);
+  const double of_tools = scale * indenter.force_ratio(), of_liquid = scale * indenter.pressure_ratio();
+  // In equilibrium a node's elastic force balances the liquid's push, P grad V, and the tools'.
+  const double pressure_uN_per_um2 = model.setup().keeps_volume ? model.volume().pressure_uN_per_um2(x) : 0.0;
+  const Eigen::Matrix3Xd liquid_uN = pressure_uN_per_um2 * model.volume().gradient_of_volume(x);
+  const Eigen::Matrix3Xd force = of_tools * indenter.elastic_force_uN() + (of_tools - of_liquid) * liquid_uN;
   estimate.force_uN = estimate.rotation_WC * force;
   const double relative = estimate.errors.relative();
-  estimate.force_sigma_uN = relative * force.colwise().norm().transpose();
-  if (contact && estimate.depth_sigma_um > 0.0) {
-    constexpr double kProbe_um = 1e-3;
-    const Eigen::Matrix3Xd moved = scale * model.elastic_force_uN(x + kProbe_um * indenter.depth_tangent());
-    const Eigen::VectorXd by_depth =
-        ((moved - force) * (estimate.depth_sigma_um / kProbe_um)).colwise().norm().transpose();
-    estimate.force_sigma_uN = (estimate.force_sigma_uN.array().square() + by_depth.array().square()).sqrt().matrix();
+  Eigen::VectorXd variance_uN2 = relative * relative * force.colwise().squaredNorm().transpose();
+  if (contact) {
+    variance_uN2 += std::pow(of_tools * estimate.depth_sigma_um, 2) *
+                    indenter.elastic_slope_uN_per_um().colwise().squaredNorm().transpose();
+    add_spread(model.tip(), x, of_tools, variance_uN2);
+    add_spread(model.holder(), x, of_tools, variance_uN2);
   }
-  estimate.tension_uN_per_um = scale * model.springs().tension_uN_per_um(x, node_areas_um2(x, model.rest().triangles));
+  estimate.force_sigma_uN = variance_uN2.array().sqrt().matrix();
+  estimate.tension_uN_per_um =
+      of_liquid * model.springs().tension_uN_per_um(x, node_areas_um2(x, model.rest().triangles));
 }
 
 double damping_uN_s_per_um(const Indenter& indenter, double connector_damping_uN_s_per_um) {

@@ -21,7 +21,7 @@ void validate(const Palpation& palpation) {
 }
 
 CellScale scale_before(const CellProfile& profile) noexcept {
-  return {1.0, std::hypot(profile.force_scale_relative_sigma, kCellSpread_ratio)};
+  return {1.0, std::hypot(profile.force_scale_relative_sigma, profile.kind_spread_ratio)};
 }
 
 CellScale update_scale(const CellScale& before, const Palpation& palpation, double model_value,

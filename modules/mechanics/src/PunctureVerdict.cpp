@@ -11,10 +11,23 @@ constexpr double kUsual_um = 2.0;
 constexpr double kSigmas = 4.0;
 /// A dimple shallower than this is no puncture when it goes.
 constexpr double kShallowest_um = 4.0;
-/// The share of its depth by which a membrane has come back that confirms a tracked puncture.
-constexpr double kBack_ratio = 0.35;
-/// The same from one frame to the next, for a puncture that only this verdict sees.
-constexpr double kBackAtOnce_ratio = 0.3;
+/// Probability from which on the membrane is through; and that something is amiss from which on a contact is in doubt.
+constexpr double kSure = 0.9, kInDoubt = 0.5;
+/// In a deep, narrow dimple the contour lags behind the tip, and back, by about this share of the depth.
+constexpr double kLag_ratio = 0.07;
+/// Flanks no deeper than this, or than so many times what they spread by from frame to frame, say nothing; below this
+/// share of their depth they are back. They spread by this at least, and by this share of their depth.
+constexpr double kShallowestFlank_um = 1.5, kFlankOverNoise = 3.0;
+constexpr double kFlankBack_ratio = 0.5;
+constexpr double kFlankSigma_um = 0.3, kFlankLag_ratio = 0.07;
+/// What the newest frame counts in that spread.
+constexpr double kNewest_ratio = 0.2;
+/// In contact nothing is learnt of the rest: its radius stays, but for this share.
+constexpr double kSameRest_ratio = 0.002;
+/// Of the tip's depth, what the membrane may have kept where no contact came before.
+constexpr double kAtRest_ratio = 0.5;
+/// What a sprung shape counts as: most of the depth.
+constexpr double kSprungBack_ratio = 0.8, kSprungSigma_ratio = 0.1;
 /// How the depth of late fades, per frame: a pipette drawn back slowly punctures nothing.
 constexpr double kFade = 0.9;
 /// A shape that leaves the model's by this from one frame to the next, and is so many times what is usual, has sprung.
@@ -31,42 +44,93 @@ bool PunctureVerdict::is_apart(const Sight& now) noexcept {
 }
 
 bool PunctureVerdict::judge(const Sight& now) noexcept {
-  is_doubted_ = false;
-  if (through_ && now.has_depths) {
-    together_frames_ = is_apart(now) ? 0 : together_frames_ + 1;
-    if (now.tip_um < 0.0 || together_frames_ >= kTogetherFrames) release();
+  is_doubted_ = is_revoked_ = false;
+  confidence_ = now.confidence;
+  is_apart_ = now.has_depths && is_apart(now);
+  if (through_ && !(now.has_depths && may_end(now))) return true;
+  // Without a contact before, or a look at it, there is only the tracker's word, and whether the membrane is at rest.
+  if (!has_contact_) {
+    is_doubted_ = now.is_tracked_punctured && now.has_depths && now.membrane_um > kAtRest_ratio * now.tip_um;
+    return now.is_tracked_punctured && !is_doubted_;
   }
-  // Without a contact before, or a look at it, there is only the tracker's word.
-  if (through_) return true;
-  const double membrane_before_um = membrane_um_;
-  if (now.has_depths) membrane_um_ = now.membrane_um;
-  if (!has_contact_) return now.is_tracked_punctured;
-  through_ =
-      now.has_depths && (is_through_by(now, membrane_before_um) || (now.is_tracked_punctured && is_confirmed_by(now)));
-  is_doubted_ = now.is_tracked_punctured && !through_;
+  depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
+  // A cell found anew has another resting outline: depths before and after don't compare.
+  if (now.has_depths && std::abs(now.rest_radius_um - rest_radius_um_) > kSameRest_ratio * rest_radius_um_) {
+    if (rest_radius_um_ > 0.0) deepest_um_ = flank_um_ = 0.0;
+    rest_radius_um_ = now.rest_radius_um;
+  }
+  if (now.has_depths && deepest_um_ > kShallowest_um) {
+    const PunctureOdds::Evidence evidence = evidence_of(now);
+    odds_.weigh(evidence);
+    if (!std::isnan(evidence.flank_ratio))
+      depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
+  }
+  through_ = odds_.probability() > kSure;
+  is_doubted_ = !through_ && (now.is_tracked_punctured || odds_.doubt() > kInDoubt);
   if (now.has_depths && !through_) follow_deepest(now);
   return through_;
 }
 
-bool PunctureVerdict::is_through_by(const Sight& now, double before_um) const noexcept {
-  const double back_um = before_um - now.membrane_um;
-  const double usual_um = std::max(kUsual_um, kSigmas * now.membrane_sigma_um);
-  // In a deep, narrow dimple the contour lags behind the tip, and back by some micrometres at a time.
-  const bool came_back = back_um > std::max(usual_um, kBackAtOnce_ratio * before_um);
-  // The tip has gone back by less than half of what the membrane has.
-  const bool tip_stayed = before_um - now.tip_um < 0.5 * back_um;
-  return before_um > kShallowest_um && is_apart(now) && came_back && tip_stayed;
+// Whether a puncture is over: left, or none.
+bool PunctureVerdict::may_end(const Sight& now) noexcept {
+  // A contour that is tied to the tip proves nothing while the flanks are back.
+  const bool is_flank_back = has_flank() && now.flank_um < kFlankBack_ratio * flank_um_;
+  together_frames_ = is_apart(now) || is_flank_back ? 0 : together_frames_ + 1;
+  if (now.tip_um >= 0.0 && together_frames_ < kTogetherFrames) return false;
+  if (now.tip_um < 0.0 || now.membrane_um < kShallowest_um || !has_contact_) {
+    release();
+    return true;
+  }
+  through_ = reported_ = false;
+  is_revoked_ = true;
+  together_frames_ = 0;
+  odds_.reset();
+  deepest_um_ = flank_um_ = 0.0;
+  follow_deepest(now);
+  return true;
 }
 
-bool PunctureVerdict::is_confirmed_by(const Sight& now) const noexcept {
-  const double back_um = deepest_um_ - now.membrane_um;
-  const double usual_um = std::max(kUsual_um, kSigmas * now.membrane_sigma_um);
-  return back_um > std::max(usual_um, kBack_ratio * deepest_um_) && tip_at_deepest_um_ - now.tip_um < 0.5 * back_um;
+PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noexcept {
+  const double back_um = std::max(0.0, deepest_um_ - now.membrane_um);
+  const double usual_um = std::hypot(now.membrane_sigma_um, kUsual_um / kSigmas, kLag_ratio * deepest_um_);
+  // A way too short to tell says nothing of the tip's share in it.
+  double way_um = std::max(back_um, kUsual_um);
+  PunctureOdds::Evidence evidence{.back_ratio = back_um / deepest_um_,
+                                  .back_sigma_ratio = usual_um / deepest_um_,
+                                  .confidence = now.confidence,
+                                  .is_apart = is_apart(now)};
+  if (has_flank() && !std::isnan(now.flank_um)) {
+    const double flank_back_um = std::max(0.0, flank_um_ - now.flank_um);
+    evidence.flank_ratio = flank_back_um / flank_um_;
+    evidence.flank_sigma_ratio = std::hypot(flank_noise_um() / flank_um_, kFlankLag_ratio);
+    way_um = std::max(way_um, evidence.flank_ratio * deepest_um_);
+  }
+  evidence.tip_share = (tip_at_deepest_um_ - now.tip_um) / way_um;
+  evidence.tip_share_sigma = now.tip_sigma_um / way_um;
+  return evidence;
+}
+
+double PunctureVerdict::flank_noise_um() const noexcept {
+  return std::max(kFlankSigma_um, std::sqrt(flank_variance_um2_));
+}
+
+bool PunctureVerdict::has_flank() const noexcept {
+  return flank_um_ > std::max(kShallowestFlank_um, kFlankOverNoise * flank_noise_um());
 }
 
 void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
+  if (!is_doubted_ && !std::isnan(now.flank_um)) {
+    // Half of a squared difference is the variance of one.
+    if (!std::isnan(last_flank_um_))
+      flank_variance_um2_ += kNewest_ratio * (0.5 * std::pow(now.flank_um - last_flank_um_, 2) - flank_variance_um2_);
+    last_flank_um_ = now.flank_um;
+  }
   // While a puncture is doubted, a membrane that creeps back is measured against where it was.
-  if (!is_doubted_) deepest_um_ *= kFade;
+  if (!is_doubted_) {
+    deepest_um_ *= kFade;
+    flank_um_ *= kFade;
+  }
+  if (now.flank_um > flank_um_) flank_um_ = now.flank_um;
   if (now.membrane_um < deepest_um_) return;
   deepest_um_ = now.membrane_um;
   tip_at_deepest_um_ = now.tip_um;
@@ -77,10 +141,16 @@ bool PunctureVerdict::judge(const Shape& now) noexcept {
   const bool sprang = now.residual_um - last_residual_um_ > kSpring_um &&
                       now.dimple_residual_um - last_dimple_um_ > kSpring_um &&
                       now.residual_um > kUnusual * now.usual_um;
-  if (has_contact_ && !through_ && last_depth_um_ > kShallowest_um && sprang) {
-    through_ = true;
-    is_doubted_ = false;
-    return true;
+  // Where the flanks are seen they say so themselves, but for a tip that lies beyond the membrane already.
+  const bool may_show = is_apart_ || std::isinf(depth_by_flanks_um_);
+  if (has_contact_ && !through_ && last_depth_um_ > kShallowest_um && sprang && may_show) {
+    odds_.weigh({.back_ratio = kSprungBack_ratio,
+                 .back_sigma_ratio = kSprungSigma_ratio,
+                 .confidence = confidence_,
+                 .is_apart = true});
+    through_ = odds_.probability() > kSure;
+    is_doubted_ = !through_;
+    if (through_) return true;
   }
   last_residual_um_ = now.residual_um;
   last_dimple_um_ = now.dimple_residual_um;

@@ -2,20 +2,21 @@
 #include <limits>
 #include <optional>
 
+#include "PunctureOdds.h"
 #include "pellucida/mechanics/Puncture.h"
 
 namespace pellucida {
 
-/// The one place that decides whether the membrane has given way. It weighs, frame by frame of a contact,
-/// - the tip and the membrane under it: punctured when the membrane has come back, against the depth before, by more
-///   than 4 sigma, 2 um and three tenths of that depth while the tip, which pushed it, has not and is as far past it;
-/// - the tracker's state, which rests on a tip far past the membrane alone: believed only where the membrane has come
-///   back by 0.35 of its depth of late, the tip staying, or where no contact was followed. A tip that is lost in the
-///   cell's texture runs ahead just so while the membrane still follows the needle: such a frame is doubted, it is a
-///   contact;
-/// - the contour, where a tracker keeps it on the tip: punctured when from one frame to the next it leaves the model's
-///   shape by 1 um and more, outwards in the dimple.
-/// A puncture ends when the tip has left the cell, or is on the membrane again for three frames. One thread at a time.
+/// The one place that decides whether the membrane has given way: by a sequential test (`PunctureOdds`) of tip and
+/// membrane over the frames of a contact, each as strong as that frame was seen.
+/// - Evidence of a puncture: against its depth of late the membrane has come back while the tip, which pushed it, has
+///   not and lies beyond it by more than noise explains; or the contour, where a tracker keeps it on the tip, leaves
+///   the model's shape from one frame to the next by 1 um and more, outwards in the dimple.
+/// - The tracker's own state rests on a tip far past the membrane alone. A tip that is lost in the cell's texture runs
+///   ahead just so while the membrane still follows the needle: that state is believed only where no contact was
+///   followed. Until the test is sure such a frame, or one that may be misread, is a contact in doubt.
+/// A puncture ends when the tip has left the cell. Should tip and membrane be together again for three frames, deep in
+/// the cell, it is revoked: there was none. One thread at a time.
 class PunctureVerdict {
  public:
   /// What a frame in contact, or tracked as punctured, shows before its force is known. Depths past the resting
@@ -25,6 +26,10 @@ class PunctureVerdict {
     bool has_depths = true;             ///< needle and membrane were seen
     double tip_um = 0.0, tip_sigma_um = 0.0;
     double membrane_um = 0.0, membrane_sigma_um = 0.0;
+    double confidence = 1.0;  ///< of membrane and tip, the lower one, 0..1
+    /// How deep the dimple's flanks lie within the resting outline (`flank_depth_um`); NaN: not seen.
+    double flank_um = std::numeric_limits<double>::quiet_NaN();
+    double rest_radius_um = 0.0;  ///< of the outline that all depths are taken from
   };
 
   /// Whether the tip is past the membrane by more than noise and the tip's roundness explain.
@@ -32,8 +37,15 @@ class PunctureVerdict {
 
   /// Whether the membrane is through in this frame, by tip, membrane and tracker. First of a frame's calls.
   bool judge(const Sight& now) noexcept;
-  /// After that: the tracker says punctured, the membrane does not.
+  /// After that: the tracker says punctured, or the frame may be misread, and the test isn't sure.
   bool is_doubted() const noexcept { return is_doubted_; }
+  /// After that: what was taken for a puncture was none; the contact goes on.
+  bool is_revoked() const noexcept { return is_revoked_; }
+
+  /// Where the dimple's flanks say that the membrane is in this frame, um past rest; infinity where they say nothing.
+  double depth_by_flanks_um() const noexcept { return depth_by_flanks_um_; }
+  /// That was last added to this contact; 0 before.
+  double last_depth_um() const noexcept { return last_depth_um_; }
 
   /// What the contour shows once the model is solved: `residual_um` and `dimple_residual_um` of `ShapeAudit` (NaN: not
   /// seen, no evidence), `usual_um` what the residual may be.
@@ -58,19 +70,29 @@ class PunctureVerdict {
   void release() noexcept;
 
  private:
-  bool is_through_by(const Sight& now, double before_um) const noexcept;
-  bool is_confirmed_by(const Sight& now) const noexcept;
+  bool may_end(const Sight& now) noexcept;
+  PunctureOdds::Evidence evidence_of(const Sight& now) const noexcept;
+  double flank_noise_um() const noexcept;
+  /// Flanks deep enough to say something.
+  bool has_flank() const noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
+  PunctureOdds odds_;
   bool has_contact_ = false;
   bool through_ = false;
-  bool is_doubted_ = false;
+  bool is_doubted_ = false, is_revoked_ = false;
   bool reported_ = false;
+  double confidence_ = 1.0;  // of this frame
+  bool is_apart_ = false;    // likewise
   int together_frames_ = 0;
   double last_residual_um_ = std::numeric_limits<double>::quiet_NaN();
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
+  double rest_radius_um_ = 0.0;
+  double depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
+  double flank_um_ = 0.0;                              // the deepest of late
   double deepest_um_ = 0.0, tip_at_deepest_um_ = 0.0;  // of the membrane, of late
-  double membrane_um_ = 0.0;                           // in the last frame
+  double flank_variance_um2_ = 0.0;                    // of one frame, by their differences
+  double last_flank_um_ = std::numeric_limits<double>::quiet_NaN();
   double last_depth_um_ = 0.0, last_force_uN_ = 0.0;
   double peak_force_uN_ = 0.0, peak_depth_um_ = 0.0, work_uN_um_ = 0.0;
 };

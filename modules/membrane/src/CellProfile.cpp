@@ -97,6 +97,9 @@ CellProfile profile_from(const Json& root, const std::string& where) {
   // What older profiles don't have.
   read_list(root, "references", where, p.references);
   read_list(root, "geometry_terms", where, p.geometry_terms);
+  read_list(root, "geometry_pressure_terms", where, p.geometry_pressure_terms);
+  if (p.geometry_terms.empty() && !p.geometry_pressure_terms.empty())
+    throw InputError(where + ": geometry_pressure_terms needs geometry_terms and geometry_range; add them");
   if (!p.geometry_terms.empty()) read_geometry_range(root, where, p);
   read_list(root, "relaxation_arms", where, p.relaxation_arms);
   if (!root.contains("relaxation_arms")) return p;
@@ -137,6 +140,7 @@ std::string to_json(const CellProfile& profile) {
   if (!p.geometry_terms.empty()) {
     write_fields(fields_of(p.geometry_range), root);
     root["geometry_terms"] = list_json(p.geometry_terms);
+    if (!p.geometry_pressure_terms.empty()) root["geometry_pressure_terms"] = list_json(p.geometry_pressure_terms);
   }
   if (!p.relaxation_arms.empty()) {
     root["relaxation_arms"] = list_json(p.relaxation_arms);

@@ -28,8 +28,14 @@ constexpr Field<P> kMaterial[] = {
      "",
      &P::force_scale_relative_sigma,
      {0, 1},
-     "standard deviation of the effective modulus over its value",
+     "standard deviation of the effective modulus over its value: how well the mean of the kind is known",
      kRequired},
+    {"kind_spread_ratio",
+     "",
+     &P::kind_spread_ratio,
+     {0, 2},
+     "how single cells of the kind differ: standard deviation of their stiffness over its mean, taken as that of the "
+     "logarithm. Enters the interval until this cell's own scale is measured"},
     {"poisson_ratio", "", &P::poisson_ratio, {0, 0.5}, "of the zona", kRequired},
     {"puncture_force_uN", "uN", &P::puncture_force_uN, above(0, 1e6), "measured force that anchors the force scale",
      kRequired},
@@ -124,6 +130,7 @@ constexpr Field<Range> kGeometryRange[] = {
     {"cell_count", "", &Range::cell_count, {1, 1e6}, "cells that were computed", kRequired},
     {"spread_ratio", "", &Range::spread_ratio, kRatio,
      "RMS difference of the force's logarithm on cells left out of the fit", kRequired},
+    {"pressure_spread_ratio", "", &Range::pressure_spread_ratio, kRatio, "the same of the pressure; 0: not fitted"},
 };
 
 using Term = GeometryTerm;

@@ -16,6 +16,8 @@ constexpr double kShortestBend_um = 0.02;
 constexpr double kLongestBentStep_um = 1.0;
 /// A step that fails is halved down to this.
 constexpr double kShortestStep_um = 0.05;
+/// Differences along the tangent are taken over this depth.
+constexpr double kProbe_um = 1e-3;
 /// No single call spends more iterations: from rest to the deepest point takes about a hundred.
 constexpr int kMostStepIterations = 400;
 
@@ -39,6 +41,10 @@ GeometryFactor Indenter::factor_at(double depth_um) const noexcept {
   return kind_ ? geometry_factor(*kind_, geometry_, depth_um) : GeometryFactor{};
 }
 
+double Indenter::pressure_ratio() const noexcept {
+  return kind_ ? pressure_factor(*kind_, geometry_, depth_um_) : 1.0;
+}
+
 void Indenter::observe(std::vector<NormalObservationTerm::Observed> observed) {
   if (!observes_) model_.energy().add_term(observation_);
   observes_ = true;
@@ -50,6 +56,8 @@ void Indenter::reset() {
   x_um_ = model_.rest().points_um;
   depth_um_ = 0.0;
   tangent_ = Eigen::Matrix3Xd::Zero(3, x_um_.cols());
+  forces_ = {.volume_um3 = model_.volume().rest_volume_um3()};
+  forget_elastic();
   stiffness_uN_per_um_ = 0.0;
   has_tangent_ = false;
   has_bend_ = false;
@@ -115,6 +123,8 @@ IndentationState Indenter::advance_to(double depth_um) {
     }
   } while (depth_um_ != depth_um);
 
+  forces_ = forces_at(x_um_);
+  forget_elastic();
   return read_out(total);
 }
 
@@ -122,6 +132,9 @@ SolvedShape Indenter::shape(const SolveReport& report) const {
   return {.depth_um = depth_um_,
           .positions_um = x_um_,
           .depth_tangent = tangent_,
+          .elastic_slope_uN_per_um = elastic_slope_uN_per_um(),
+          .elastic_force_uN = elastic_force_uN(),
+          .forces = forces_,
           .stiffness_uN_per_um = stiffness_uN_per_um_,
           .force_scale_uN_per_um = model_.force_scale_uN_per_um(),
           .report = report};
@@ -132,29 +145,77 @@ IndentationState Indenter::adopt(const SolvedShape& solved) {
   model_.set_depth(depth_um_);
   x_um_ = solved.positions_um;
   tangent_ = solved.depth_tangent;
-  stiffness_uN_per_um_ = solved.stiffness_uN_per_um * (model_.force_scale_uN_per_um() / solved.force_scale_uN_per_um);
+  const double ratio = model_.force_scale_uN_per_um() / solved.force_scale_uN_per_um;
+  forces_ = solved.forces;
+  for (Eigen::Vector3d* force : {&forces_.tip_uN, &forces_.holder_uN}) *force *= ratio;
+  forces_.push_uN *= ratio;
+  forces_.pressure_Pa *= ratio;
+  stiffness_uN_per_um_ = ratio * solved.stiffness_uN_per_um;
+  forget_elastic();
+  elastic_slope_uN_per_um_ = ratio * solved.elastic_slope_uN_per_um;
+  elastic_uN_ = ratio * solved.elastic_force_uN;
   has_tangent_ = true;
   has_bend_ = false;
   return read_out(solved.report);
 }
 
+IndentationState Indenter::adopt_checked(const SolvedShape& solved, double tolerance_um) {
+  const IndentationState state = adopt(solved);
+  const Eigen::Matrix3Xd residual_uN = model_.residual_uN(x_um_, elastic_force_uN());
+  const double largest_uN = std::sqrt(residual_uN.colwise().squaredNorm().maxCoeff());
+  return largest_uN <= tolerance_um * model_.force_scale_uN_per_um() ? state : advance_to(solved.depth_um);
+}
+
+void Indenter::forget_elastic() {
+  elastic_uN_.resize(3, 0);
+  elastic_slope_uN_per_um_.resize(3, 0);
+}
+
+const Eigen::Matrix3Xd& Indenter::elastic_force_uN() const {
+  if (elastic_uN_.cols() == 0) elastic_uN_ = model_.elastic_force_uN(x_um_);
+  return elastic_uN_;
+}
+
+const Eigen::Matrix3Xd& Indenter::elastic_slope_uN_per_um() const {
+  if (elastic_slope_uN_per_um_.cols() == 0) {
+    elastic_slope_uN_per_um_ = (model_.elastic_force_uN(x_um_ + kProbe_um * tangent_) - elastic_force_uN()) / kProbe_um;
+  }
+  return elastic_slope_uN_per_um_;
+}
+
+ToolForces Indenter::force_slopes() {
+  // The equilibrium moves along the tangent; the stiffness is more exact than a difference.
+  model_.set_depth(depth_um_ + kProbe_um);
+  const ToolForces ahead = forces_at(x_um_ + kProbe_um * tangent_);
+  model_.set_depth(depth_um_);
+  return {.tip_uN = (ahead.tip_uN - forces_.tip_uN) / kProbe_um,
+          .holder_uN = (ahead.holder_uN - forces_.holder_uN) / kProbe_um,
+          .push_uN = stiffness_uN_per_um_,
+          .pressure_Pa = (ahead.pressure_Pa - forces_.pressure_Pa) / kProbe_um,
+          .volume_um3 = (ahead.volume_um3 - forces_.volume_um3) / kProbe_um};
+}
+
+ToolForces Indenter::forces_at(const Eigen::Matrix3Xd& x_um) const {
+  ToolForces forces;
+  forces.tip_uN = model_.tip().force_uN(x_um);
+  forces.holder_uN = model_.holder().force_uN(x_um);
+  forces.push_uN = forces.tip_uN.dot(model_.setup().push);
+  if (model_.setup().keeps_volume) forces.pressure_Pa = 1e6 * model_.volume().pressure_uN_per_um2(x_um) + 0.0;  // no -0
+  forces.volume_um3 = model_.volume().volume_um3(x_um);
+  return forces;
+}
+
 IndentationState Indenter::read_out(const SolveReport& report) const {
+  const GeometryFactor factor = factor_at(depth_um_);
   IndentationState state;
   state.depth_um = depth_um_;
-  state.tip_force_uN = model_.tip().force_uN(x_um_);
-  state.holder_force_uN = model_.holder().force_uN(x_um_);
-  state.push_force_uN = state.tip_force_uN.dot(model_.setup().push);
-  const GeometryFactor factor = factor_at(depth_um_);
-  state.stiffness_uN_per_um = factor.ratio * stiffness_uN_per_um_ + factor.slope_per_um * state.push_force_uN;
-  state.pressure_Pa =
-      model_.setup().keeps_volume ? 1e6 * model_.volume().pressure_uN_per_um2(x_um_) + 0.0 : 0.0;  // no -0
-  state.volume_um3 = model_.volume().volume_um3(x_um_);
+  state.tip_force_uN = factor.ratio * forces_.tip_uN;
+  state.holder_force_uN = factor.ratio * forces_.holder_uN;
+  state.push_force_uN = factor.ratio * forces_.push_uN;
+  state.stiffness_uN_per_um = factor.ratio * stiffness_uN_per_um_ + factor.slope_per_um * forces_.push_uN;
+  state.pressure_Pa = pressure_ratio() * forces_.pressure_Pa;
+  state.volume_um3 = forces_.volume_um3;
   state.report = report;
-  if (!kind_) return state;
-  state.tip_force_uN *= factor.ratio;
-  state.holder_force_uN *= factor.ratio;
-  state.push_force_uN *= factor.ratio;
-  state.pressure_Pa *= factor.ratio;
   return state;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "pellucida/core/FieldTable.h"
 
@@ -68,8 +69,11 @@ void set_regions(CellProfile& cell) {
   cell.mesh_grading = std::clamp(kEvenRadius_ratio * cell.mid_radius_um / cell.tip_radius_um, 1.0, kSteepestGrading);
 }
 
-GeometryFactor geometry_factor(const CellProfile& profile, const MembraneGeometry& geometry, double depth_um) noexcept {
-  if (profile.geometry_terms.empty()) return {};
+namespace {
+
+GeometryFactor factor_of(std::span<const GeometryTerm> terms, const CellProfile& profile,
+                         const MembraneGeometry& geometry, double depth_um) noexcept {
+  if (terms.empty()) return {};
   const auto own = ratios_of(geometry_of(profile)), other = ratios_of(geometry);
   const auto ranges = ranges_of(profile.geometry_range);
   std::array<Powers, 3> log_power;
@@ -79,7 +83,7 @@ GeometryFactor geometry_factor(const CellProfile& profile, const MembraneGeometr
   const double depth = std::clamp(depth_um / radius_um, 0.0, deepest);
   const Powers depth_power = powers_of(depth);
   double sum = 0.0, slope = 0.0;
-  for (const GeometryTerm& term : profile.geometry_terms) {
+  for (const GeometryTerm& term : terms) {
     const auto at = [](const Powers& powers, int power) { return powers[static_cast<std::size_t>(power)]; };
     const double value = term.coefficient * at(log_power[0], term.thickness) * at(log_power[1], term.tip) *
                          at(log_power[2], term.holder);
@@ -90,6 +94,17 @@ GeometryFactor geometry_factor(const CellProfile& profile, const MembraneGeometr
   factor.ratio = std::exp(sum);
   if (depth_um < deepest * radius_um) factor.slope_per_um = factor.ratio * slope / radius_um;
   return factor;
+}
+
+}  // namespace
+
+GeometryFactor geometry_factor(const CellProfile& profile, const MembraneGeometry& geometry, double depth_um) noexcept {
+  return factor_of(profile.geometry_terms, profile, geometry, depth_um);
+}
+
+double pressure_factor(const CellProfile& profile, const MembraneGeometry& geometry, double depth_um) noexcept {
+  const auto& own = profile.geometry_pressure_terms;
+  return factor_of(own.empty() ? profile.geometry_terms : own, profile, geometry, depth_um).ratio;
 }
 
 bool is_beyond_range(const CellProfile& profile, const MembraneGeometry& geometry) noexcept {

@@ -148,4 +148,12 @@ Eigen::Matrix3Xd MembraneModel::elastic_force_uN(const Eigen::Matrix3Xd& x_um) c
   return -gradient;
 }
 
+Eigen::Matrix3Xd MembraneModel::residual_uN(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& elastic_uN) const {
+  Eigen::Matrix3Xd gradient = -elastic_uN;
+  if (setup_.keeps_volume) volume_.add(x_um, &gradient, nullptr);
+  tip_.add(x_um, &gradient, nullptr);
+  holder_.add(x_um, &gradient, nullptr);
+  return -gradient;
+}
+
 }  // namespace pellucida

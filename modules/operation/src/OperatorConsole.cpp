@@ -121,8 +121,7 @@ void OperatorConsole::engage() {
 }
 
 HapticSettings OperatorConsole::settings() const {
-  HapticSettings settings =
-      default_settings(hand_->device()->specification(), scale_um_per_m(scale_), strength_of(run_.profile()));
+  HapticSettings settings = default_settings(hand_->device()->specification(), scale_um_per_m(scale_), strength());
   if (is_demonstration()) {
     settings.force_scale_N_per_uN = std::min(settings.force_scale_N_per_uN, kDemonstrationScale_N_per_uN);
   }
@@ -245,7 +244,15 @@ void OperatorConsole::look() {
   if (!scene || scene->contact.frame_index == frame_index_) return;
   frame_index_ = scene->contact.frame_index;
   broken_ = scene->contact.state == CellState::kPunctured;
+  follow_scale(scene->remarks);
   if (guide_->see(scene->contact) && !plan() && !renewing_) make_plan(scene->contact);
+}
+
+void OperatorConsole::follow_scale(const ForceRemarks& remarks) {
+  const double ratio = remarks.has_own_scale ? remarks.scale_ratio : 1.0;
+  if (ratio == cell_scale_ratio_) return;
+  cell_scale_ratio_ = ratio;
+  apply_settings();
 }
 
 void OperatorConsole::make_plan(const ContactModel& contact) {
@@ -293,6 +300,14 @@ void OperatorConsole::repeat_demonstration() {
   } else if (demonstration_->rested(hand_->device()->phase(), run_.clock().now_s())) {
     new_cell();
   }
+}
+
+CellStrength OperatorConsole::strength() const noexcept {
+  return strength_of(run_.profile(), cell_scale_ratio_);
+}
+
+CellLimits OperatorConsole::limits() const {
+  return hand_->engaged() ? settings().limits : limits_of(strength());
 }
 
 HandStatus OperatorConsole::status() {

@@ -105,6 +105,9 @@ class Collector {
 void read_all(FrameSource& source, const Clock& clock, BatchResult& result, const std::function<bool(Scene)>& give) {
   try {
     while (auto frame = source.next()) {
+      if (frame->damage.damaged && result.damaged_count++ == 0) {
+        result.first_damage = std::to_string(frame->frame_index) + " (" + frame->damage.reason + ")";
+      }
       if (!give(scene_of(*frame, clock.now_s(), 0))) return;
     }
   } catch (const Error&) {
@@ -151,6 +154,13 @@ void run_side_by_side(FrameSource& source, TrackHalf& track, ForceHalf& force, C
 
 }  // namespace
 
+std::string damage_line(const BatchResult& result) {
+  if (result.damaged_count == 0) return {};
+  const bool one = result.damaged_count == 1;
+  return "damaged  " + std::to_string(result.damaged_count) + (one ? " frame was" : " frames were") +
+         " not decoded as recorded: kept, not measured; the first: " + result.first_damage + '\n';
+}
+
 BatchResult run_batch(FrameSource& source, const BatchOptions& options, const std::function<void(const Scene&)>& sink) {
   const SteadyClock clock;
   Chain chain(options.pipeline);
@@ -182,7 +192,7 @@ BatchResult run_batch(FrameSource& source, const BatchOptions& options, const st
   result.elapsed_s = clock.now_s();
   result.profile = chain.profile;
   result.cell_scale = chain.mechanics.scale();
-  if (options.pipeline.palpation) result.puncture_risk = chain.mechanics.puncture_risk(kRiskStep_um);
+  if (!options.pipeline.scale_measurements.empty()) result.puncture_risk = chain.mechanics.puncture_risk(kRiskStep_um);
   return result;
 }
 

@@ -11,7 +11,8 @@ Chain::Chain(const PipelineOptions& options)
       tracking(options.tracker),
       reconstruction({.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
       mechanics(profile) {
-  if (options.palpation) mechanics.set_palpation(*options.palpation);
+  for (const PersonHint& hint : options.hints) tracking.add_hint(hint);
+  if (!options.scale_measurements.empty()) mechanics.set_scale_measurements(options.scale_measurements);
 }
 
 Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
@@ -26,6 +27,17 @@ Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
     scene.events.push_back({frame.time_s, event_kind::kGap,
                             std::to_string(frame.gap_count) + " frames missing from the source before frame " +
                                 std::to_string(frame.frame_index)});
+  }
+  const FrameDamage& damage = frame.damage;
+  if (damage.damaged) scene.use = FrameUse::kKeep;
+  if (damage.damaged && damage.count_before == 0) {
+    scene.events.push_back({frame.time_s, event_kind::kDamaged,
+                            "from frame " + std::to_string(frame.frame_index) + " on not decoded as recorded" +
+                                (damage.reason.empty() ? "" : " (" + damage.reason + ")")});
+  } else if (!damage.damaged && damage.count_before > 0) {
+    scene.events.push_back(
+        {frame.time_s, event_kind::kDamaged,
+         "over, after " + std::to_string(damage.count_before) + (damage.count_before == 1 ? " frame" : " frames")});
   }
   return scene;
 }

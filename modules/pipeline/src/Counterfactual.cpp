@@ -98,13 +98,14 @@ class SharedShapes {
     });
     if (!is_wanted) return;
     mechanics_.emplace(recorded);
-    if (options.pipeline.palpation) mechanics_->set_palpation(*options.pipeline.palpation);
+    mechanics_->set_scale_measurements(options.pipeline.scale_measurements);
   }
 
   void add_to(RecordedFrame& frame) {
-    const Scene& scene = frame.scene;
-    if (!mechanics_ || scene.use < FrameUse::kMeasure || !scene.observation) return;
-    if (mechanics_->process(scene)) frame.shape = mechanics_->solved_shape();
+    if (!mechanics_ || frame.scene.use < FrameUse::kMeasure || !frame.scene.observation) return;
+    Scene scene = frame.scene;
+    scene.surface = {};  // the shape alone is wanted
+    if (mechanics_->measure(scene)) frame.shape = mechanics_->solved_shape();
   }
 
  private:

@@ -10,6 +10,8 @@
 
 #include "Chain.h"
 #include "GrowingLog.h"
+#include "LiveClock.h"
+#include "LiveScale.h"
 #include "ReaderPace.h"
 #include "RunRecording.h"
 #include "pellucida/core/Stage.h"
@@ -20,14 +22,6 @@ namespace pellucida {
 namespace {
 
 using SceneExchange = SharedLatest<Scene>;
-
-// What a recording says about frames that are not in it whole.
-constexpr const char* kDropPolicy =
-    "Every frame has its row. A frame that a newer one overtook before it could be measured keeps its image; its row "
-    "has "
-    "an empty state and no numbers (events unmeasured). Where writing falls so far behind the camera that the memory "
-    "set "
-    "aside is full, frames keep their rows and lose their images (events dropped).";
 
 }  // namespace
 
@@ -60,6 +54,7 @@ class LiveRun::Impl {
       stop_recording();
     } catch (const std::exception& error) {
       set_fault(error.what());
+      recording_fault_ = std::current_exception();
     }
   }
 
@@ -104,7 +99,7 @@ class LiveRun::Impl {
     run_index_ = last_run_index_ + 1;
     index_offset_ = next_index_;
     time_offset_s_ = next_time_s_;
-    session_lag_s_ = kNoLag_s;
+    source_clock_.begin_anew();
   }
 
   void hand_out(Frame frame) {
@@ -114,12 +109,16 @@ class LiveRun::Impl {
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
     const Scene scene = scene_of(frame, clock_.now_s(), run_index_);
     last_run_index_ = scene.run_index;
-    session_lag_s_ = std::min(session_lag_s_.load(), scene.arrival_s - frame.time_s);
+    source_clock_.add(frame.time_s, scene.arrival_s);
     ++frame_count_;
     gap_count_ += static_cast<std::uint64_t>(frame.gap_count);
     recording_.announce(scene);
     frames_->publish(scene);
-    if (auto skipped = to_track_.publish(scene)) skip(*skipped);
+    if (frame.damage.damaged) {
+      skip(scene);
+    } else if (auto skipped = to_track_.publish(scene)) {
+      skip(*skipped);
+    }
   }
 
   // What a live source showed during a pause was left out on purpose: no loss of the source's.
@@ -167,6 +166,7 @@ class LiveRun::Impl {
   // The end of the chain, on the mechanics' thread: the hand gets to know of the frame before anyone sees it.
   void publish_measured(Scene scene) {
     if (contact_sink_) contact_sink_(scene.contact);
+    scale_.take(scene.events);
     publish(std::move(scene));
   }
 
@@ -177,22 +177,18 @@ class LiveRun::Impl {
     info.profile_json = to_json(chain_.profile);
     info.drop_policy = kDropPolicy;
     info.seeds = info_.seeds;
-    info.clock_offsets_s = clock_offsets();
+    info.clock_offsets_s = source_clock_.offsets(clock_.now_s());
+    scale_.record();
     RunProvenance provenance;
     provenance.frames_before_recording = static_cast<long>(frame_count_);
     info.provenance_json = to_json(provenance, options_, chain_.profile);
     recording_.start(folder, info, {newest_time_s(), event_kind::kStarted, "recording of " + info_.name});
   }
 
-  // The run's clock and the wall clock (seconds since 1970) against the session's time.
-  std::map<std::string, double> clock_offsets() const {
-    const double lag_s = session_lag_s_;
-    if (!std::isfinite(lag_s)) return {};
-    const double unix_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-    return {{"run", lag_s}, {"unix", unix_s - (clock_.now_s() - lag_s)}};
+  void stop_recording() {
+    recording_.set_clocks(source_clock_.json());
+    recording_.stop({newest_time_s(), event_kind::kStopped, "recording"});
   }
-
-  void stop_recording() { recording_.stop({newest_time_s(), event_kind::kStopped, "recording"}); }
 
   bool note(const std::string& text) {
     const Event note{newest_time_s(), event_kind::kNote, text};
@@ -227,6 +223,7 @@ class LiveRun::Impl {
     status.recording_folder = recording.folder;
     status.recorded_count = recording.recorded_count;
     status.recorder_dropped_count = recording.dropped_count;
+    status.recorder_thinned_count = recording.thinned_count;
     status.waiting_note_count = recording.waiting_note_count;
     status.fault = recording.fault;
     if (!status.fault) status.fault = fault();
@@ -274,6 +271,7 @@ class LiveRun::Impl {
   GrowingLog<Event> events_;
   ReaderPace pace_;
   RunRecording recording_{clock_};
+  LiveScale scale_{chain_.mechanics, recording_, chain_.profile, options_.scale_measurements};
 
   // The reader's own.
   bool resumed_ = false;  // the next frame is the first after a pause
@@ -289,11 +287,11 @@ class LiveRun::Impl {
   std::atomic<std::uint64_t> skipped_count_{0};
   std::atomic<std::uint64_t> gap_count_{0};
   std::atomic<double> newest_arrival_s_{0.0};
-  static constexpr double kNoLag_s = std::numeric_limits<double>::infinity();
-  std::atomic<double> session_lag_s_{kNoLag_s};  // the clock less the session's time; smallest seen
+  LiveClock source_clock_{info_.live};
 
   mutable std::mutex fault_mutex_;
   std::optional<std::string> fault_;
+  std::exception_ptr recording_fault_;  // on closing it
 
   // Threads last: they stop before what they use goes away.
   const std::function<void(const Scene&, const StepFailure&)> failed_ =
@@ -318,7 +316,7 @@ const Clock& LiveRun::clock() const noexcept {
 }
 
 double LiveRun::session_lag_s() const noexcept {
-  const double lag_s = impl_->session_lag_s_;
+  const double lag_s = impl_->source_clock_.lag_s();
   return std::isfinite(lag_s) ? lag_s : 0.0;
 }
 
@@ -327,6 +325,9 @@ void LiveRun::start() {
 }
 void LiveRun::stop() {
   impl_->stop();
+}
+void LiveRun::rethrow_recording_fault() const {
+  if (impl_->recording_fault_) std::rethrow_exception(impl_->recording_fault_);
 }
 
 void LiveRun::set_paused(bool paused) {
@@ -373,6 +374,15 @@ void LiveRun::stop_recording() {
 }
 bool LiveRun::record_hand(const Frozen<vtkPolyData>& block, double time_s) {
   return impl_->recording_.hand(block, time_s);
+}
+void LiveRun::add_scale_measurement(const ScaleMeasurement& measurement) {
+  impl_->add_event(impl_->scale_.add(measurement, impl_->newest_time_s()));
+}
+void LiveRun::forget_scale() {
+  impl_->add_event(impl_->scale_.forget(impl_->newest_time_s()));
+}
+void LiveRun::add_hint(const PersonHint& hint) {
+  impl_->chain_.tracking.add_hint(hint);
 }
 void LiveRun::set_plan(const std::string& plan_json) {
   impl_->recording_.set_plan(plan_json);

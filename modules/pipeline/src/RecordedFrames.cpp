@@ -22,6 +22,15 @@ Scene recorded_scene(const SessionReader& session, std::size_t step) {
   return scene;
 }
 
+// The person's at the recording, and new ones, in the order of time.
+std::vector<PersonHint> hints_of(const SessionReader& session, const CounterfactualOptions& options) {
+  std::vector<PersonHint> hints = options.pipeline.hints;
+  for (const Event& event : session.events()) {
+    if (const auto hint = hint_of(event)) add_in_time(hints, *hint);
+  }
+  return hints;
+}
+
 std::optional<std::size_t> first_tracked(const SessionReader& session) {
   for (std::size_t i = 0; i < session.steps().size(); ++i) {
     if (session.measurements()[i].state && session.steps()[i].has(SessionPart::kMembranes)) return i;
@@ -44,12 +53,17 @@ class RecordedFrames::Impl {
   Impl(const SessionReader& session, const CounterfactualOptions& options)
       : session_(session),
         used_(frames_used_of(session.info())),
+        tables_only_(options.tables_only),
         tracking_(options.pipeline.tracker),
         reconstruction_({.step_deg = options.pipeline.revolve_step_deg,
                          .meridian_point_count = options.pipeline.meridian_point_count}) {
     if (options.rerun == Rerun::kTracking) {
+      for (const PersonHint& hint : hints_of(session, options)) tracking_.add_hint(hint);
       source_.emplace(session.folder(), options.playback);
       return;
+    }
+    if (!options.pipeline.hints.empty()) {
+      throw UsageError("hints change the tracking, and only the mechanics would run again; give --rerun tracking");
     }
     if (options.playback.pixel_size_um) {
       throw UsageError("--pixel-size-um: contours are in um already; give --rerun tracking");
@@ -64,7 +78,11 @@ class RecordedFrames::Impl {
     all_frames_ = options.playback.all_frames;
   }
 
-  std::optional<RecordedFrame> next() { return source_ ? next_tracked() : next_recorded(); }
+  std::optional<RecordedFrame> next() {
+    auto frame = source_ ? next_tracked() : next_recorded();
+    if (frame && !tables_only_) frame->common = fields_.make(frame->scene, frame->recorded);
+    return frame;
+  }
 
   long expected_count() const noexcept {
     return source_ ? source_->info().frame_count.value_or(0) : static_cast<long>(chosen_.size());
@@ -85,7 +103,7 @@ class RecordedFrames::Impl {
     if (!frame) return std::nullopt;
     RecordedFrame out;
     out.scene = scene_of(*frame, 0.0, 0);
-    // What the source lost is told by the recording's own events.
+    // The recording's own events report what the source lost.
     out.scene.events.clear();
     const auto& steps = session_.steps();
     const auto step = std::lower_bound(steps.begin(), steps.end(), frame->frame_index,
@@ -155,6 +173,8 @@ class RecordedFrames::Impl {
 
   const SessionReader& session_;
   const std::optional<FramesUsed> used_;
+  const bool tables_only_;
+  CommonFieldsMaker fields_;
   TrackingStep tracking_;
   ReconstructionStep reconstruction_;
   std::optional<SessionSource> source_;  // where everything runs again

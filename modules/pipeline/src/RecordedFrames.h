@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "SceneDifference.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/membrane/Indenter.h"
@@ -14,6 +15,7 @@ namespace pellucida {
 struct RecordedFrame {
   Scene recorded;                            ///< contours, surface and row as they were recorded
   Scene scene;                               ///< the same frame tracked anew, or as it was tracked, and revolved
+  CommonFields common;                       ///< of all variants' files; empty where tables alone are wanted
   std::shared_ptr<const SolvedShape> shape;  ///< of the recorded profile, for variants of its modulus; may be empty
 };
 

@@ -11,6 +11,10 @@ namespace {
 constexpr std::size_t kMostMemory_bytes = std::size_t{2} << 30U;
 // Of the memory allowed: beyond it, quick packing counts for more than small files.
 constexpr std::size_t kHurryShare = 8;
+// Of the memory allowed, in eighths: what may be taken by frames with surfaces, and by frames with images. The last
+// eighth is for rows, events, contours and the hand.
+constexpr std::size_t kSurfaceEighths = 4;
+constexpr std::size_t kImageEighths = 7;
 
 template <class T>
 std::size_t bytes_of(const Frozen<T>& part) {
@@ -58,6 +62,8 @@ expected<bool, StepFailure> Recorder::WriteStep::process(const Item& item) {
   if (const auto* event = std::get_if<Event>(&item)) writer.event(*event);
   if (const auto* block = std::get_if<HapticPathBlock>(&item)) writer.write_hand(block->paths, block->time_s);
   if (const auto* plan = std::get_if<Plan>(&item)) writer.set_plan(plan->json);
+  if (const auto* scale = std::get_if<ScaleRecord>(&item)) writer.set_palpation(scale->json);
+  if (const auto* clocks = std::get_if<ClockRecord>(&item)) writer.set_clocks(clocks->json);
   return false;
 }
 
@@ -75,6 +81,12 @@ void Recorder::WriteStep::write(const RecordedFrame& frame) {
     dropped_because = frame.dropped_because;
   }
   tell_dropped(dropped.add(row.frame, row.time_s, is_dropped ? 1 : 0));
+  const bool is_thinned = !frame.thinned_because.empty();
+  if (is_thinned) {
+    ++thinned_count;
+    thinned_because = frame.thinned_because;
+  }
+  tell_thinned(thinned.add(row.frame, row.time_s, is_thinned ? 1 : 0));
   tell_gaps(gaps.add(row.frame, row.time_s, frame.gap_count));
 }
 
@@ -90,6 +102,12 @@ void Recorder::WriteStep::tell_dropped(const std::optional<FrameStretch>& stretc
                 frames_of(*stretch) + " kept without their image: " + std::string(dropped_because)});
 }
 
+void Recorder::WriteStep::tell_thinned(const std::optional<FrameStretch>& stretch) {
+  if (!stretch) return;
+  writer.event({stretch->begin_s, event_kind::kThinned,
+                frames_of(*stretch) + " kept without their surface: " + std::string(thinned_because)});
+}
+
 void Recorder::WriteStep::tell_gaps(const std::optional<FrameStretch>& stretch) {
   if (!stretch) return;
   const bool one = stretch->frame_count == 1;
@@ -102,6 +120,7 @@ void Recorder::WriteStep::tell_gaps(const std::optional<FrameStretch>& stretch) 
 void Recorder::WriteStep::finish() {
   tell_unmeasured(unmeasured.finish());
   tell_dropped(dropped.finish());
+  tell_thinned(thinned.finish());
   tell_gaps(gaps.finish());
 }
 
@@ -129,22 +148,30 @@ std::pair<Recorder::RecordedFrame, std::size_t> Recorder::fit(const Scene& scene
   frame.gap_count = take_gaps(frame.scene.events);
   frame.scene.model = {};
   frame.scene.observation.reset();
-  const std::size_t byte_count = bytes_of(frame.scene);
   const QueueLoad load = queue_.load();
-  if (load.byte_count() + byte_count <= memory_bytes_) return {std::move(frame), byte_count};
-
-  if (load.unsettled_bytes > load.ready_bytes) {
-    frame.dropped_because = "measuring fell too far behind the camera";
-  } else if (step_.disk_bound) {
-    frame.dropped_because = "the disk is slower than the camera";
-  } else {
-    frame.dropped_because = "the processor is too busy to write as fast as the camera";
+  const auto has_room = [&](std::size_t eighths) {
+    return load.byte_count() + bytes_of(frame.scene) <= memory_bytes_ / 8 * eighths;
+  };
+  if (frame.scene.surface && !has_room(kSurfaceEighths)) {
+    frame.thinned_because = slow_part(load);
+    frame.scene.surface = {};
   }
-  frame.scene.frame = {};
-  frame.scene.membranes = {};
-  frame.scene.tools = {};
-  frame.scene.surface = {};
-  return {std::move(frame), sizeof(Scene)};
+  if (!has_room(kImageEighths)) {
+    frame.dropped_because = slow_part(load);
+    frame.scene.frame = {};
+  }
+  if (!has_room(8)) {
+    frame.scene.membranes = {};
+    frame.scene.tools = {};
+  }
+  const std::size_t byte_count = bytes_of(frame.scene);
+  return {std::move(frame), byte_count};
+}
+
+std::string_view Recorder::slow_part(const QueueLoad& load) const {
+  if (load.unsettled_bytes > load.ready_bytes) return "measuring fell too far behind the camera";
+  if (step_.disk_bound) return "the disk is slower than the camera";
+  return "the processor is too busy to write as fast as the camera";
 }
 
 void Recorder::announce(const Scene& scene) {
@@ -170,6 +197,14 @@ bool Recorder::hand(const Frozen<vtkPolyData>& block, double time_s) {
 
 void Recorder::plan(const std::string& plan_json) {
   queue_.push(Plan{plan_json}, plan_json.size());
+}
+
+void Recorder::palpation(const std::string& palpation_json) {
+  queue_.push(ScaleRecord{palpation_json}, palpation_json.size());
+}
+
+void Recorder::clocks(const std::string& clocks_json) {
+  queue_.push(ClockRecord{clocks_json}, clocks_json.size());
 }
 
 void Recorder::close() {

@@ -36,6 +36,7 @@ constexpr Field<PipelineOptions> kMeshFields[] = {
     {"meridian_point_count", "", &PipelineOptions::meridian_point_count, {}, ""},
 };
 
+constexpr const char* kMeasurements = "measurements";
 constexpr const char* kParameters = "parameters";
 constexpr const char* kQuality = "quality";
 constexpr const char* kDetection = "detection";
@@ -65,31 +66,44 @@ void read_parameters(const Json& provenance, PipelineOptions& options) {
   if (const auto fault = read_fields(*found, fields_of(options), UnknownKeys::kIgnored)) {
     refuse("provenance.parameters: " + *fault);
   }
-  const Json tracker = found->value("tracker", Json::object());
-  if (tracker.value(kQuality, Json()) == "high") options.tracker.quality = Tracker::Quality::kHigh;
+  const auto tracker = found->find("tracker");
+  const auto word = [&](const char* key) {
+    if (tracker == found->end() || !tracker->is_object()) return std::string();
+    const auto value = tracker->find(key);
+    return value != tracker->end() && value->is_string() ? value->get<std::string>() : std::string();
+  };
+  if (word(kQuality) == "high") options.tracker.quality = Tracker::Quality::kHigh;
   // Sessions that don't say were tracked by lines.
-  const std::string detection = tracker.value(kDetection, std::string(to_string(Tracker::Detection::kLines)));
-  options.tracker.detection = detection_from_string(detection).value_or(Tracker::Detection::kLines);
+  options.tracker.detection = detection_from_string(word(kDetection)).value_or(Tracker::Detection::kLines);
 }
 
 void read_palpation(const std::string& text, PipelineOptions& options) {
   if (text.empty()) return;
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("at_indentation_um")) return;
-  Palpation palpation;
-  const auto take = [&](const char* key, double& value) {
-    if (const auto found = json.find(key); found != json.end() && found->is_number()) value = found->get<double>();
-  };
-  take("known_force_uN", palpation.known_force_uN);
-  take("known_stiffness_uN_per_um", palpation.known_stiffness_uN_per_um);
-  take("at_indentation_um", palpation.indentation_um);
-  take("known_relative_sigma", palpation.relative_sigma);
-  try {
-    validate(palpation);
-  } catch (const UsageError& error) {
-    refuse(std::string("palpation: ") + error.what());
+  if (!json.is_object()) return;
+  Json list = json.value(kMeasurements, Json::array());
+  // Earlier versions knew one push, and wrote its numbers here.
+  if (json.contains("at_indentation_um")) {
+    Json push = json;
+    if (const auto sigma = json.find("known_relative_sigma"); sigma != json.end() && sigma->is_number()) {
+      push["known_force_sigma_percent"] = 100.0 * sigma->get<double>();
+    }
+    list = Json::array({push});
   }
-  options.palpation = palpation;
+  if (!list.is_array()) refuse("palpation.measurements is no list");
+  for (const Json& entry : list) {
+    ScaleMeasurement measurement;
+    if (!entry.is_object()) refuse("palpation.measurements: an entry is no object");
+    if (const auto fault = read_fields(entry, fields_of(measurement), UnknownKeys::kIgnored)) {
+      refuse("palpation.measurements: " + *fault);
+    }
+    try {
+      way_of(measurement);
+    } catch (const UsageError& error) {
+      refuse(std::string("palpation: ") + error.what());
+    }
+    options.scale_measurements.push_back(measurement);
+  }
 }
 
 Json provenance_of(const SessionInfo& info) {
@@ -127,14 +141,20 @@ PipelineOptions recorded_options(const SessionInfo& info) {
   return options;
 }
 
-std::string palpation_json(const Palpation& palpation, const CellScale& scale, const std::vector<PunctureRisk>& risk) {
+std::string palpation_json(const std::vector<ScaleMeasurement>& measurements, const CellScale& scale,
+                           const std::vector<PunctureRisk>& risk) {
   Json json;
-  if (palpation.known_force_uN > 0.0) json["known_force_uN"] = palpation.known_force_uN;
-  if (palpation.known_stiffness_uN_per_um > 0.0) {
-    json["known_stiffness_uN_per_um"] = palpation.known_stiffness_uN_per_um;
+  json[kMeasurements] = Json::array();
+  for (ScaleMeasurement measurement : measurements) {
+    Json entry{{"way", to_string(way_of(measurement))}};
+    Json numbers = Json::object();
+    write_fields(fields_of(measurement), numbers);
+    // What was not given is 0.
+    for (const auto& [key, value] : numbers.items()) {
+      if (value != 0.0) entry[key] = value;
+    }
+    json[kMeasurements].push_back(entry);
   }
-  json["at_indentation_um"] = palpation.indentation_um;
-  json["known_relative_sigma"] = palpation.relative_sigma;
   json["cell_scale_ratio"] = scale.ratio;
   json["cell_scale_relative_sigma"] = scale.relative_sigma;
   json["puncture_spread_ratio"] = kPunctureSpread_ratio;

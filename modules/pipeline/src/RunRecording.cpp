@@ -12,10 +12,12 @@ void RunRecording::start(const std::filesystem::path& folder, SessionInfo info, 
     std::lock_guard lock(mutex_);
     if (recorder_) throw UsageError("a recording is running already; stop it first");
     info.plan_json = plan_json_;
+    info.palpation_json = palpation_json_;
   }
   auto recorder = std::make_unique<Recorder>(folder, info, clock_);
   std::lock_guard lock(mutex_);
   if (plan_json_ != info.plan_json) recorder->plan(plan_json_);
+  if (palpation_json_ != info.palpation_json) recorder->palpation(palpation_json_);
   for (const Event& note : waiting_notes_) recorder->event(note);
   waiting_notes_.clear();
   recorder->event(started);
@@ -32,6 +34,7 @@ void RunRecording::stop(const Event& stopped) {
     if (!ended) return;
     recorded_count_ = ended->written_count();
     dropped_count_ = ended->dropped_count();
+    thinned_count_ = ended->thinned_count();
   }
   ended->event(stopped);
   std::exception_ptr fault;
@@ -44,6 +47,7 @@ void RunRecording::stop(const Event& stopped) {
     std::lock_guard lock(mutex_);
     recorded_count_ = ended->written_count();
     dropped_count_ = ended->dropped_count();
+    thinned_count_ = ended->thinned_count();
   }
   if (fault) std::rethrow_exception(fault);
 }
@@ -68,6 +72,17 @@ bool RunRecording::hand(const Frozen<vtkPolyData>& block, double time_s) {
   return !recorder_ || recorder_->hand(block, time_s);
 }
 
+void RunRecording::set_palpation(const std::string& palpation_json) {
+  std::lock_guard lock(mutex_);
+  palpation_json_ = palpation_json;
+  if (recorder_) recorder_->palpation(palpation_json);
+}
+
+void RunRecording::set_clocks(const std::string& clocks_json) {
+  std::lock_guard lock(mutex_);
+  if (recorder_ && !clocks_json.empty()) recorder_->clocks(clocks_json);
+}
+
 void RunRecording::set_plan(const std::string& plan_json) {
   std::lock_guard lock(mutex_);
   plan_json_ = plan_json;
@@ -88,6 +103,7 @@ RecordingStatus RunRecording::status() const {
   status.folder = folder_;
   status.recorded_count = recorder_ ? recorder_->written_count() : recorded_count_;
   status.dropped_count = recorder_ ? recorder_->dropped_count() : dropped_count_;
+  status.thinned_count = recorder_ ? recorder_->thinned_count() : thinned_count_;
   status.waiting_note_count = waiting_notes_.size();
   if (recorder_) status.fault = recorder_->fault();
   return status;

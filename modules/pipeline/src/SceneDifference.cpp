@@ -13,11 +13,14 @@
 #include <limits>
 
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/vtk_files/SurfacePrecision.h"
 
 namespace pellucida {
 namespace {
 
 constexpr int kSpaceDimensions = 3;
+constexpr const char* kRecordedForce = "recorded_force_uN";
+constexpr const char* kForceDifference = "force_difference_uN";
 
 vtkSmartPointer<vtkFloatArray> new_field(const char* name, int components, vtkIdType count) {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -27,54 +30,69 @@ vtkSmartPointer<vtkFloatArray> new_field(const char* name, int components, vtkId
   return array;
 }
 
-vtkDataArray* point_array(vtkPolyData* data, const char* name) {
+// An array of three components for each of `count` points as Float32, the array itself where it is that.
+vtkSmartPointer<vtkFloatArray> floats_of(vtkPolyData* data, const char* name, vtkIdType count) {
   vtkDataArray* array = data->GetPointData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == kSpaceDimensions ? array : nullptr;
+  if (!array || array->GetNumberOfComponents() != kSpaceDimensions || array->GetNumberOfTuples() != count)
+    return nullptr;
+  if (auto* floats = vtkFloatArray::SafeDownCast(array)) return floats;
+  auto copy = vtkSmartPointer<vtkFloatArray>::New();
+  copy->DeepCopy(array);
+  return copy;
 }
 
-/// The recorded array under another name, and the difference; returns the largest magnitude.
-double add_field(vtkPolyData* surface, vtkDataArray* now, vtkDataArray* recorded, const char* recorded_name,
-                 const char* difference_name) {
+// Adds the recorded array under another name.
+void add_recorded(vtkPolyData* surface, vtkFloatArray* recorded, const char* name) {
+  auto copy = vtkSmartPointer<vtkFloatArray>::New();
+  copy->ShallowCopy(recorded);
+  copy->SetName(name);
+  surface->GetPointData()->AddArray(copy);
+}
+
+// Adds the difference, a missing side being 0; returns the largest magnitude.
+double add_difference(vtkPolyData* surface, vtkFloatArray* now, vtkFloatArray* recorded, const char* name) {
   const vtkIdType count = surface->GetNumberOfPoints();
-  if (recorded) {
-    auto before = vtkSmartPointer<vtkDataArray>::Take(recorded->NewInstance());
-    before->ShallowCopy(recorded);
-    before->SetName(recorded_name);
-    surface->GetPointData()->AddArray(before);
-  }
-  const auto difference = new_field(difference_name, kSpaceDimensions, count);
-  double largest = 0.0;
+  const auto difference = new_field(name, kSpaceDimensions, count);
+  float* target = difference->GetPointer(0);
+  const float* here = now ? now->GetPointer(0) : nullptr;
+  const float* there = recorded ? recorded->GetPointer(0) : nullptr;
+  double largest_squared = 0.0;
   for (vtkIdType node = 0; node < count; ++node) {
-    Eigen::Vector3d here = Eigen::Vector3d::Zero(), there = Eigen::Vector3d::Zero();
-    if (now) now->GetTuple(node, here.data());
-    if (recorded) recorded->GetTuple(node, there.data());
-    const Eigen::Vector3d change = here - there;
-    difference->SetTuple(node, change.data());
-    largest = std::max(largest, change.norm());
+    double squared = 0.0;
+    for (int i = 0; i < kSpaceDimensions; ++i) {
+      const double change = (here ? static_cast<double>(*here++) : 0.0) - (there ? static_cast<double>(*there++) : 0.0);
+      *target++ = static_cast<float>(change);
+      squared += change * change;
+    }
+    largest_squared = std::max(largest_squared, squared);
   }
   surface->GetPointData()->AddArray(difference);
-  return largest;
+  return std::sqrt(largest_squared);
 }
 
-void compare_surfaces(Scene& scene, const Scene& recorded, FieldDifferences& largest) {
-  auto before = recorded.surface.shallow_copy();
+// What a session rounds is no difference: both are compared as they are written.
+void compare_surfaces(const Scene& scene, const Scene& recorded, CommonFields& common) {
   auto surface = scene.surface.shallow_copy();
-  if (!before || !surface || before->GetNumberOfPoints() != surface->GetNumberOfPoints() ||
-      before->GetNumberOfPolys() != surface->GetNumberOfPolys()) {
-    return;
+  if (!surface) return;
+  surface = narrowed_surface(surface);
+  auto before = recorded.surface.shallow_copy();
+  const vtkIdType count = surface->GetNumberOfPoints();
+  common.has_recorded =
+      before && before->GetNumberOfPoints() == count && before->GetNumberOfPolys() == surface->GetNumberOfPolys();
+  if (common.has_recorded) {
+    before->SetPoints(nullptr);  // need not be narrowed
+    before = narrowed_surface(before);
+    const auto moved = floats_of(surface, array_name::kDisplacement, count);
+    const auto moved_before = floats_of(before, array_name::kDisplacement, count);
+    if (moved && moved_before) {
+      add_recorded(surface, moved_before, "recorded_displacement_um");
+      common.largest.displacement_um = add_difference(surface, moved, moved_before, "displacement_difference_um");
+    }
+    if (const auto force_before = floats_of(before, array_name::kForce, count)) {
+      add_recorded(surface, force_before, kRecordedForce);
+    }
   }
-  vtkDataArray* moved = point_array(surface, array_name::kDisplacement);
-  vtkDataArray* moved_before = point_array(before, array_name::kDisplacement);
-  if (moved && moved_before) {
-    largest.displacement_um =
-        add_field(surface, moved, moved_before, "recorded_displacement_um", "displacement_difference_um");
-  }
-  vtkDataArray* force = point_array(surface, array_name::kForce);
-  vtkDataArray* force_before = point_array(before, array_name::kForce);
-  if (force || force_before) {
-    largest.node_force_uN = add_field(surface, force, force_before, "recorded_force_uN", "force_difference_uN");
-  }
-  scene.surface = Frozen<vtkPolyData>(surface);
+  common.surface = Frozen<vtkPolyData>(surface);
 }
 
 /// The points of one membrane's polyline, closed; empty where it is not there.
@@ -118,12 +136,13 @@ NearestPlace nearest_on(const Eigen::Matrix2Xd& line_um, const Eigen::Vector2d& 
   return nearest;
 }
 
-void compare_contours(Scene& scene, const Scene& recorded, FieldDifferences& largest) {
+/// The contours of `scene` with their differences.
+Frozen<vtkPolyData> compare_contours(const Scene& scene, const Scene& recorded, FieldDifferences& largest) {
   auto before = recorded.membranes.shallow_copy();
   auto membranes = scene.membranes.shallow_copy();
-  if (!before || !membranes || membranes->GetNumberOfCells() == 0) return;
+  if (!before || !membranes || membranes->GetNumberOfCells() == 0) return scene.membranes;
   vtkDataArray* kind = membranes->GetCellData()->GetArray(array_name::kMembrane);
-  if (!kind) return;
+  if (!kind) return scene.membranes;
   const vtkIdType count = membranes->GetNumberOfPoints();
   const auto places = new_field("recorded_um", kSpaceDimensions, count);
   const auto distances = new_field("difference_um", 1, count);
@@ -148,16 +167,38 @@ void compare_contours(Scene& scene, const Scene& recorded, FieldDifferences& lar
   }
   membranes->GetPointData()->AddArray(places);
   membranes->GetPointData()->AddArray(distances);
-  scene.membranes = Frozen<vtkPolyData>(membranes);
+  return Frozen<vtkPolyData>(membranes);
 }
 
 }  // namespace
 
-FieldDifferences add_differences(Scene& scene, const Scene& recorded) {
-  FieldDifferences largest;
-  compare_surfaces(scene, recorded, largest);
-  compare_contours(scene, recorded, largest);
-  return largest;
+CommonFields CommonFieldsMaker::make(const Scene& scene, const Scene& recorded) {
+  CommonFields common;
+  compare_surfaces(scene, recorded, common);
+  const Frozen<vtkPolyData> membranes = compare_contours(scene, recorded, common.largest);
+  common.surface_arrays = packer_.pack_arrays(common.surface);
+  common.membranes = packer_.pack(SessionPart::kMembranes, membranes, scene.measurement);
+  common.tools = packer_.pack(SessionPart::kTools, scene.tools, scene.measurement);
+  return common;
+}
+
+vtkSmartPointer<vtkPolyData> variant_surface(const CommonFields& common, const SurfaceForces& forces,
+                                             FieldDifferences& largest) {
+  auto surface = common.surface.shallow_copy();
+  if (!surface) return nullptr;
+  if (forces.force_uN) {
+    vtkPointData* arrays = surface->GetPointData();
+    for (vtkDataArray* array : {forces.force_uN.Get(), forces.force_sigma_uN.Get(), forces.tension_uN_per_um.Get()}) {
+      arrays->AddArray(array);
+    }
+    narrow_forces(surface);
+  }
+  if (!common.has_recorded) return surface;
+  const vtkIdType count = surface->GetNumberOfPoints();
+  const auto now = floats_of(surface, array_name::kForce, count);
+  const auto before = floats_of(surface, kRecordedForce, count);
+  if (now || before) largest.node_force_uN = add_difference(surface, now, before, kForceDifference);
+  return surface;
 }
 
 }  // namespace pellucida

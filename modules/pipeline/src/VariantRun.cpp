@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "Chain.h"
-#include "SceneDifference.h"
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/pipeline/RunProvenance.h"
@@ -32,13 +31,16 @@ SessionInfo info_of_variant(const ReplayVariant& variant, const CounterfactualOp
   info.profile_json = to_json(variant.profile);
   info.command_line = options.command_line;
   info.drop_policy = "none of its own; frames the recorded run had no time for stay without numbers";
-  if (!options.pipeline.palpation) info.palpation_json.clear();
+  if (options.pipeline.scale_measurements.empty()) info.palpation_json.clear();
 
   const auto recorded = nlohmann::ordered_json::parse(session.info().provenance_json, nullptr, false);
   nlohmann::ordered_json replay{{"session", session.folder().string()},
                                 {"source", session.info().source.name},
                                 {"rerun", options.rerun == Rerun::kTracking ? "tracking" : "mechanics"},
                                 {"changes", nlohmann::ordered_json::object()}};
+  for (const PersonHint& hint : options.pipeline.hints) {
+    replay["hints"].push_back({{"time_s", hint.since_s}, {"hint", describe(hint)}});
+  }
   if (!variant.changes_json.empty()) replay["changes"] = nlohmann::ordered_json::parse(variant.changes_json);
   const PlaybackOptions& playback = options.playback;
   if (playback.from_s) replay["from_s"] = *playback.from_s;
@@ -56,8 +58,9 @@ SessionInfo info_of_variant(const ReplayVariant& variant, const CounterfactualOp
 /// Events that no measurement of the same frames gives again.
 bool is_of_the_recording(const Event& event) {
   if (event.kind == event_kind::kNote) return !event.detail.starts_with(kNoForceNote);
-  constexpr std::array kKinds{event_kind::kLimit,  event_kind::kUnmeasured, event_kind::kDropped, event_kind::kGap,
-                              event_kind::kPaused, event_kind::kResumed,    event_kind::kStarted, event_kind::kStopped};
+  constexpr std::array kKinds{event_kind::kLimit,   event_kind::kUnmeasured, event_kind::kDropped,
+                              event_kind::kGap,     event_kind::kPaused,     event_kind::kResumed,
+                              event_kind::kStarted, event_kind::kStopped,    event_kind::kDamaged};
   return std::any_of(kKinds.begin(), kKinds.end(), [&](const char* kind) { return event.kind == kind; });
 }
 
@@ -89,8 +92,8 @@ VariantRun::VariantRun(const ReplayVariant& variant, const CounterfactualOptions
       mechanics_(variant.profile),
       has_recorded_shape_(has_same_shape(variant.profile, profile_of(options.pipeline))),
       writer_(variant.folder, info_of_variant(variant, options, session, session_json_sha256),
-              {.frames = options.keep_frames}) {
-  if (options.pipeline.palpation) mechanics_.set_palpation(*options.pipeline.palpation);
+              {.frames = options.keep_frames, .sync = SessionSync::kAtEnd}) {
+  mechanics_.set_scale_measurements(options.pipeline.scale_measurements);
 }
 
 void VariantRun::take(const RecordedFrame& frame) {
@@ -98,20 +101,28 @@ void VariantRun::take(const RecordedFrame& frame) {
   scene.arrival_s = clock_.now_s();
   // What is not written need not be computed either; the row has the surface's volume already.
   if (options_.tables_only) scene.surface = {};
+  SurfaceForces forces;
   if (scene.use == FrameUse::kMeasure && scene.observation) {
-    if (auto measured = mechanics_.process(scene, has_recorded_shape_ ? frame.shape.get() : nullptr))
-      scene = std::move(*measured);
+    if (auto measured = mechanics_.measure(scene, has_recorded_shape_ ? frame.shape.get() : nullptr)) {
+      scene = std::move(measured->scene);
+      forces = std::move(measured->forces);
+    }
     stamp_age(scene, clock_);
   }
   log_.add(frame.recorded.measurement, scene.measurement);
+  StepParts parts;
   if (options_.tables_only) {
     scene.membranes = {};
     scene.tools = {};
   } else {
-    const FieldDifferences largest = add_differences(scene, frame.recorded);
+    FieldDifferences largest = frame.common.largest;
+    parts.surface = variant_surface(frame.common, forces, largest);
+    parts.surface_arrays = frame.common.surface_arrays;
+    parts.membranes = frame.common.membranes;
+    parts.tools = frame.common.tools;
     log_.add_fields(largest.contour_um, largest.displacement_um, largest.node_force_uN);
   }
-  writer_.write(scene);
+  writer_.write(scene, parts);
   last_time_s_ = scene.measurement.time_s;
 }
 
@@ -121,13 +132,15 @@ VariantResult VariantRun::finish(const SessionReader& session) {
   const double from_s = options_.playback.from_s.value_or(-kEver_s);
   const double to_s = options_.playback.to_s.value_or(kEver_s);
   for (const Event& event : session.events()) {
-    if (is_of_the_recording(event) && event.time_s >= from_s && event.time_s <= to_s) writer_.event(event);
+    // Where the tracking runs again it reports the hints itself.
+    const bool is_hint = event.kind == event_kind::kHint && options_.rerun == Rerun::kMechanics;
+    if ((is_of_the_recording(event) || is_hint) && event.time_s >= from_s && event.time_s <= to_s) writer_.event(event);
   }
   if (options_.stopped && options_.stopped()) {
     writer_.event({last_time_s_, event_kind::kStopped, "the replay was stopped before its end"});
   }
-  if (options_.pipeline.palpation) {
-    writer_.set_palpation(palpation_json(*options_.pipeline.palpation, mechanics_.scale(),
+  if (!options_.pipeline.scale_measurements.empty()) {
+    writer_.set_palpation(palpation_json(options_.pipeline.scale_measurements, mechanics_.scale(),
                                          mechanics_.puncture_risk(kVariantRiskStep_um)));
   }
   writer_.close();

@@ -102,6 +102,9 @@ class ContactReader {
     p_.peak_force_upper_uN = peak.upper_uN;
     p_.peak_force_depth_um = peak.depth_um;
     p_.peak_force_s = peak.time_s;
+    const ForceSpread spread = force_spread(row(peak.row));
+    p_.picture_sigma_percent = 100.0 * spread.picture_ratio;
+    p_.scale_sigma_percent = 100.0 * spread.scale_ratio;
     const std::size_t deepest = curve_.deepest();
     p_.largest_depth_um = curve_.points()[deepest].depth_um;
     p_.insertion = {p_.rows.begin, curve_.points()[deepest].row + 1};

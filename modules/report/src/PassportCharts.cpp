@@ -62,24 +62,28 @@ std::vector<ChartMark> moments(const CellPassport& cell) {
 
 Chart force_over_time(const PassportInput& input, const CellPassport& cell, const RowRange& range) {
   Chart chart;
-  chart.title = "Force over time, with its 95 % interval";
+  chart.title = "Force over time, with its 95 % intervals: picture (dark), and the whole (light)";
   chart.x_label = "time (s)";
   chart.y_label = "force (" + unit_text("uN") + ")";
   const auto force_uN = [&](std::size_t i) { return input.rows[i].contact_force_uN; };
   chart.lines.push_back({over_time(input, range, force_uN), "curve", ""});
-  ChartBand band;
+  ChartBand band, picture;
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Measurement& m = input.rows[i];
     if (!m.state) continue;
     if (!band.slices.empty() && m.time_s - band.slices.back().x > kBridged_s) {
       band.slices.push_back({m.time_s, kBreak, kBreak});
+      picture.slices.push_back({m.time_s, kBreak, kBreak});
     }
     if (!std::isfinite(m.contact_force_uN)) continue;
     const bool has_interval = std::isfinite(m.contact_force_lower_uN) && std::isfinite(m.contact_force_upper_uN);
     band.slices.push_back({m.time_s, has_interval ? m.contact_force_lower_uN : m.contact_force_uN,
                            has_interval ? m.contact_force_upper_uN : m.contact_force_uN});
+    const bool has_parts = std::isfinite(m.contact_force_picture_lower_uN);
+    picture.slices.push_back({m.time_s, has_parts ? m.contact_force_picture_lower_uN : m.contact_force_uN,
+                              has_parts ? m.contact_force_picture_upper_uN : m.contact_force_uN});
   }
-  chart.bands.push_back(std::move(band));
+  chart.bands = {std::move(band), std::move(picture)};
   chart.marks = moments(cell);
   chart.x_held = {input.rows[range.begin].time_s, input.rows[range.end - 1].time_s};
   const ContactPassport& main = cell.main_contact();
@@ -97,7 +101,7 @@ Chart force_over_depth(const PassportInput& input, const CellPassport& cell) {
   chart.x_held = {0.0};
   const ContactPassport& main = cell.main_contact();
   ChartLine insertion{{}, "curve", "insertion"}, removal{{}, "removal", "removal"};
-  ChartBand band;
+  ChartBand band, picture;
   for (std::size_t i = main.rows.begin; i < main.rows.end; ++i) {
     const Measurement& m = input.rows[i];
     if (!has_force_and_depth(m)) continue;
@@ -108,13 +112,16 @@ Chart force_over_depth(const PassportInput& input, const CellPassport& cell) {
       const bool is_further = band.slices.empty() || m.indentation_um > band.slices.back().x;
       if (is_further && std::isfinite(m.contact_force_lower_uN) && std::isfinite(m.contact_force_upper_uN)) {
         band.slices.push_back({m.indentation_um, m.contact_force_lower_uN, m.contact_force_upper_uN});
+        const bool has_parts = std::isfinite(m.contact_force_picture_lower_uN);
+        picture.slices.push_back({m.indentation_um, has_parts ? m.contact_force_picture_lower_uN : m.contact_force_uN,
+                                  has_parts ? m.contact_force_picture_upper_uN : m.contact_force_uN});
       }
     } else if (std::isnan(main.puncture_s) || m.time_s < main.puncture_s) {
       if (removal.points.empty() && !insertion.points.empty()) removal.points.push_back(insertion.points.back());
       removal.points.push_back(point);
     }
   }
-  chart.bands.push_back(std::move(band));
+  chart.bands = {std::move(band), std::move(picture)};
   if (removal.points.empty()) insertion.label = "";
   chart.lines = {std::move(insertion), std::move(removal)};
   if (!std::isnan(main.puncture_force_uN)) {

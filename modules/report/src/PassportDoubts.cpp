@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "StreamFacts.h"
 #include "pellucida/core/NewCellNote.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/mechanics/ForceEstimate.h"
@@ -85,10 +86,13 @@ std::vector<std::string> contact_doubts(const PassportInput& input, const Contac
   if (contact.confidence < kLowConfidence) {
     doubts.push_back(sentence("low confidence: %.0f %% in the median", 100.0 * contact.confidence));
   }
-  const double half_uN = 0.5 * (contact.peak_force_upper_uN - contact.peak_force_lower_uN);
-  if (half_uN > kWide_ratio * contact.peak_force_uN) {
-    doubts.push_back(sentence("a wide interval: the peak force is known to +- %.0f %% only",
-                              100.0 * half_uN / contact.peak_force_uN));
+  // How single cells differ is no fault of this recording; earlier versions' intervals did not contain it.
+  const bool has_parts = std::isfinite(contact.picture_sigma_percent);
+  const double half_percent =
+      has_parts ? 1.96 * contact.picture_sigma_percent
+                : 50.0 * (contact.peak_force_upper_uN - contact.peak_force_lower_uN) / contact.peak_force_uN;
+  if (half_percent > 100.0 * kWide_ratio) {
+    doubts.push_back(sentence("a wide interval: the picture shows the peak force to +- %.0f %% only", half_percent));
   }
   if (contact.outcome == "punctured" && std::isnan(contact.puncture_force_uN)) {
     doubts.emplace_back("the puncture was seen, but no force just before it");
@@ -140,6 +144,7 @@ std::vector<std::string> session_doubts(const SessionReader& session, const Pass
     doubts.push_back(std::to_string(session.skipped_row_count()) +
                      " row(s) can't be read or were changed, and are left out; run pellucida check on the session");
   }
+  for (std::string& one : frame_doubts(session)) doubts.push_back(std::move(one));
   return doubts;
 }
 

@@ -7,6 +7,7 @@
 #include "PassportCharts.h"
 #include "PassportDoubts.h"
 #include "PassportStyle.h"
+#include "StreamFacts.h"
 #include "pellucida/core/Html.h"
 #include "pellucida/core/Version.h"
 #include "pellucida/report/PassportReport.h"
@@ -134,6 +135,13 @@ std::string summary(std::span<const CellPassport> cells, const PassportInput& in
   return html + "</tbody></table></div>\n" + comparison_chart(input, cells);
 }
 
+// Which of the two opens the interval.
+std::string parts_of(const C& contact) {
+  if (!std::isfinite(contact.picture_sigma_percent) || !std::isfinite(contact.scale_sigma_percent)) return {};
+  return tag("dd class=\"interval\"", "picture &#177;" + fixed_number(contact.picture_sigma_percent, 0) +
+                                          " %, scale &#177;" + fixed_number(contact.scale_sigma_percent, 0) + " %");
+}
+
 std::string headline(const C& contact, const PassportInput& input) {
   std::string html = "<dl class=\"headline\">\n";
   const bool punctured = contact.outcome == "punctured";
@@ -145,6 +153,7 @@ std::string headline(const C& contact, const PassportInput& input) {
     html += "<div>" + tag("dt", std::string(contact_fields()[index].label));
     html += number.value.empty() ? tag("dd class=\"missing\"", reason(contact, name, input)) : tag("dd", number.value);
     if (!number.interval.empty()) html += tag("dd class=\"interval\"", number.interval);
+    if (std::string_view(name) == "peak_force_uN") html += parts_of(contact);
     html += "</div>\n";
   }
   return html + "</dl>\n";
@@ -210,8 +219,8 @@ std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-std::string fact(const char* name, const std::string& value) {
-  return "<div>" + tag("dt", name) + tag("dd", html_text(value)) + "</div>\n";
+std::string fact(const char* name, const std::string& value, const char* kind = "") {
+  return std::string("<div") + kind + ">" + tag("dt", name) + tag("dd", html_text(value)) + "</div>\n";
 }
 
 std::string facts(const SessionReader& session, std::size_t cell_count) {
@@ -224,12 +233,13 @@ std::string facts(const SessionReader& session, std::size_t cell_count) {
                                                              " (from: " + or_none(source.pixel_size_origin) + ')'
                                                        : "not recorded";
   std::string profile = or_none(info.profile_name);
-  if (!info.palpation_json.empty()) profile += ", scaled to this cell by a palpation";
+  if (!info.palpation_json.empty()) profile += ", scaled to this cell by a measurement";
   return "<dl class=\"facts\">\n" + fact("Recorded (UTC)", or_none(session.created())) +
          fact("Source", or_none(source.name)) + fact("Image", size) + fact("Pixel size", pixel) +
          fact("Cell profile", profile) +
          fact("Content", counted(session.measurements().size(), "frame") + ", " + counted(cell_count, "cell")) +
-         "</dl>\n";
+         fact("Incomplete frames", incomplete_frame_words(session)) +
+         fact("Clocks", clock_words(session), " class=\"wide\"") + "</dl>\n";
 }
 
 std::string joined(const Json& object) {
@@ -273,10 +283,12 @@ std::string glossary() {
 }
 
 constexpr const char* kReadingHelp =
-    "Each number comes with its 95 % interval, where the session has one. It covers the errors of depth, shape, "
-    "model and geometry, and the profile's scale; it does not cover how much single cells of one kind differ, unless "
-    "this cell was palpated. Work and stiffness take the force's interval with them. A puncture's force after the "
-    "event is 0 by definition, not measured.";
+    "Each number comes with its 95 % interval, where the session has one. It is the whole: what the picture leaves "
+    "open (depth, shape, model, sizes) and what the scale does (how single cells of one kind differ, less once this "
+    "cell's scale was measured). Both are given for the peak force, as standard deviations: numbers of one cell differ "
+    "by the picture's part alone, since the scale is one factor on all of them. Sessions of earlier versions give one "
+    "interval, which does not contain how cells differ. Work and stiffness take the force's interval with them. A "
+    "puncture's force after the event is 0 by definition, not measured.";
 
 }  // namespace
 

@@ -19,6 +19,7 @@ h3 { margin: 0 0 2px; font-size: 12px; color: var(--dim); font-weight: 600; }
 .kind { margin: 0; white-space: nowrap; color: var(--dim); font-size: 13px; }
 .facts { display: grid; grid-template-columns: repeat(3, 1fr); gap: 8px 20px; margin: 14px 0 0; padding: 10px 0;
   border-top: 2px solid var(--ink); border-bottom: 1px solid var(--rule); }
+.facts .wide { grid-column: span 2; }
 .facts dt { color: var(--dim); font-size: 12px; }
 .facts dd { margin: 0; overflow-wrap: anywhere; }
 table { border-collapse: collapse; width: 100%; }

@@ -56,6 +56,14 @@ constexpr PassportField<C> kContactFields[] = {
     {{"peak_force_upper_uN", "uN", &C::peak_force_upper_uN, kAny, kUpper}, ""},
     {{"peak_force_depth_um", "um", &C::peak_force_depth_um, kAny, "indentation in that frame"}, "Depth at peak force"},
     {{"peak_force_s", "s", &C::peak_force_s, kAny, "time of that frame"}, "Time of peak force"},
+    {{"picture_sigma_percent", "%", &C::picture_sigma_percent, kAny,
+      "what the picture leaves open of that force (depth, sizes, model): standard deviation over the force; between "
+      "forces on the same cell nothing else counts"},
+     "Open by the picture"},
+    {{"scale_sigma_percent", "%", &C::scale_sigma_percent, kAny,
+      "what the scale leaves open: how single cells of the kind differ, or what is left of it once this cell's scale "
+      "was measured; one factor on all its forces, works and stiffnesses"},
+     "Open by the scale"},
     {{"largest_depth_um", "um", &C::largest_depth_um, kAny, "largest indentation, before the puncture if there is one"},
      "Largest depth"},
     {{"largest_pressure_Pa", "Pa", &C::largest_pressure_Pa, kAny, "largest excess pressure inside the cell"},

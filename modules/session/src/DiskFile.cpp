@@ -1,11 +1,13 @@
 #include "DiskFile.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <memory>
 #include <system_error>
 
 #include "SessionLock.h"
@@ -66,6 +68,16 @@ bool is_present(const std::filesystem::path& file) {
 bool is_plain_file(const std::filesystem::path& file) {
   std::error_code code;
   return std::filesystem::symlink_status(file, code).type() == std::filesystem::file_type::regular;
+}
+
+void for_each_entry(const std::filesystem::path& folder, const std::function<void(const char*, bool)>& use) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::opendir(folder.c_str()), &::closedir);
+  if (!entries) return;
+  // The kind comes with the name, so that no file is touched; some file systems don't have it there.
+  while (const dirent* entry = ::readdir(entries.get())) {
+    const bool known = entry->d_type != DT_UNKNOWN;
+    use(entry->d_name, known ? entry->d_type == DT_REG : is_plain_file(folder / entry->d_name));
+  }
 }
 
 AppendFile::AppendFile(const std::filesystem::path& file, std::string_view header) : file_(file) {

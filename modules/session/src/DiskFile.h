@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,10 @@ std::string read_whole_file(const std::filesystem::path& file, std::uint64_t mos
 bool is_present(const std::filesystem::path& file);
 /// Whether this is a file itself: no link, folder, pipe or device.
 bool is_plain_file(const std::filesystem::path& file);
+
+/// Calls `use` for each entry of a folder with its name and whether it is a file itself (no link, folder, pipe or
+/// device); in no order. A folder that can't be read has none.
+void for_each_entry(const std::filesystem::path& folder, const std::function<void(const char*, bool)>& use);
 
 /// A table that grows at its end, a line at a time, each handed to the system at once.
 class AppendFile {

@@ -21,9 +21,10 @@ OutputError sync_error(const std::filesystem::path& folder, int reason) {
 
 }  // namespace
 
-DiskSync::DiskSync(const std::filesystem::path& folder) : folder_(folder) {
+DiskSync::DiskSync(const std::filesystem::path& folder, SessionSync when) : folder_(folder) {
   descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) throw sync_error(folder_, errno);
+  if (when == SessionSync::kAtEnd) return;
   thread_ = std::jthread([this](std::stop_token stop) {
     std::unique_lock lock(mutex_);
     // Wakes early only to stop.
@@ -36,7 +37,7 @@ DiskSync::DiskSync(const std::filesystem::path& folder) : folder_(folder) {
 
 DiskSync::~DiskSync() {
   thread_.request_stop();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
   ::close(descriptor_);
 }
 

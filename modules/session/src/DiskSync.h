@@ -5,19 +5,21 @@
 #include <mutex>
 #include <thread>
 
+#include "pellucida/session/SessionInfo.h"
+
 namespace pellucida {
 
 /// Asks the system onto the disk what was written below a folder, each half second, on a thread of its own: so that a
-/// power cut loses at most the last second without any write ever waiting for the disk.
+/// power cut loses at most the last second without any write ever waiting for the disk. Or at the end alone.
 class DiskSync {
  public:
   /// Throws OutputError when the folder can't be opened.
-  explicit DiskSync(const std::filesystem::path& folder);
+  DiskSync(const std::filesystem::path& folder, SessionSync when);
   ~DiskSync();
   DiskSync(const DiskSync&) = delete;
   DiskSync& operator=(const DiskSync&) = delete;
 
-  /// Tells that something was written.
+  /// Notes that something was written.
   void mark() noexcept { pending_.store(true, std::memory_order_release); }
 
   /// Waits until all is on the disk. Throws OutputError when the disk reported a failure, now or on the thread before.

@@ -12,7 +12,6 @@
 #include <new>
 
 #include "Checksum.h"
-#include "DataHeader.h"
 #include "DiskFile.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"

@@ -1,10 +1,10 @@
 #pragma once
 #include <filesystem>
 
-#include "DataFile.h"
 #include "SessionFolder.h"
 #include "SessionIndex.h"
 #include "pellucida/core/SourceInfo.h"
+#include "pellucida/vtk_files/DataFile.h"
 
 namespace pellucida {
 

@@ -11,8 +11,8 @@
 
 #include "DiskFile.h"
 #include "SessionFolder.h"
-#include "Silence.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/vtk_files/Silence.h"
 
 namespace pellucida {
 namespace {

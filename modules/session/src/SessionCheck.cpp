@@ -15,6 +15,8 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/session/SessionClocks.h"
+#include "pellucida/vtk_files/DataFile.h"
 
 namespace pellucida {
 namespace {
@@ -32,6 +34,11 @@ std::string printable(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 0x20U || c == 0x7FU; }, '?');
   return text;
+}
+
+// To a tenth, for a reader.
+double rounded(double value) {
+  return std::round(10.0 * value) / 10.0;
 }
 
 // A table; an empty one where there is none, or something else in its place.
@@ -65,6 +72,8 @@ class Check {
           found_.files.temporary.front().lexically_relative(folder_).string());
     }
     check_pvd();
+    check_empty();
+    tell_clocks();
     count();
     return std::move(found_);
   }
@@ -162,6 +171,10 @@ class Check {
     for (const long block : found_.files.hand_blocks) look_for({kHandKind, block});
     if (without > 0) lag("checksums.csv: lacks " + std::to_string(without) + " data file(s)");
 
+    const auto doubled = std::adjacent_find(table.rows.begin(), table.rows.end(),
+                                            [](const auto& one, const auto& next) { return one.name == next.name; });
+    if (doubled != table.rows.end()) problem("checksums.csv: more than one row for " + data_file(doubled->name));
+
     std::size_t missing = 0;
     std::string first;
     for (const FileChecksum& row : table.rows) {
@@ -256,6 +269,32 @@ class Check {
     }
   }
 
+  // How well the times of camera and hand agree.
+  void tell_clocks() {
+    const auto clocks = found_.head_readable ? clock_fit_of(found_.head.info) : std::nullopt;
+    if (!clocks) return;
+    report_.notes.push_back("clocks: the source's drifts by " + csv_number(rounded(clocks->drift_ppm)) + " ppm (+- " +
+                            csv_number(rounded(clocks->drift_sigma_ppm)) + ") against that of hand and injector; " +
+                            csv_number(rounded(1e3 * clocks->scatter_s)) + " ms of scatter");
+  }
+
+  // The same content in every session; sessions of earlier versions may have it as VTK's own writer made it.
+  void check_empty() {
+    const fs::path file = folder_ / session_name::kEmpty;
+    if (!is_plain_file(file)) {
+      if (!is_present(file)) problem("empty.vtp is missing");
+      return;
+    }
+    try {
+      const std::string content = read_whole_file(file);
+      found_.empty_right =
+          content == empty_poly_file() || (!found_.checksums.present && poly_from(content)->GetNumberOfPoints() == 0);
+    } catch (const InputError&) {
+      found_.empty_right = false;
+    }
+    if (!found_.empty_right) problem("empty.vtp: is not the empty part that this version writes");
+  }
+
   // What is really there: readable files that belong to a row.
   void count() {
     SessionCounts& counts = report_.counts;
@@ -263,7 +302,7 @@ class Check {
     counts.event_count = found_.events.rows.size();
     counts.unmeasured_count = static_cast<std::uint64_t>(std::count_if(
         found_.measurements.rows.begin(), found_.measurements.rows.end(), [](const auto& row) { return !row.state; }));
-    for (const Event& event : found_.events.rows) counts.dropped_count += dropped_frame_count(event);
+    for (const Event& event : found_.events.rows) count_left_out(event, counts);
     const std::set<std::string> unreadable(found_.unreadable.begin(), found_.unreadable.end());
     const auto add = [&](const DataName& name, std::uint64_t& file_count) {
       const std::string file = data_file(name);
@@ -291,13 +330,14 @@ class Check {
   void compare_counts(const SessionCounts& counts) {
     if (!found_.head_readable || !(found_.head.complete || found_.head.recovered)) return;
     const SessionCounts& stated = found_.head.counts;
-    const auto compare = [&](const std::string& what, std::uint64_t said, std::uint64_t is) {
+    const auto compare = [&](const std::string& what, std::uint64_t said, std::uint64_t is, const char* where = "") {
       if (said != is) {
-        problem("session.json: says " + std::to_string(said) + ' ' + what + ", there are " + std::to_string(is));
+        problem("session.json: says " + std::to_string(said) + ' ' + what + ", there are " + std::to_string(is) +
+                where);
       }
     };
-    compare("steps", stated.step_count, counts.step_count);
-    compare("events", stated.event_count, counts.event_count);
+    compare("steps", stated.step_count, counts.step_count, " in measurements.csv");
+    compare("events", stated.event_count, counts.event_count, " in events.csv");
     compare("files of the hand", stated.hand_block_count, counts.hand_block_count);
     for (const PartNames& names : kParts) {
       compare(std::string(names.folder) + " files", stated.files(names.part), counts.files(names.part));

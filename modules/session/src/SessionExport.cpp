@@ -18,6 +18,7 @@
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/session/Annotations.h"
 #include "pellucida/session/SessionReader.h"
 
 namespace pellucida {
@@ -295,6 +296,13 @@ ExportReport export_session(const fs::path& session_folder, const fs::path& outp
   copy_table(output / session_name::kEvents, session_name::kEventsHeader,
              read_events(session_folder / session_name::kEvents, checked));
   report.files.push_back(output / session_name::kEvents);
+  Leniency lenient("file of annotations");
+  lenient.read([&] {
+    const std::vector<Annotation> annotations = read_annotations(session_folder);
+    write_annotations(output, annotations);
+    if (!annotations.empty()) report.files.push_back(output / kAnnotationsFile);
+  });
+  lenient.report(report.notes);
   write_contours(session, output, options, report);
   write_nodes(session, output, chosen, report);
   write_hand(session, output, report);
@@ -310,6 +318,17 @@ ExportReport export_session(const fs::path& session_folder, const fs::path& outp
   }
   if (!session.complete()) report.notes.emplace_back("the session was cut off: what it holds up to there was exported");
   return report;
+}
+
+std::size_t telling_step(const SessionReader& session) {
+  const auto score = [](const Measurement& m) {
+    if (m.contact_force_uN > 0.0) return 1.0 + m.contact_force_uN;
+    return std::isnan(m.confidence) ? -1.0 : m.confidence;
+  };
+  const std::vector<Measurement>& rows = session.measurements();
+  const auto best =
+      std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) { return score(a) < score(b); });
+  return static_cast<std::size_t>(best - rows.begin());
 }
 
 }  // namespace pellucida

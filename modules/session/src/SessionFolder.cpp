@@ -10,6 +10,8 @@
 namespace pellucida {
 namespace {
 
+constexpr std::size_t kNumberDigits = 8;
+
 // `folder/stem_00000012.vtp`
 std::string numbered_file(const char* folder, const char* stem, const char* extension, long number) {
   char digits[32];
@@ -19,11 +21,13 @@ std::string numbered_file(const char* folder, const char* stem, const char* exte
 
 // The number in `stem_00000012.vtp`.
 std::optional<long> number_of(const char* stem, std::string_view extension, std::string_view file_name) {
-  const std::string start = std::string(stem) + '_';
-  if (!file_name.starts_with(start) || !file_name.ends_with(extension)) return std::nullopt;
-  if (file_name.size() <= start.size() + extension.size()) return std::nullopt;
+  const std::size_t start = std::string_view(stem).size();
+  if (!file_name.starts_with(stem) || !file_name.ends_with(extension)) return std::nullopt;
+  if (file_name.size() <= start + 1 + extension.size() || file_name[start] != '_') return std::nullopt;
 
-  const std::string_view digits = file_name.substr(start.size(), file_name.size() - start.size() - extension.size());
+  const std::string_view digits = file_name.substr(start + 1, file_name.size() - start - 1 - extension.size());
+  // One name for one number: neither more zeros nor fewer.
+  if (digits.size() < kNumberDigits || (digits.size() > kNumberDigits && digits[0] == '0')) return std::nullopt;
   long number = 0;
   const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (code != std::errc() || end != digits.data() + digits.size() || number < 0) return std::nullopt;
@@ -59,17 +63,14 @@ std::optional<DataName> data_name_of(std::string_view relative_file) {
   if (slash == std::string_view::npos) return std::nullopt;
   const std::string_view folder = relative_file.substr(0, slash);
   const std::string_view file = relative_file.substr(slash + 1);
-  std::optional<DataName> name;
   for (const PartNames& names : kParts) {
     if (folder != names.folder) continue;
-    if (const auto index = frame_index_of(names.part, file)) name = data_name(names.part, *index);
+    if (const auto index = frame_index_of(names.part, file)) return data_name(names.part, *index);
   }
   if (folder == session_name::kHaptics) {
-    if (const auto block = hand_block_of(file)) name = DataName{kHandKind, *block};
+    if (const auto block = hand_block_of(file)) return DataName{kHandKind, *block};
   }
-  // One name for one number: neither more zeros nor fewer.
-  if (name && data_file(*name) != relative_file) name.reset();
-  return name;
+  return std::nullopt;
 }
 
 bool is_own_temporary(std::string_view relative_file) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "DiskFile.h"
 #include "pellucida/core/Error.h"
@@ -18,21 +19,31 @@ constexpr std::size_t kMostLineBytes = 1U << 16U;
 // A damaged session has some; with more, it is no table of a session.
 constexpr std::size_t kMostBadLines = 100000;
 
-double finite_number(const std::string& cell, const char* column) {
+double finite_number(std::string_view cell, const char* column) {
   double value = 0.0;
   const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (cell.empty() || code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-    throw InputError("\"" + cell + "\" in column " + column + " is not a number");
+    throw InputError("\"" + std::string(cell) + "\" in column " + column + " is not a number");
   }
   return value;
 }
 
 // Digits alone; a number of a frame is stamped as Int32.
-void require_frame_number(const std::string& cell) {
+void require_frame_number(std::string_view cell) {
   std::int32_t frame = -1;
   const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), frame);
   if (code != std::errc() || end != cell.data() + cell.size() || frame < 0) {
-    throw InputError("\"" + cell + "\" in column frame is not a whole number");
+    throw InputError("\"" + std::string(cell) + "\" in column frame is not a whole number");
+  }
+}
+
+// What was not measured is an empty cell, never "nan".
+void require_digits(std::span<const std::string_view> cells) {
+  constexpr std::size_t kState = 2;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i != kState && cells[i].find_first_of("nN") != std::string_view::npos) {
+      throw InputError("\"" + std::string(cells[i]) + "\" is not a number");
+    }
   }
 }
 
@@ -46,27 +57,32 @@ void require_meaning(const Measurement& row) {
   }
 }
 
-Measurement parse_measurement(std::string_view line, const std::vector<Measurement>& before) {
-  const auto cells = split_csv(line);
+Measurement parse_measurement(std::span<const std::string_view> cells, const std::vector<Measurement>& before) {
   require_frame_number(cells[0]);
-  if (cells.size() > 1) finite_number(cells[1], "time_s");
-  const Measurement row = measurement_from_csv(line);
+  constexpr double kLongest_s = 1e9;
+  if (cells.size() > 1 && std::abs(finite_number(cells[1], "time_s")) > kLongest_s) {
+    throw InputError("\"" + std::string(cells[1]) + "\" in column time_s is no time of a session");
+  }
+  require_digits(cells);
+  const Measurement row = measurement_from_cells(cells);
   require_meaning(row);
   if (!before.empty() && row.frame <= before.back().frame) throw InputError("frame number does not rise");
   return row;
 }
 
-Event parse_event(std::string_view line, const std::vector<Event>&) {
-  const auto cells = split_csv(line);
+void require_three(std::span<const std::string_view> cells) {
   if (cells.size() < 3) throw InputError("a row of " + std::to_string(cells.size()) + " cells; 3 are needed");
-  return {finite_number(cells[0], "time_s"), cells[1], cells[2]};
 }
 
-FileChecksum parse_checksum(std::string_view line, const std::vector<FileChecksum>&) {
-  const auto cells = split_csv(line);
-  if (cells.size() < 3) throw InputError("a row of " + std::to_string(cells.size()) + " cells; 3 are needed");
+Event parse_event(std::span<const std::string_view> cells, const std::vector<Event>&) {
+  require_three(cells);
+  return {finite_number(cells[0], "time_s"), std::string(cells[1]), std::string(cells[2])};
+}
+
+FileChecksum parse_checksum(std::span<const std::string_view> cells, const std::vector<FileChecksum>&) {
+  require_three(cells);
   const auto name = data_name_of(cells[0]);
-  if (!name) throw InputError("\"" + cells[0] + "\" is no data file of a session");
+  if (!name) throw InputError("\"" + std::string(cells[0]) + "\" is no data file of a session");
   FileChecksum file{.name = *name};
   const auto [end, code] = std::from_chars(cells[1].data(), cells[1].data() + cells[1].size(), file.byte_count);
   const auto checksum = crc32_from(cells[2]);
@@ -119,6 +135,7 @@ SessionTable<Row> read_table(const std::filesystem::path& file, std::string_view
   table.lines.reserve(table.rows.capacity());
   bool header_checked = false;
   std::size_t number = 0;
+  CsvCells cells;
   for (std::size_t start = 0; start < text.size();) {
     const std::size_t end = text.find('\n', start);
     const bool whole = end != std::string_view::npos;
@@ -141,7 +158,7 @@ SessionTable<Row> read_table(const std::filesystem::path& file, std::string_view
         if (!row) throw InputError("its checksum is wrong: it was changed after it was written");
         line = *row;
       }
-      table.rows.push_back(parse(line, table.rows));
+      table.rows.push_back(parse(cells.split(line), table.rows));
       table.lines.push_back(line);
     } catch (const Error& error) {
       table.bad.push_back({number, line, error.what()});
@@ -163,6 +180,8 @@ SessionTable<Row> read_table(const std::filesystem::path& file, std::string_view
 // Puts rows and lines into the order of what `key` says of a row; rows of the same stay as they are.
 template <class Row, class Key>
 void sort_table(SessionTable<Row>& table, Key key) {
+  const auto rises = [&](const Row& a, const Row& b) { return key(a) < key(b); };
+  if (std::is_sorted(table.rows.begin(), table.rows.end(), rises)) return;
   std::vector<std::size_t> order(table.rows.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -210,11 +229,12 @@ std::string to_csv(const FileChecksum& file) {
   return data_file(file.name) + ',' + std::to_string(file.byte_count) + ',' + crc32_text(file.crc32);
 }
 
-std::uint64_t dropped_frame_count(const Event& event) {
-  if (event.kind != event_kind::kDropped) return 0;
+void count_left_out(const Event& event, SessionCounts& counts) {
+  const bool dropped = event.kind == event_kind::kDropped;
+  if (!dropped && event.kind != event_kind::kThinned) return;
   std::uint64_t count = 1;
   std::from_chars(event.detail.data(), event.detail.data() + event.detail.size(), count);
-  return count;
+  (dropped ? counts.dropped_count : counts.thinned_count) += count;
 }
 
 void sort_events(const std::filesystem::path& file) {
@@ -231,16 +251,14 @@ SessionFiles list_files(const std::filesystem::path& session) {
   namespace fs = std::filesystem;
   SessionFiles files;
   const auto look_at = [&](const std::string& folder) {
-    std::error_code status;
-    for (fs::directory_iterator i(folder.empty() ? session : session / folder, status), end; !status && i != end;
-         i.increment(status)) {
-      const fs::directory_entry& entry = *i;
-      const std::string name = (folder.empty() ? "" : folder + '/') + entry.path().filename().string();
-      std::error_code code;
-      const bool plain = entry.symlink_status(code).type() == fs::file_type::regular;
-      if (plain && is_own_temporary(name)) files.temporary.push_back(entry.path());
+    std::string name = folder.empty() ? "" : folder + '/';
+    const std::size_t start = name.size();
+    for_each_entry(folder.empty() ? session : session / folder, [&](const char* entry, bool plain) {
+      name.resize(start);
+      name += entry;
+      if (plain && is_own_temporary(name)) files.temporary.push_back(session / name);
       const auto data = data_name_of(name);
-      if (!data) continue;
+      if (!data) return;
       if (!plain) {
         files.strange.push_back(name);
       } else if (data->kind == kHandKind) {
@@ -248,7 +266,7 @@ SessionFiles list_files(const std::filesystem::path& session) {
       } else {
         files.frames[static_cast<std::size_t>(data->kind)].push_back(data->number);
       }
-    }
+    });
   };
   look_at("");
   for (const char* name : kOwnFiles) {
@@ -274,10 +292,15 @@ SessionFiles list_files(const std::filesystem::path& session) {
 std::vector<SessionStep> make_steps(const std::vector<Measurement>& rows, const SessionFiles& files) {
   std::vector<SessionStep> steps;
   steps.reserve(rows.size());
+  std::array<std::size_t, kSessionPartCount> next{};
   for (const Measurement& row : rows) {
     SessionStep step{.frame_index = row.frame, .time_s = row.time_s};
     for (std::size_t part = 0; part < kSessionPartCount; ++part) {
-      step.present[part] = std::binary_search(files.frames[part].begin(), files.frames[part].end(), row.frame);
+      // Rows and files rise together.
+      const std::vector<long>& frames = files.frames[part];
+      std::size_t& at = next[part];
+      while (at < frames.size() && frames[at] < row.frame) ++at;
+      step.present[part] = at < frames.size() && frames[at] == row.frame;
     }
     steps.push_back(step);
   }

@@ -34,6 +34,13 @@ struct SessionTable {
   std::vector<std::string_view> lines;      ///< their text, without checksum and line end
   std::vector<BadLine> bad;                 ///< the others, the first line too where it is neither header nor row
   std::shared_ptr<const std::string> text;  ///< what `lines` and `bad` look at
+
+  /// Keeps the rows alone.
+  void forget_text() {
+    lines = {};
+    bad = {};
+    text.reset();
+  }
 };
 
 /// What `checksums.csv` says of a data file.
@@ -93,9 +100,9 @@ bool in_order(const SessionTable<Row>& table) {
 /// Puts the lines of a whole table of events into the order of time. Throws OutputError.
 void sort_events(const std::filesystem::path& file);
 
-/// How many frames lost their image in an event: 0 for all kinds but `dropped`; of that the number its detail begins
-/// with, or 1.
-std::uint64_t dropped_frame_count(const Event& event);
+/// Adds the frames that an event says were written without their image (`dropped`) or surface (`thinned`): the number
+/// that its detail begins with, or 1.
+void count_left_out(const Event& event, SessionCounts& counts);
 
 /// What the folders of a session hold, by name and kind only. Links are never followed.
 struct SessionFiles {

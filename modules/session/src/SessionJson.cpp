@@ -7,6 +7,8 @@
 #include "SessionFolder.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/session/SessionClocks.h"
+#include "pellucida/vtk_files/SurfacePrecision.h"
 
 namespace pellucida {
 namespace {
@@ -71,6 +73,7 @@ Json counts_json(const SessionCounts& counts) {
   object["unmeasured"] = counts.unmeasured_count;
   object["events"] = counts.event_count;
   object["dropped"] = counts.dropped_count;
+  object["thinned"] = counts.thinned_count;
   object["bytes"] = counts.byte_count;
   return object;
 }
@@ -85,8 +88,17 @@ SessionCounts counts_from(const Json& head) {
   take(object, "unmeasured", counts.unmeasured_count);
   take(object, "events", counts.event_count);
   take(object, "dropped", counts.dropped_count);
+  take(object, "thinned", counts.thinned_count);
   take(object, "bytes", counts.byte_count);
   return counts;
+}
+
+// How finely the surfaces are kept; sessions without it hold them as they came from the model.
+Json surface_precision_json() {
+  return {{"place_step_um", surface_precision::kPlaceStep_um},
+          {"direction_step", surface_precision::kDirectionStep},
+          {"force_step_per_sigma", surface_precision::kForceStepShare},
+          {"relative_bits", surface_precision::kRelativeBits}};
 }
 
 // The last key is the checksum of the text before it.
@@ -188,8 +200,10 @@ std::string to_json(const SessionHead& head) {
   json["command_line"] = info.command_line;
   json["seeds"] = info.seeds;
   json["clock_offsets_s"] = info.clock_offsets_s;
+  if (!info.clocks_json.empty()) json["clocks"] = Json::parse(info.clocks_json, nullptr, false);
   json["drop_policy"] = info.drop_policy;
   json["frames_kept"] = head.options.frames;
+  if (head.options.layout == SessionLayout::kCompact) json["surface_precision"] = surface_precision_json();
   json["counts"] = counts_json(head.counts);
   return checked_text(json);
 }
@@ -207,6 +221,7 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     take(json, "complete", head.complete);
     take(json, "recovered", head.recovered);
     take(json, "frames_kept", head.options.frames);
+    head.options.layout = json.contains("surface_precision") ? SessionLayout::kCompact : SessionLayout::kWide;
     take(object_at(json, "software"), "version", info.software_version);
     info.source = source_from(json);
     const Json profile = object_at(json, "profile");
@@ -218,6 +233,7 @@ SessionHead read_session_json(const std::filesystem::path& file) {
     take(json, "command_line", info.command_line);
     take(json, "seeds", info.seeds);
     take(json, "clock_offsets_s", info.clock_offsets_s);
+    if (json.contains("clocks")) info.clocks_json = json["clocks"].dump();
     take(json, "drop_policy", info.drop_policy);
     head.counts = counts_from(json);
     require_possible(file, head);
@@ -234,6 +250,24 @@ std::string repaired_json(const std::filesystem::path& file, const SessionCounts
   json["recovered"] = true;
   json["counts"] = counts_json(counts);
   return checked_text(json);
+}
+
+std::optional<ClockFit> clock_fit_of(const SessionInfo& info) {
+  const Json json = Json::parse(info.clocks_json, nullptr, false);
+  const auto found = json.is_object() ? json.find("source_to_run") : json.end();
+  if (found == json.end() || !found->is_object() || found->empty()) return std::nullopt;
+  const Json& line = *found;
+  ClockFit fit;
+  try {
+    take(line, "offset_s", fit.offset_s);
+    take(line, "drift_ppm", fit.drift_ppm);
+    take(line, "drift_sigma_ppm", fit.drift_sigma_ppm);
+    take(line, "scatter_s", fit.scatter_s);
+    take(line, "pair_count", fit.pair_count);
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+  return fit;
 }
 
 }  // namespace pellucida

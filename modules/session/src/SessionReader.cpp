@@ -22,6 +22,7 @@ class SessionReader::Impl {
     }
     head_ = read_session_json(folder_ / session_name::kJson);
     checksums_ = read_checksums(folder_ / session_name::kChecksums);
+    checksums_.forget_text();
     auto measurements = read_measurements(folder_ / session_name::kMeasurements, checksums_.present);
     if (!measurements.present) {
       throw InputError(folder_.string() + ": measurements.csv is missing; the session can't be read without it");
@@ -47,9 +48,13 @@ class SessionReader::Impl {
     if (auto image = read_image(step)) scene.frame = Frozen(std::move(image));
     // Events belong to the step they came with: from its time up to the next one's.
     const bool last = index + 1 == steps_.size();
-    std::copy_if(events_.begin(), events_.end(), std::back_inserter(scene.events), [&](const Event& event) {
-      return event.time_s >= step.time_s && (last || event.time_s < steps_[index + 1].time_s);
-    });
+    const auto first_from = [&](double time_s) {
+      return std::lower_bound(events_.begin(), events_.end(), time_s,
+                              [](const Event& event, double from_s) { return event.time_s < from_s; });
+    };
+    const auto begin = first_from(step.time_s);
+    const auto end = last ? events_.end() : first_from(steps_[index + 1].time_s);
+    if (begin < end) scene.events.assign(begin, end);
     return scene;
   }
 

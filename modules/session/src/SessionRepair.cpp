@@ -1,10 +1,10 @@
 #include "SessionRepair.h"
 
 #include "Checksum.h"
-#include "DataFile.h"
 #include "DiskFile.h"
 #include "SessionFolder.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/vtk_files/DataFile.h"
 
 namespace pellucida {
 namespace {
@@ -138,6 +138,7 @@ void repair_session(const fs::path& folder, const SessionFindings& findings, Ses
   if (!in_order(findings.events)) sort_events(folder / session_name::kEvents);
 
   // Lists and counts anew from what is there now.
+  if (!findings.empty_right && is_present(folder / session_name::kEmpty)) put_aside(folder, session_name::kEmpty);
   if (!is_present(folder / session_name::kEmpty)) {
     replace_file(folder / session_name::kEmpty, empty_poly_file());
   }

@@ -19,6 +19,7 @@ struct SessionFindings {
   SessionFiles files;
   std::vector<std::string> unreadable;  ///< data files that can't be read, or are not what their checksum or stamp says
   bool pvd_right = false;
+  bool empty_right = true;
   double pixel_size_um = 0.0;  ///< of the first image that could be read; 0 for none
 };
 

@@ -2,21 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-#include "DataFile.h"
 #include "SessionFolder.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/core_vtk/DamageCounter.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/vtk_files/DataFile.h"
 
 namespace pellucida {
 namespace {
 
 /// A row's time has 9 significant digits, a file's stamp all of them.
-constexpr double kRowDigits_ratio = 1e-8;
+constexpr double kPlayedRowDigits_ratio = 1e-8;
 /// Spacing is written as text with 15 digits at most: nearer than this it is the session's own pixel size.
 constexpr double kSpacingDigits_ratio = 1e-9;
 
@@ -93,6 +95,7 @@ class SessionSource::Impl {
         chosen_(chosen_steps(reader_, options)) {
     require_images();
     describe();
+    find_damage();
   }
 
   std::optional<Frame> next() {
@@ -104,6 +107,7 @@ class SessionSource::Impl {
   }
 
   void restart() {
+    damage_ = {};
     position_ = 0;
     pass_ = 0;
     last_step_.reset();
@@ -197,7 +201,7 @@ class SessionSource::Impl {
     if (info_.width_px > 0 && (size[0] != info_.width_px || size[1] != info_.height_px)) {
       refuse(": not of the other images' size");
     }
-    const double tolerance_s = kRowDigits_ratio * (1.0 + std::abs(step.time_s));
+    const double tolerance_s = kPlayedRowDigits_ratio * (1.0 + std::abs(step.time_s));
     if (!(std::abs(stamped_time_s(image) - step.time_s) <= tolerance_s)) {
       refuse(": stamped with another time than its row's; run pellucida check on the session");
     }
@@ -211,6 +215,10 @@ class SessionSource::Impl {
     frame.gap_count = gap_before(index);
     frame.use = options_.all_frames || options_.backwards ? FrameUse::kMeasure : recorded_use(reader_, used_, index);
     frame.run_index = recorded_runs_before(step.frame_index) + static_cast<long>(pass_) * runs_in_pass();
+    const auto stretch = std::find_if(damaged_stretches_.begin(), damaged_stretches_.end(), [&](const auto& one) {
+      return step.time_s >= one.first && step.time_s < one.second;
+    });
+    frame.damage = damage_.add(stretch != damaged_stretches_.end(), "in the recording of this session");
     last_step_ = index;
     if (options_.backwards || pass_ > 0) {
       number_on(frame);
@@ -223,6 +231,18 @@ class SessionSource::Impl {
     }
     frame.image = Frozen<vtkImageData>(std::move(image));
     return frame;
+  }
+
+  // What was recorded from a damaged source stays so.
+  void find_damage() {
+    for (const Event& event : reader_.events()) {
+      if (event.kind != event_kind::kDamaged) continue;
+      if (!event.detail.starts_with("over")) {
+        damaged_stretches_.emplace_back(event.time_s, std::numeric_limits<double>::infinity());
+      } else if (!damaged_stretches_.empty()) {
+        damaged_stretches_.back().second = event.time_s;
+      }
+    }
   }
 
   // Mirrored within its pass, and moved to its place in the order of passes.
@@ -258,6 +278,8 @@ class SessionSource::Impl {
   std::size_t position_ = 0;
   int pass_ = 0;
   std::optional<std::size_t> last_step_;
+  std::vector<std::pair<double, double>> damaged_stretches_;  // times: from, and to without it
+  DamageCounter damage_;
 };
 
 SessionSource::SessionSource(const std::filesystem::path& folder, const PlaybackOptions& options)

@@ -1,25 +1,23 @@
 #include "pellucida/session/SessionWriter.h"
 
-#include <vtkFieldData.h>
-
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 #include "Checksum.h"
-#include "DataFile.h"
 #include "DiskFile.h"
 #include "DiskSync.h"
+#include "PartPacker.h"
 #include "SessionFolder.h"
 #include "SessionIndex.h"
 #include "SessionJson.h"
 #include "SessionProvenance.h"
+#include "StepStamp.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Table.h"
-#include "pellucida/core_vtk/OwnArrays.h"
 #include "pellucida/core_vtk/SceneData.h"
 
 namespace pellucida {
@@ -31,6 +29,7 @@ using SteadyTime = std::chrono::steady_clock::time_point;
 // The list of files grows with the session: it is rewritten so seldom that this share of the time is never exceeded.
 constexpr double kPvdTimeShare = 0.02;
 constexpr Seconds kHeadPeriod{1.0};
+constexpr double kRowDigits_ratio = 1e-8;
 
 std::string now_utc() {
   const std::time_t now = std::time(nullptr);
@@ -57,20 +56,14 @@ std::filesystem::path new_session_folder(const std::filesystem::path& folder) {
   return folder;
 }
 
-bool is_stamped_as(vtkDataObject* data, const SessionStep& step) {
-  vtkFieldData* field = data->GetFieldData();
-  return field->GetArray(array_name::kTime) && field->GetArray(array_name::kFrameIndex) &&
-         field->GetArray(array_name::kSchemaVersion) && stamped_time_s(data) == step.time_s &&
-         stamped_frame_index(data) == step.frame_index;
-}
-
 }  // namespace
 
 class SessionWriter::Impl {
  public:
   Impl(const std::filesystem::path& folder, const SessionInfo& info, SessionOptions options)
       : folder_(new_session_folder(folder)),
-        head_{.info = info, .options = options, .created = now_utc()},
+        head_{.info = info, .options = options, .created = options.rewritten ? options.rewritten->created : now_utc()},
+        packer_(options.layout),
         given_provenance_json_(info.provenance_json) {
     // The head comes first: from here on the folder is a session.
     write_head();
@@ -83,10 +76,10 @@ class SessionWriter::Impl {
     measurements_->lock();
     events_ = make_table(session_name::kEvents, session_name::kEventsHeader);
     write_pvd();
-    sync_ = std::make_unique<DiskSync>(folder_);
+    sync_ = std::make_unique<DiskSync>(folder_, options.sync);
   }
 
-  void write(const Scene& scene, Packing packing) {
+  void write(const Scene& scene, Packing packing, const StepParts& ready) {
     require_open();
     cost_ = {};
     const SteadyTime start = std::chrono::steady_clock::now();
@@ -102,9 +95,21 @@ class SessionWriter::Impl {
     step_checksums_.clear();
     const std::uint64_t checksum_bytes = checksums_->byte_count();
     try {
-      write_part(step, SessionPart::kSurface, scene.surface, counts, packing);
-      write_part(step, SessionPart::kMembranes, scene.membranes, counts, packing);
-      write_part(step, SessionPart::kTools, scene.tools, counts, packing);
+      if (ready.surface) {
+        write_surface(step, ready, counts);
+      } else {
+        write_part(step, SessionPart::kSurface, scene.surface, counts, packing);
+      }
+      if (ready.membranes) {
+        put_part(step, SessionPart::kMembranes, *ready.membranes, counts);
+      } else {
+        write_part(step, SessionPart::kMembranes, scene.membranes, counts, packing);
+      }
+      if (ready.tools) {
+        put_part(step, SessionPart::kTools, *ready.tools, counts);
+      } else {
+        write_part(step, SessionPart::kTools, scene.tools, counts, packing);
+      }
       if (head_.options.frames) write_part(step, SessionPart::kFrame, scene.frame, counts, packing);
       if (!step_checksums_.empty()) checksums_->append(step_checksums_);
       measurements_->append(signed_row(to_csv(row)));
@@ -114,7 +119,7 @@ class SessionWriter::Impl {
       throw;
     }
     steps_.push_back(step);
-    provenance_.add(scene);
+    if (!head_.options.rewritten) provenance_.add(scene);
     head_.counts = counts;
     ++head_.counts.step_count;
     if (!row.state) ++head_.counts.unmeasured_count;
@@ -132,11 +137,10 @@ class SessionWriter::Impl {
     const auto number = static_cast<long>(head_.counts.hand_block_count);
     if (number == 0) make_folder(folder_ / session_name::kHaptics);
     auto copy = block.shallow_copy();
-    give_own_arrays(copy);
     stamp(copy, time_s, number);
-    const std::string content = serialise(copy.Get());
+    const std::string content = packer_.pack_hand(copy.Get());
     replace_file(folder_ / hand_file(number), content);
-    checksums_->append(checksum_row({kHandKind, number}, content));
+    checksums_->append(checksum_row({kHandKind, number}, content.size(), crc32_of(content)));
     ++head_.counts.hand_block_count;
     file_byte_count_ += content.size();
     refresh();
@@ -152,13 +156,15 @@ class SessionWriter::Impl {
     if (closed_) return;
     if (!events_in_order_) sort_events(folder_ / session_name::kEvents);
     write_pvd();
-    head_.complete = true;
+    head_.complete = !was_cut_off();
+    head_.recovered = was_cut_off();
     try {
       write_head();
       sync_->mark();
       sync_->finish();
     } catch (...) {
       head_.complete = false;
+      head_.recovered = false;
       throw;
     }
     measurements_->unlock();
@@ -169,6 +175,7 @@ class SessionWriter::Impl {
   const std::filesystem::path& folder() const noexcept { return folder_; }
 
   void set_plan(std::string plan_json) { head_.info.plan_json = std::move(plan_json); }
+  void set_clocks(std::string clocks_json) { head_.info.clocks_json = std::move(clocks_json); }
   void set_palpation(std::string palpation_json) { head_.info.palpation_json = std::move(palpation_json); }
   void set_provenance(std::string provenance_json) { given_provenance_json_ = std::move(provenance_json); }
 
@@ -183,28 +190,42 @@ class SessionWriter::Impl {
     return std::make_unique<AppendFile>(folder_ / name, std::string(header) + ',' + kRowChecksum);
   }
 
-  static std::string checksum_row(const DataName& name, std::string_view content) {
-    return signed_row(to_csv(FileChecksum{.name = name, .byte_count = content.size(), .crc32 = crc32_of(content)}));
+  static std::string checksum_row(const DataName& name, std::uint64_t byte_count, std::uint32_t crc32) {
+    return signed_row(to_csv(FileChecksum{.name = name, .byte_count = byte_count, .crc32 = crc32}));
   }
 
   template <class T>
   void write_part(SessionStep& step, SessionPart part, const Frozen<T>& data, SessionCounts& counts, Packing packing) {
     if (!data) return;
     auto copy = data.shallow_copy();
-    give_own_arrays(copy);
     // The row is what counts: a part that says otherwise (or nothing) is stamped like it.
-    if (!is_stamped_as(copy, step)) stamp(copy, step.time_s, step.frame_index);
+    // Read from a session's rows, times have nine digits; the stamps of its files have all.
+    const double tolerance_s = head_.options.rewritten ? kRowDigits_ratio * (1.0 + std::abs(step.time_s)) : 0.0;
+    stamp_as(copy, step.time_s, step.frame_index, tolerance_s);
+    pack_and_put(step, part, counts, [&] { return packer_.pack(part, copy.Get(), packing); });
+  }
+
+  // A surface that is narrowed already, parts of it packed.
+  void write_surface(SessionStep& step, const StepParts& ready, SessionCounts& counts) {
+    stamp_as(ready.surface, step.time_s, step.frame_index, 0.0);
+    pack_and_put(step, SessionPart::kSurface, counts,
+                 [&] { return packer_.pack_narrowed(ready.surface, ready.surface_arrays.get()); });
+  }
+
+  template <class Pack>
+  void pack_and_put(SessionStep& step, SessionPart part, SessionCounts& counts, Pack pack) {
     const SteadyTime start = std::chrono::steady_clock::now();
-    std::string content;
-    if constexpr (std::is_same_v<T, vtkImageData>) {
-      content = serialise(copy.Get(), packing);
-    } else {
-      content = serialise(copy.Get());
-    }
+    PackedPart packed{.content = pack(), .crc32 = 0};
+    packed.crc32 = crc32_of(packed.content);
     cost_.packing_s += Seconds(std::chrono::steady_clock::now() - start).count();
+    put_part(step, part, packed, counts);
+  }
+
+  void put_part(SessionStep& step, SessionPart part, const PackedPart& packed, SessionCounts& counts) {
+    const std::string& content = packed.content;
     replace_file(folder_ / part_file(part, step.frame_index), content);
     if (!step_checksums_.empty()) step_checksums_ += '\n';
-    step_checksums_ += checksum_row(data_name(part, step.frame_index), content);
+    step_checksums_ += checksum_row(data_name(part, step.frame_index), content.size(), packed.crc32);
     step.present[static_cast<std::size_t>(part)] = true;
     ++counts.file_count[static_cast<std::size_t>(part)];
     step_byte_count_ += content.size();
@@ -220,7 +241,7 @@ class SessionWriter::Impl {
   void append_event(const Event& event) {
     events_->append(signed_row(csv_number(event.time_s) + ',' + csv_cell(event.kind) + ',' + csv_cell(event.detail)));
     ++head_.counts.event_count;
-    head_.counts.dropped_count += dropped_frame_count(event);
+    count_left_out(event, head_.counts);
     events_in_order_ = events_in_order_ && event.time_s >= last_event_s_;
     last_event_s_ = event.time_s;
   }
@@ -234,8 +255,11 @@ class SessionWriter::Impl {
     if (now >= next_pvd_) write_pvd();
   }
 
+  bool was_cut_off() const noexcept { return head_.options.rewritten && head_.options.rewritten->cut_off; }
+
   void write_head() {
-    head_.info.provenance_json = provenance_.merged_into(given_provenance_json_);
+    head_.info.provenance_json =
+        head_.options.rewritten ? given_provenance_json_ : provenance_.merged_into(given_provenance_json_);
     replace_file(folder_ / session_name::kJson, to_json(head_));
     next_head_ = later(kHeadPeriod);
   }
@@ -253,6 +277,7 @@ class SessionWriter::Impl {
 
   std::filesystem::path folder_;
   SessionHead head_;
+  PartPacker packer_;
   std::string given_provenance_json_;
   ProvenanceLog provenance_;
   std::vector<SessionStep> steps_;
@@ -276,7 +301,10 @@ SessionWriter::SessionWriter(const std::filesystem::path& folder, const SessionI
 SessionWriter::~SessionWriter() = default;
 
 void SessionWriter::write(const Scene& scene, Packing packing) {
-  impl_->write(scene, packing);
+  impl_->write(scene, packing, {});
+}
+void SessionWriter::write(const Scene& scene, const StepParts& ready) {
+  impl_->write(scene, Packing::kSmall, ready);
 }
 const WriteCost& SessionWriter::last_cost() const noexcept {
   return impl_->last_cost();
@@ -289,6 +317,9 @@ void SessionWriter::write_hand(const Frozen<vtkPolyData>& block, double time_s) 
 }
 void SessionWriter::set_plan(std::string plan_json) {
   impl_->set_plan(std::move(plan_json));
+}
+void SessionWriter::set_clocks(std::string clocks_json) {
+  impl_->set_clocks(std::move(clocks_json));
 }
 void SessionWriter::set_palpation(std::string palpation_json) {
   impl_->set_palpation(std::move(palpation_json));

@@ -3,6 +3,7 @@
 #include <tiffio.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
@@ -20,6 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& output, const std::string& why = "check folder, permission and free space") {
+  // The libraries keep the system's reason to themselves; a full disk can be seen all the same.
+  std::error_code unknown;
+  const fs::space_info room = fs::space(output.has_parent_path() ? output.parent_path() : ".", unknown);
+  if (!unknown && room.available < (std::uintmax_t{1} << 16U)) throw disk_error(output, ENOSPC);
   throw OutputError("output '" + output.string() + "' can't be written; " + why);
 }
 
@@ -165,7 +170,10 @@ class FolderWriter : public FrameWriter {
     // Encoded here and written by the stream: libpng would print its own line about a full disk.
     std::vector<unsigned char> bytes;
     if (!cv::imencode(".png", pixels_of(frame), bytes)) fail(output_ / name);
-    replace_file(output_ / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    // On the disk before it has its name: a power cut leaves whole images.
+    OutputFile file(output_ / name, OutputFile::Link::kReplace);
+    file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    file.finish();
   }
 
   void close() override {}

@@ -19,6 +19,7 @@ constexpr FieldRange kAnyLessonText;
 constexpr Field<Lesson> kLessonHead[] = {
     {"order", "", &Lesson::order, {0, 1000}, "its place in the list", FieldNeed::kRequired},
     {"title", "", &Lesson::title, kAnyLessonText, "one line", FieldNeed::kRequired},
+    {"scenario", "", &Lesson::scenario, kAnyLessonText, "of the virtual microscope, in which the same can be seen"},
     {"hand_depth_um", "um", &Lesson::hand_depth_um, {-50, 100}, "where the hand is at the start; below 0: outside"},
     {"explains_tip", "", &Lesson::explains_tip, kAnyLessonText,
      "true: the forces on the node under the needle are shown"},
@@ -106,9 +107,11 @@ Lesson load_lesson(std::string_view name_or_file) {
   return read_lesson(find_resource(kLessonFolder, name_or_file, kLessonEnding));
 }
 
-std::vector<Lesson> all_lessons() {
+std::vector<Lesson> all_lessons(std::string_view folder) {
   std::vector<Lesson> lessons;
-  for (const std::string& name : list_resources(kLessonFolder, kLessonEnding)) lessons.push_back(load_lesson(name));
+  for (const std::string& name : list_resources(folder, kLessonEnding)) {
+    lessons.push_back(read_lesson(find_resource(folder, name, kLessonEnding)));
+  }
   std::stable_sort(lessons.begin(), lessons.end(), [](const auto& a, const auto& b) { return a.order < b.order; });
   return lessons;
 }

@@ -24,6 +24,9 @@ constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 // place.
 constexpr int kRoundsLive = 1, kRoundsHigh = 2;
 constexpr double kPoorReading = 0.6;
+// Of the radius: a dimple from which on a membrane may be seen to have sprung back. By how much that must be surer
+// than the contour held to the tip, unless the dimple's flanks are back already.
+constexpr double kSprungDepth_ratio = 0.1, kSurerSprung = 0.25;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
@@ -140,6 +143,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
   least_dent_ = dent_;
+  deepest_flank_ = 0.0;
   return true;
 }
 
@@ -192,6 +196,7 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   snakes_.predict(shift, needle_.motion(), needle);
   snakes_.read(frame.image, network, needle, rounds);
   quality_ = quality_now();
+  if (needle && touching_) read_sprung_back(frame, *needle);
   if (quality_ >= kPoorReading) return;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
   const double quality = quality_;
@@ -201,6 +206,26 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   if (quality_ > quality) return;
   snakes_.restore(outer, inner);
   quality_ = quality;
+}
+
+// A contour that is held to the tip stays there when the membrane gives way: the same boundaries once more, from the
+// resting outline and with nothing that wraps the tip.
+void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
+  const double depth = measure_membrane_depth();
+  if (depth < kSprungDepth_ratio * rest_.outer_radius) return;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  const double held = local_score();
+  const bool flanks_back = are_flanks_back();
+  NeedleZone loose = needle;
+  loose.touching = false;
+  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
+  snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
+  const bool is_back = measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
+  if (is_back && local_score() > held + (flanks_back ? 0.0 : kSurerSprung)) {
+    quality_ = quality_now();
+    return;
+  }
+  snakes_.restore(outer, inner);
 }
 
 std::optional<Eigen::Vector2d> CellFollower::notice_jump(const FrameInput& frame) {
@@ -275,6 +300,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   check_rigid_motion(frame, center_before);
   membrane_depth_ = measure_membrane_depth();
   take_dimple();
+  follow_flanks();
   const bool was_free = contact_.state() == CellState::kFree;
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
                    needle_.valid() ? needle_.estimate().tip_sigma : 0.0});

@@ -42,6 +42,13 @@ class CellFollower {
   /// nothing.
   bool start(const FrameInput& frame, const DetectedCell& cell);
 
+  /// The needle's tip is at `tip`, px, according to a person. False where no needle can be followed there; the needle
+  /// is then what it was.
+  bool expect_needle(const FrameInput& frame, const Eigen::Vector2d& tip);
+  /// See `NeedleTracker`; false in contact.
+  bool take_bevel(const FrameSampler& image, TipNetwork& network);
+  void forget_needle() { needle_.reset(); }
+
   /// Follows into the next frame. False when the cell has been out of sight for too long.
   bool follow(const FrameInput& frame);
 
@@ -71,8 +78,9 @@ class CellFollower {
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
-  /// Until the next start: no more confidence than in what one way of seeing alone has shown.
-  void doubt() noexcept { is_doubtful_ = true; }
+  /// Until the next start, or until it is taken back: no more confidence than in what one way of seeing alone has
+  /// shown.
+  void doubt(bool is_doubtful = true) noexcept { is_doubtful_ = is_doubtful; }
   bool is_doubtful() const noexcept { return is_doubtful_; }
 
  private:
@@ -84,10 +92,14 @@ class CellFollower {
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  void read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
   void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void take_dimple();
   void measure_dent();
+  double flank_depth() const;
+  void follow_flanks();
+  bool are_flanks_back() const;
   Eigen::Vector2d apex() const;
   double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);
@@ -114,7 +126,8 @@ class CellFollower {
   std::optional<HolderFit> holder_;
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
-  double dent_ = 0.0, least_dent_ = 0.0;  // of the radius
+  double deepest_flank_ = 0.0, tip_at_deepest_flank_ = 0.0;  // px, of late
+  double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   bool touching_ = false;
   bool is_doubtful_ = false;
   bool is_read_ = false;  // membranes and tip are read by networks, not followed by what they look like

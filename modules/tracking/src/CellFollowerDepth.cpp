@@ -11,6 +11,15 @@ namespace {
 // The most confidence in what one way of seeing has shown: nothing independent confirms where the boundaries lie.
 constexpr double kMostOfOneWay = 0.75;
 
+// A needle seen worse than this may be elsewhere, and with it what the frame says of the contact.
+constexpr double kPoorNeedle = 0.5;
+
+// Flanks of a dimple: so far beside the needle's line through the centre, of the radius; shallower ones say nothing,
+// px; how their depth of late fades, per frame; what share of it is back; what the tip must have kept of its depth
+// meanwhile.
+constexpr double kFlankFrom_ratio = 0.2, kFlankTo_ratio = 0.65;
+constexpr double kLeastFlank_px = 2.0, kFlankFade = 0.95, kFlankBack_ratio = 0.6, kTipStays_ratio = 0.85;
+
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift known from the far side of the cell alone.
 constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
@@ -33,6 +42,40 @@ double CellFollower::measure_membrane_depth() const {
 void CellFollower::measure_dent() {
   dent_ = dent_ratio(snakes_.outer().points, center_now(), holder_ ? std::optional(holder_direction()) : std::nullopt);
   least_dent_ = std::min(least_dent_, dent_);
+}
+
+// How deep the dimple's flanks lie within the resting outline, beside what the needle hides or ties, px.
+double CellFollower::flank_depth() const {
+  const Eigen::Vector2d toward = -needle_.estimate().direction;
+  const Eigen::Matrix2Xd& points = snakes_.outer().points;
+  double sum = 0.0;
+  int count = 0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector2d d = points.col(i) - center_now();
+    const double across = std::abs(toward.x() * d.y() - toward.y() * d.x()) / rest_.outer_radius;
+    if (d.dot(toward) < 0.0 || across < kFlankFrom_ratio || across > kFlankTo_ratio) continue;
+    sum += rest_.outer_radius - d.norm();
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+void CellFollower::follow_flanks() {
+  if (contact_.state() == CellState::kFree || !needle_.valid()) {
+    deepest_flank_ = 0.0;
+    return;
+  }
+  const double flank = flank_depth();
+  if (!are_flanks_back()) deepest_flank_ *= kFlankFade;
+  if (flank < deepest_flank_) return;
+  deepest_flank_ = flank;
+  tip_at_deepest_flank_ = tip_depth();
+}
+
+// The flanks of the dimple have come back and the tip, which pushed them, has not.
+bool CellFollower::are_flanks_back() const {
+  return needle_.valid() && deepest_flank_ > kLeastFlank_px && flank_depth() < kFlankBack_ratio * deepest_flank_ &&
+         tip_depth() > kTipStays_ratio * tip_at_deepest_flank_;
 }
 
 double CellFollower::membrane_sigma() const {
@@ -69,7 +112,8 @@ double CellFollower::confidence() const {
   const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
   const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
   const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const double most = is_read_ || is_doubtful_ ? kMostOfOneWay : 1.0;
+  const bool is_needle_poor = needle_.valid() && needle_.estimate().confidence < kPoorNeedle;
+  const double most = is_read_ || is_doubtful_ || is_needle_poor ? kMostOfOneWay : 1.0;
   const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
   return bad_frames_ > 0 ? 0.3 * all : all;
 }

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "CellFollower.h"
 #include "ContourMath.h"
+#include "HintedNeedle.h"
 
 namespace pellucida {
 namespace {
@@ -83,11 +85,25 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
       for (const FoundTool& tool : tools)
         if (is_same(tool, seen) && is_needle(tool, &expected)) return;
       if (is_needle(found_tool(seen), &expected)) return;
+      if (frame.reader == nullptr) continue;
       const NeedleAxis axis{seen.tip, seen.direction};
       if (needle_.start_read(frame.reader->tips(), frame.image, axis, seen.half_width_px) && is_plausible()) return;
     }
   }
   needle_.reset();
+}
+
+bool CellFollower::expect_needle(const FrameInput& frame, const Eigen::Vector2d& tip) {
+  const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
+  NeedleTracker found;
+  if (!start_at_hint(found, frame, find_tools(gray(frame.view), circle), tip)) return false;
+  if (frame.reader) found.read_tip(frame.reader->tips(), frame.image, 1.0);
+  needle_ = std::move(found);
+  return true;
+}
+
+bool CellFollower::take_bevel(const FrameSampler& image, TipNetwork& network) {
+  return contact_.state() == CellState::kFree && needle_.take_bevel(network, image);
 }
 
 // What of the picture the cell's membrane and its halo take.
@@ -106,7 +122,13 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool seen = needle_.is_read() ? needle_.follow_read(frame.reader->tips(), frame.image, cue)
                                         : needle_.track(frame.image, frame.noise, cue);
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
-    if (is_read_ && !needle_.is_read()) needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
+    if (is_read_ && !needle_.is_read()) {
+      if (contact_.state() == CellState::kFree) {
+        needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
+      } else {
+        needle_.read_tip_in_contact(frame.reader->tips(), frame.image);
+      }
+    }
   } else if (frame.reader != nullptr ? frame.scene != nullptr : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));

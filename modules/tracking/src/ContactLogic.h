@@ -24,11 +24,12 @@ class ContactLogic {
   /// Contact: a cumulative sum test (Page 1954) on the membrane's depth in units of its sigma; no single frame decides,
   /// and a depth below `contact_px` counts for nothing. Release: two frames in a row with the membrane back or the tip
   /// away. Puncture: the membrane leaves the tip behind by `puncture_drop_ratio` of its depth; it ends when the tip has
-  /// left the cell.
+  /// left the cell, or lies on the membrane again for three frames.
   CellState update(const Depths& now) {
     const double floor_px = 4.0 * options_.contact_px;
     if (state_ == CellState::kPunctured) {
       if (now.needle_seen && now.tip_px < 0.0) reset(CellState::kFree);
+      follow_together(now);
       return state_;
     }
     if (state_ == CellState::kFree) {
@@ -45,8 +46,7 @@ class ContactLogic {
     }
     if (!now.needle_seen) return state_;
     deepest_px_ = std::max(now.membrane_px, 0.9 * deepest_px_);
-    const double apart_px = std::max(options_.puncture_drop_ratio * deepest_px_, kSure * now.tip_sigma_px);
-    const bool left_behind = now.tip_px - now.membrane_px > apart_px;
+    const bool left_behind = now.tip_px - now.membrane_px > apart_px(now);
     if (deepest_px_ > floor_px && left_behind && now.tip_px > floor_px) {
       state_ = CellState::kPunctured;
       return state_;
@@ -62,21 +62,39 @@ class ContactLogic {
   void reset(CellState first_sight) {
     state_ = first_sight;
     evidence_ = deepest_px_ = 0.0;
-    apart_frames_ = 0;
+    apart_frames_ = together_frames_ = 0;
   }
 
   CellState state() const noexcept { return state_; }
 
  private:
+  double apart_px(const Depths& now) const {
+    return std::max(options_.puncture_drop_ratio * deepest_px_, kSure * now.tip_sigma_px);
+  }
+
+  // A membrane that lies on the tip again, deep in the cell, has not given way.
+  void follow_together(const Depths& now) {
+    if (state_ != CellState::kPunctured || !now.needle_seen) return;
+    const bool together = now.membrane_px > 4.0 * options_.contact_px && now.membrane_px > 0.5 * deepest_px_ &&
+                          now.tip_px - now.membrane_px < kTogether * apart_px(now);
+    together_frames_ = together ? together_frames_ + 1 : 0;
+    if (together_frames_ < kTogetherFrames) return;
+    reset(CellState::kContact);
+    deepest_px_ = now.membrane_px;
+  }
+
   // In standard deviations: what a frame must exceed to count, what decides, the most that one frame may add; by how
   // much a tip must have passed the membrane.
   static constexpr double kAllowance = 1.5, kDecision = 4.0, kMostOfOneFrame = 3.2, kSure = 3.0;
   static constexpr int kReleaseFrames = 2;
+  // Of the way that counts as apart, what counts as together again; frames in a row of it.
+  static constexpr double kTogether = 0.5;
+  static constexpr int kTogetherFrames = 3;
 
   TrackerOptions options_;
   CellState state_ = CellState::kFree;
   double evidence_ = 0.0, deepest_px_ = 0.0;
-  int apart_frames_ = 0;
+  int apart_frames_ = 0, together_frames_ = 0;
 };
 
 }  // namespace pellucida

@@ -2,30 +2,20 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "CellDetector.h"
 #include "CellFollower.h"
 #include "ContourMath.h"
+#include "Deinterlacer.h"
+#include "HintedNeedle.h"
 #include "ObservationReport.h"
 #include "SceneReader.h"
 #include "SceneVerdict.h"
 #include "TrackerChecks.h"
+#include "TrackerPace.h"
 
 namespace pellucida {
-namespace {
-
-// A needle with no cell: how far it may go between two frames, and when it counts as gone.
-constexpr double kNeedleReach_px = 34.0, kLeastNeedleConfidence = 0.1;
-// While a cell has no needle: frames between two looks at the whole image; frames in which a cell is new, and a third
-// as many lie between them.
-constexpr int kNeedleSearch_frames = 10, kNewCell_frames = 10;
-// Of the way from where a needle without a cell was followed to, to where its tip is read.
-constexpr double kLoneTipShare = 0.5;
-// While a cell is followed by lines and has no needle: frames between two looks of the network.
-constexpr int kConfirmation_frames = 30;
-
-}  // namespace
-
 class MembraneTracker::Impl {
  public:
   explicit Impl(const TrackerOptions& options) : options_(options), cell_(options) {}
@@ -34,8 +24,9 @@ class MembraneTracker::Impl {
     check(view);
     check(hints);
     timings_ = {};
-    FrameInput frame{view, FrameSampler(view), 0.0, {}, &timings_};
-    frame.noise = noise_level(frame.image);
+    const double noise = noise_level(FrameSampler(view));
+    const ImageView whole = fields_.process(view, noise);
+    FrameInput frame{whole, FrameSampler(whole), noise, {}, &timings_};
     if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
     if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
@@ -47,9 +38,11 @@ class MembraneTracker::Impl {
       lone_needle_.reset();
       frames_since_detection_ = options_.redetect_interval_frames;
     }
+    hint_outcome_.clear();
     if (hint_) {
       has_cell_ = false;
       detect(frame);
+      hint_outcome_ = has_cell_ ? "found" : "nothing like a cell was found there";
     } else if (has_cell_) {
       if (!cell_.needle().valid() && is_needle_search_due()) look(frame);
       has_cell_ = cell_.follow(frame) && is_confirmed(frame);
@@ -62,6 +55,13 @@ class MembraneTracker::Impl {
       lone_needle_.reset();
     } else {
       follow_lone_needle(frame);
+    }
+
+    if (tip_hint_um_) {
+      hint_outcome_ = start_hinted_needle(frame, *tip_hint_um_ / view.pixel_size_um)
+                          ? "followed"
+                          : "no straight shaft was found that ends there";
+      tip_hint_um_.reset();
     }
 
     const PartTimer timer(timings_.report_us);
@@ -80,13 +80,84 @@ class MembraneTracker::Impl {
   void expect_cell(const CellHint& hint) {
     check(hint);
     hint_ = hint;
+    in_force_.push_back({Pointed::kCell, {0.0, 0.0}});
   }
+  void expect_needle(const Eigen::Vector2d& tip_um) {
+    check_place(tip_um);
+    tip_hint_um_ = tip_um;
+    in_force_.push_back({Pointed::kTip, tip_um});
+  }
+  void exclude_cell(const Eigen::Vector2d& place_um) {
+    check_place(place_um);
+    in_force_.push_back({Pointed::kNoCell, place_um});
+    search_again();
+    ever_ = false;
+  }
+  void take_back_hint() {
+    if (in_force_.empty()) return;
+    const Pointed kind = in_force_.back().kind;
+    in_force_.pop_back();
+    if (kind == Pointed::kTip) {
+      tip_hint_um_.reset();
+      cell_.forget_needle();
+      lone_needle_.reset();
+    } else {
+      hint_.reset();
+      search_again();
+    }
+  }
+
+  const std::string& hint_outcome() const noexcept { return hint_outcome_; }
 
   const TrackerOptions& options() const noexcept { return options_; }
   const TrackerTimings& timings() const noexcept { return timings_; }
 
  private:
   using Detection = TrackerOptions::Detection;
+  enum class Pointed { kCell, kTip, kNoCell };
+  struct HintInForce {
+    Pointed kind;
+    Eigen::Vector2d place_um;
+  };
+
+  void search_again() {
+    has_cell_ = false;
+    lone_needle_.reset();
+    frames_since_detection_ = options_.redetect_interval_frames;
+  }
+
+  // What a person called no cell.
+  bool is_excluded(const FrameInput& frame, const contour::Circle& circle) const {
+    return std::any_of(in_force_.begin(), in_force_.end(), [&](const HintInForce& hint) {
+      return hint.kind == Pointed::kNoCell &&
+             (hint.place_um / frame.view.pixel_size_um - circle.center).norm() < circle.radius;
+    });
+  }
+  bool is_excluded(const FrameInput& frame, const SceneCell& seen) const {
+    return is_excluded(frame, contour::Circle{seen.center, seen.radius_px, 1.0, 0.0});
+  }
+
+  // By lines, and nothing that a person called no cell.
+  std::optional<DetectedCell> detect_by_lines(const FrameInput& frame) const {
+    std::optional<DetectedCell> found = detect_cell(whole_, options_);
+    if (!found || !is_excluded(frame, found->circle)) return found;
+    found = detect_cell(whole_, options_, nullptr, &found->circle);
+    if (found && is_excluded(frame, found->circle)) found.reset();
+    return found;
+  }
+
+  bool start_hinted_needle(FrameInput& frame, const Eigen::Vector2d& tip) {
+    const PartTimer timer(timings_.needle_us);
+    if (has_cell_) {
+      needle_confirmed_ = true;
+      return cell_.expect_needle(frame, tip);
+    }
+    load(frame.view, whole_);
+    NeedleTracker found;
+    if (!start_at_hint(found, frame, find_tools(whole_), tip)) return false;
+    lone_needle_ = std::move(found);
+    return true;
+  }
 
   // How the present cell is followed, and the next one looked for.
   bool by_scene() const noexcept {
@@ -110,6 +181,14 @@ class MembraneTracker::Impl {
     const std::optional<DetectionHint> hint = hint_px(frame.view.pixel_size_um);
     hint_.reset();
     has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
+    if (hint && has_cell_) {
+      // Two hints about one place: the later one counts.
+      const contour::Circle cell{cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0};
+      std::erase_if(in_force_, [&](const HintInForce& other) {
+        return other.kind == Pointed::kNoCell &&
+               (other.place_um / frame.view.pixel_size_um - cell.center).norm() < cell.radius;
+      });
+    }
     ever_ = ever_ || has_cell_;
   }
 
@@ -121,7 +200,7 @@ class MembraneTracker::Impl {
 
   bool start_best(FrameInput& frame) {
     if (options_.detection == Detection::kScene) return start_seen(frame, std::nullopt);
-    const std::optional<DetectedCell> found = detect_cell(whole_, options_);
+    const std::optional<DetectedCell> found = detect_by_lines(frame);
     const auto by_lines = [&] { return found && start_at_tools(frame, *found); };
     return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, std::nullopt) : by_lines();
   }
@@ -129,25 +208,53 @@ class MembraneTracker::Impl {
   // A cell of the scene; one that holds the point, if one is given.
   bool start_seen(const FrameInput& frame, const std::optional<Eigen::Vector2d>& inside) {
     return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
-      const bool is_meant = !inside || contour::contains(seen.outer, *inside);
+      const bool is_meant = inside ? contour::contains(seen.outer, *inside) : !is_excluded(frame, seen);
       return seen.share > kLeastCellShare && is_meant && cell_.start(frame, detected(seen));
     });
   }
 
-  // By the network where it is at home; else by lines, in doubt where it does not confirm them.
+  // By the network where it is at home, and where lines and network don't agree: lines follow a halo, the inner
+  // boundary or a neighbour as surely as a membrane. Else by lines, in doubt where only they see a cell.
   template <class ByLines>
   bool start_confirmed(FrameInput& frame, const ByLines& by_lines, const std::optional<Eigen::Vector2d>& inside) {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
-    const bool is_confirmed = has_lines && confirms(scene_, cell_);
-    const bool is_a_bubble = has_lines && !inside && is_bubble(cell_, scene_);
+    LinesVerdict verdict;
+    if (has_lines) verdict = judge_with_needle(frame, by_lines);
+    CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
-    if (start_seen(frame, inside) && (!has_lines || is_familiar(cell_))) return true;
+    const bool has_seen = start_seen(frame, inside);
+    if (has_seen && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_)))) return true;
+    // Where the whole picture gives the network no start, the lines may.
+    if (!has_seen && has_lines && !verdict.is_same() && cell_.start(frame, detected(lines)) && is_known(cell_))
+      return true;
     choose_scene(frame, false);
-    if (!has_lines || is_a_bubble || !by_lines()) return false;
-    if (!is_confirmed) cell_.doubt();
+    cell_ = std::move(lines);
+    if (!has_lines || (verdict.is_bubble && !inside)) return false;
+    is_start_confirmed_ = verdict.is_confirmed();
+    cell_.doubt(!is_start_confirmed_);
     needle_confirmed_ = cell_.needle().valid();
+    disagreements_ = 0;
     return true;
+  }
+
+  // What the networks make of the cell found by its lines; where they have it at the same place, a needle that lines
+  // alone miss or take for another is looked for where the scene has one.
+  template <class ByLines>
+  LinesVerdict judge_with_needle(FrameInput& frame, const ByLines& by_lines) {
+    const LinesVerdict first = judge_lines(cell_, scene_, frame.image, reader_);
+    if (!first.is_same() || first.is_same_needle || scene_.needles.empty()) return first;
+    CellFollower lines = std::exchange(cell_, CellFollower(options_));
+    frame.scene = &scene_;
+    const bool has_started = by_lines();
+    frame.scene = nullptr;
+    if (has_started) {
+      const LinesVerdict again = judge_lines(cell_, scene_, frame.image, reader_);
+      // The scene is no witness to what it gave itself: `first` stays, and the cell in doubt.
+      if (again.is_same() && again.is_same_needle && cell_.needle().valid()) return first;
+    }
+    cell_ = std::move(lines);
+    return first;
   }
 
   void choose_scene(FrameInput& frame, bool scene) {
@@ -156,10 +263,21 @@ class MembraneTracker::Impl {
     frame.scene = scene ? &scene_ : nullptr;
   }
 
-  // Where lines alone follow the cell: a needle that came into view is where the network sees one, and a network that
-  // sees a needle where lines see none is right.
+  // Where lines alone follow the cell: now and then the networks read where it and the tip are. Should they lie
+  // elsewhere, the cell is followed in doubt, and looked for anew once nothing touches it.
+  bool is_where_networks_read(const FrameInput& frame) {
+    if (!is_start_confirmed_ || frames_since_detection_ % kReread_frames != 0) return true;
+    const PartTimer timer(timings_.detection_us);
+    disagreements_ = is_where_read(cell_, frame.image, reader_) ? 0 : disagreements_ + 1;
+    cell_.doubt(disagreements_ >= kDisagreements);
+    return !(cell_.is_doubtful() && cell_.state() == CellState::kFree);
+  }
+
+  // And a needle that came into view is where the network sees one, and a network that sees a needle where lines see
+  // none is right.
   bool is_confirmed(FrameInput& frame) {
     if (options_.detection != Detection::kAuto || by_scene()) return true;
+    if (!is_where_networks_read(frame)) return false;
     if (cell_.is_doubtful() || cell_.state() != CellState::kFree) return true;
     const bool has_needle = cell_.needle().valid();
     const bool is_due = has_needle ? !needle_confirmed_ : frames_since_detection_ % kConfirmation_frames == 0;
@@ -174,7 +292,7 @@ class MembraneTracker::Impl {
     const bool started = cell_.start(frame, found);
     if (started && has_tools()) return true;
     const std::optional<DetectedCell> other = detect_cell(whole_, options_, nullptr, &found.circle);
-    if (other && cell_.start(frame, *other) && has_tools()) return true;
+    if (other && !is_excluded(frame, other->circle) && cell_.start(frame, *other) && has_tools()) return true;
     return started && cell_.start(frame, found);
   }
 
@@ -225,15 +343,21 @@ class MembraneTracker::Impl {
 
   TrackerOptions options_;
   TrackerTimings timings_;
+  Deinterlacer fields_;
   CellFollower cell_;
   NeedleTracker lone_needle_;
   GrayImage whole_;
   SceneReader reader_;
   SceneReading scene_;
   std::optional<CellHint> hint_;
+  std::optional<Eigen::Vector2d> tip_hint_um_;  // for the next frame
+  std::vector<HintInForce> in_force_;           // by a person, in the order given
+  std::string hint_outcome_;
   bool has_cell_ = false, ever_ = false;
-  bool scene_chosen_ = false;      // by kAuto
-  bool needle_confirmed_ = false;  // the needle that lines follow, by the scene
+  bool scene_chosen_ = false;        // by kAuto
+  bool is_start_confirmed_ = false;  // the cell that lines follow, by the networks at its first sight
+  int disagreements_ = 0;            // of the networks with the lines, in a row
+  bool needle_confirmed_ = false;    // the needle that lines follow, by the scene
   int frames_since_detection_ = 0, width_px_ = 0, height_px_ = 0;
 };
 
@@ -251,13 +375,24 @@ Observation MembraneTracker::process(const ImageView& image, double time_s, long
 void MembraneTracker::expect_cell(const CellHint& hint) {
   impl_->expect_cell(hint);
 }
+void MembraneTracker::expect_needle(const Eigen::Vector2d& tip_um) {
+  impl_->expect_needle(tip_um);
+}
+void MembraneTracker::exclude_cell(const Eigen::Vector2d& place_um) {
+  impl_->exclude_cell(place_um);
+}
+void MembraneTracker::take_back_hint() {
+  impl_->take_back_hint();
+}
+const std::string& MembraneTracker::hint_outcome() const noexcept {
+  return impl_->hint_outcome();
+}
 void MembraneTracker::reset() {
   impl_ = std::make_unique<Impl>(impl_->options());
 }
 const TrackerOptions& MembraneTracker::options() const noexcept {
   return impl_->options();
 }
-
 const TrackerTimings& MembraneTracker::timings() const noexcept {
   return impl_->timings();
 }

@@ -14,26 +14,49 @@ constexpr double kWidthBehind = 0.05, kLeastTipShare = 0.5, kReadAgain_px = 3.0;
 // motion, what it goes on with.
 constexpr double kTipOfWidth = 0.5, kReadBlur_px = 1.0, kGoesOn = 0.7;
 
+// In contact: a tip read so far further back, px and in standard deviations, than the shaft has gone has sprung back
+// with the membrane; so many readings in a row of that kind, and it is there.
+constexpr double kSprung_px = 5.0, kSprungSigmas = 3.0;
+constexpr int kSprungReadings = 4;
+// A bevel's tip lies so far beside the middle of the needle's end, px and in half widths of it; and no further.
+constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidths = 1.4;
+
 }  // namespace
 
-bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share) {
-  if (!valid_) return false;
-  const double half_width = model_.cone.half_width(kWidthBehind * std::max(image.width, image.height));
+double NeedleTracker::width_behind(const FrameSampler& image) const {
+  return model_.cone.half_width(kWidthBehind * std::max(image.width, image.height));
+}
+
+std::optional<Eigen::Vector2d> NeedleTracker::tip_read(TipNetwork& network, const FrameSampler& image) const {
+  if (!valid_ || is_read()) return std::nullopt;
+  const TipReading seen = network.read(image, axis_, width_behind(image));
+  return seen.share < kLeastTipShare ? std::nullopt : std::optional(seen.tip);
+}
+
+// Read where it is expected, or where that leads; `share` becomes 1 where what was followed has run away.
+std::optional<TipReading> NeedleTracker::best_reading(TipNetwork& network, const FrameSampler& image,
+                                                      double& share) const {
+  const double half_width = width_behind(image);
   TipReading seen = network.read(image, axis_, half_width);
   if (seen.share < kLeastTipShare) {
     // What was followed may have run away: there where it was before?
     NeedleAxis earlier = axis_;
     earlier.tip += (axis_before_.tip - axis_.tip).dot(axis_.direction) * axis_.direction;
     const TipReading there = network.read(image, earlier, half_width);
-    if (there.share < kLeastTipShare) return false;
-    seen = there;
+    if (there.share < kLeastTipShare) return std::nullopt;
     share = 1.0;
-  } else if ((seen.tip - tip()).norm() > kReadAgain_px) {
+    return there;
+  }
+  if ((seen.tip - tip()).norm() > kReadAgain_px) {
     NeedleAxis nearer = axis_;
     nearer.tip += (seen.tip - axis_.tip).dot(axis_.direction) * axis_.direction;
     const TipReading again = network.read(image, nearer, half_width);
     if (again.share > seen.share) seen = again;
   }
+  return seen;
+}
+
+void NeedleTracker::take(const TipReading& seen, double share) {
   const Eigen::Vector2d off = seen.tip - tip();
   const double way = share * off.dot(axis_.direction);
   axis_.tip += way * axis_.direction;
@@ -47,6 +70,44 @@ bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, dou
   now_.tip = tip();
   now_.tip_sigma = seen.along_sigma_px;
   now_.tip_half_width = model_.cone.tip_radius();
+}
+
+bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share) {
+  if (!valid_) return false;
+  const std::optional<TipReading> seen = best_reading(network, image, share);
+  if (!seen) return false;
+  sprung_readings_ = 0;
+  take(*seen, share);
+  return true;
+}
+
+bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image) {
+  if (!valid_) return false;
+  double share = 1.0;
+  const std::optional<TipReading> seen = best_reading(network, image, share);
+  if (!seen) return false;
+  const double back_px = (tip() - seen->tip).dot(axis_.direction);
+  const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
+  const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
+  if (back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px && ++sprung_readings_ < kSprungReadings)
+    return false;
+  sprung_readings_ = 0;
+  take(*seen, share);
+  return true;
+}
+
+bool NeedleTracker::take_bevel(TipNetwork& network, const FrameSampler& image) {
+  if (!valid_ || is_read()) return false;
+  double share = 1.0;
+  const std::optional<TipReading> seen = best_reading(network, image, share);
+  if (!seen) return false;
+  const Eigen::Vector2d off = seen->tip - tip();
+  const double half_width = now_.tip_half_width, across = std::abs(off.dot(axis_.across()));
+  const double beside = std::abs(beside_ + off.dot(axis_.across())), along = std::abs(off.dot(axis_.direction));
+  const bool is_at_side = across > std::max(kBeside_px, kBesideHalfWidths * half_width) &&
+                          beside < kMostBesideHalfWidths * half_width && along < across + kBeside_px;
+  if (!is_at_side) return false;
+  take(*seen, share);
   return true;
 }
 

@@ -68,6 +68,18 @@ class NeedleTracker {
   /// network isn't sure.
   bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
 
+  /// The same for a needle in contact, whose tip a membrane that springs back seems to take along: where the shaft has
+  /// not gone back with it, such a reading is believed only once it lasts.
+  bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image);
+
+  /// Where a network reads the tip at the side of the needle's end, as a bevel's is, it is taken over. For needles that
+  /// are followed by lines, while nothing hides the tip. False, and nothing happens, where it is not so.
+  bool take_bevel(TipNetwork& network, const FrameSampler& image);
+
+  /// Where a network reads the tip of a needle whose shaft is followed; nothing where it isn't sure, and nothing else
+  /// happens.
+  std::optional<Eigen::Vector2d> tip_read(TipNetwork& network, const FrameSampler& image) const;
+
   /// Begins with a needle whose shaft can't be followed, by its tip alone: about `axis`, `half_width_px` wide some way
   /// behind the tip. False where the network isn't sure.
   bool start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis, double half_width_px);
@@ -91,8 +103,11 @@ class NeedleTracker {
   bool start(const FrameSampler& image, NeedleGuess guess, double noise);
   void prepare();
   void set_zero();
+  std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
+  void take(const TipReading& seen, double share);
   Eigen::Vector2d tip() const;
   double again_px() const;
+  double width_behind(const FrameSampler& image) const;
   ShaftResult align(const FrameSampler& image, double noise, int rounds);
   Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px,
                  const NeedleCue& cue);
@@ -116,6 +131,7 @@ class NeedleTracker {
   double read_half_width_ = 0.0;  // px; above 0: no shaft is followed
   double end_bias_ = 0.0;         // px: the tip lies so much further ahead than its edges end
   int frames_since_learning_ = 0;
+  int sprung_readings_ = 0;  // in a row, not believed
   bool clear_seen_ = false;
   bool valid_ = false;
 };

@@ -2,15 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "ContourMath.h"
 
 namespace pellucida {
 namespace {
 
-// By experiment on random films in two styles (docs/method.md, 1.9): outlines of one cell differ by 6 % of its radius
-// at most, tips of one needle by 10 px; membranes that are lines are seen with 0.83 or more; the network's score is
-// 0.98 or more for looks like those it has learnt from, 0.95 or less for others, the lines' 0.999 for bubbles.
-constexpr double kSameOutline_ratio = 0.07, kLeastApart_px = 2.5, kSameTip_px = 11.0;
-constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.967, kBubbleScore = 0.99;
+// Outlines of one cell as map and lines have them differ by less than this share of its radius, tips by less than this.
+constexpr double kSameCell_ratio = 0.07, kLeastApart_px = 2.5, kSameTip_px = 11.0;
+// On 156 first frames of tuning films (seeds 63001 to 63090, in looks of the optical model and as plain drawings):
+// where lines had a cell right to 0.2 px, the network read its boundary within 0.0205 of the radius of them in the
+// mean, where they were 2 px or more off 0.0215 and more away. A tip was read within 2 px of where it was.
+constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
+constexpr double kSameRead_px = 3.0, kSameReadHalfWidths = 0.3;
+// What lines follow is one wall of a needle where, so far behind the tip, it is thinner than this share of the needle.
+constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
+// The network's score is 0.98 or more for looks like those it has learnt from, 0.95 or less for most others, the lines'
+// 0.999 for bubbles. kKnownScore was chosen with the validation films 16001 to 16040 in view.
+constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.967, kKnownScore = 0.95, kBubbleScore = 0.99;
 
 // Mean distance of an outline's points from the nearest points of a contour, px.
 double distance_px(const Eigen::Matrix2Xd& outline, const Eigen::Matrix2Xd& contour) {
@@ -20,10 +30,35 @@ double distance_px(const Eigen::Matrix2Xd& outline, const Eigen::Matrix2Xd& cont
   return sum / static_cast<double>(std::max<Eigen::Index>(1, outline.cols()));
 }
 
-bool is_same_cell(const CellFollower& by_lines, const SceneCell& seen) {
-  const double radius_px = by_lines.rest().outer_radius;
-  const double most_px = std::max(kLeastApart_px, kSameOutline_ratio * radius_px);
-  return distance_px(seen.outer, by_lines.snakes().outer().points) < most_px;
+// The zona's outer boundary by lines, or by its soft edge round them.
+const Eigen::Matrix2Xd& outline_of(const CellFollower& cell) {
+  return cell.zona().valid() ? cell.zona().outer().points : cell.snakes().outer().points;
+}
+
+double radius_px(const Eigen::Matrix2Xd& outline) {
+  return std::sqrt(std::abs(contour::signed_area(outline)) / M_PI);
+}
+
+bool is_same(const CellFollower& by_lines, const SceneCell& seen) {
+  const Eigen::Matrix2Xd& outline = outline_of(by_lines);
+  return distance_px(seen.outer, outline) < std::max(kLeastApart_px, kSameCell_ratio * radius_px(outline));
+}
+
+// How far from the lines the network reads the outer boundary, mean over the normals, px.
+double read_apart_px(const CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
+  return reader.boundaries().read(image, outline_of(by_lines)).outer.offset_px.cwiseAbs().mean();
+}
+
+double most_apart_px(const CellFollower& by_lines) {
+  return std::max(kLeastOutline_px, kSameOutline_ratio * radius_px(outline_of(by_lines)));
+}
+
+bool is_tip_read(const CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
+  const NeedleTracker& needle = by_lines.needle();
+  if (!needle.valid()) return true;
+  const std::optional<Eigen::Vector2d> read = needle.tip_read(reader.tips(), image);
+  const double most_px = std::max(kSameRead_px, kSameReadHalfWidths * needle.estimate().tip_half_width);
+  return !read || (*read - needle.estimate().tip).norm() < most_px;
 }
 
 }  // namespace
@@ -35,26 +70,51 @@ bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene
     if (needle.tip_share < kLeastNeedleTipShare) continue;
     has_tip = true;
     const double near_px = std::max(kSameTip_px, 2.0 * needle.half_width_px);
-    if (followed.valid() && (needle.tip - followed.estimate().tip).norm() < near_px) return true;
+    if (!followed.valid()) continue;
+    const NeedleEstimate& lines = followed.estimate();
+    // Lines may run along one of the needle's walls.
+    const bool is_wall = lines.tip_half_width + kWidthBehind_px * lines.widening < kWall_ratio * needle.half_width_px;
+    if (!is_wall && (needle.tip - lines.tip).norm() < near_px) return true;
   }
   return !has_tip;
 }
 
-bool confirms(const SceneReading& scene, const CellFollower& by_lines) {
-  const bool is_seen = std::any_of(scene.cells.begin(), scene.cells.end(), [&](const SceneCell& seen) {
-    return seen.share >= kLeastCellShare && is_same_cell(by_lines, seen);
-  });
-  return is_seen && is_needle_confirmed(by_lines, scene) && by_lines.confidence() > kLeastConfidence;
+LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, const FrameSampler& image,
+                         SceneReader& reader) {
+  LinesVerdict verdict;
+  bool has_cell = false;
+  for (const SceneCell& seen : scene.cells) {
+    if (seen.share < kLeastCellShare) continue;
+    has_cell = true;
+    verdict.is_same_cell = verdict.is_same_cell || is_same(by_lines, seen);
+  }
+  verdict.is_same_outline = read_apart_px(by_lines, image, reader) < most_apart_px(by_lines);
+  by_lines.take_bevel(image, reader.tips());
+  verdict.is_same_needle = is_needle_confirmed(by_lines, scene) && is_tip_read(by_lines, image, reader);
+  verdict.is_sure = by_lines.confidence() > kLeastConfidence;
+  verdict.is_bubble = !has_cell && by_lines.snakes().outer().score > kBubbleScore;
+  return verdict;
+}
+
+bool is_where_read(CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
+  if (read_apart_px(by_lines, image, reader) >= most_apart_px(by_lines)) return false;
+  return is_tip_read(by_lines, image, reader) || by_lines.take_bevel(image, reader.tips());
+}
+
+DetectedCell detected(const CellFollower& by_lines) {
+  DetectedCell cell;
+  cell.outer.points = outline_of(by_lines);
+  cell.circle = contour::fit_circle(cell.outer.points, kSameCell_ratio * radius_px(cell.outer.points));
+  cell.score = std::min(1.0, by_lines.snakes().outer().score);
+  return cell;
 }
 
 bool is_familiar(const CellFollower& by_scene) {
   return by_scene.snakes().outer().score > kFamiliarScore;
 }
 
-bool is_bubble(const CellFollower& by_lines, const SceneReading& scene) {
-  const bool has_cell = std::any_of(scene.cells.begin(), scene.cells.end(),
-                                    [](const SceneCell& seen) { return seen.share >= kLeastCellShare; });
-  return !has_cell && by_lines.snakes().outer().score > kBubbleScore;
+bool is_known(const CellFollower& by_scene) {
+  return by_scene.snakes().outer().score > kKnownScore;
 }
 
 }  // namespace pellucida

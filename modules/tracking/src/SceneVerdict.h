@@ -4,17 +4,36 @@
 
 namespace pellucida {
 
-/// Whether the scene, read by a network, shows the cell and the needle that were found by their lines. The two ways
-/// share no assumption about what a membrane looks like: lines that follow a halo or a shadow are sure of it.
-bool confirms(const SceneReading& scene, const CellFollower& by_lines);
+/// What the networks, asked about a cell that is followed by its lines, make of it. The two ways share no assumption
+/// about what a membrane looks like: lines that follow a halo or a shadow are sure of it.
+struct LinesVerdict {
+  bool is_same_cell = false;     ///< the scene has a cell with about this outline
+  bool is_same_outline = false;  ///< and on each normal the outer boundary lies where the lines have it
+  bool is_same_needle = false;   ///< neither sees a needle, or both the same one with its tip in the same place
+  bool is_bubble = false;        ///< the scene has no cell at all, and no membrane is as strong and even as these lines
+  bool is_sure = false;          ///< the lines were seen well enough to be believed at all
+  /// Lines and networks see the same cell, and the same needle too.
+  bool is_same() const noexcept { return is_same_cell && is_same_outline; }
+  bool is_confirmed() const noexcept { return is_same() && is_same_needle && is_sure; }
+};
+
+/// `scene` and `reader` of the frame that `image` shows, `by_lines` as it is in it; a bevel's tip, which lines miss, is
+/// taken over (`CellFollower::take_bevel`).
+LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, const FrameSampler& image,
+                         SceneReader& reader);
+
+/// The same without a look at the whole image, for frames in between: only whether outline and tip are where the
+/// networks read them, a bevel's tip taken over likewise. A network that isn't sure of a tip contradicts none.
+bool is_where_read(CellFollower& by_lines, const FrameSampler& image, SceneReader& reader);
 
 /// Whether the network saw the membranes, as it followed them into the first frame, as surely as those it has learnt
-/// from. It is then the better of the two; of other looks it has the outline to some pixels, lines to a tenth of one.
+/// from. It is then the better of the two; of other looks it has the outline to some pixels.
 bool is_familiar(const CellFollower& by_scene);
+/// The same, less surely: enough to be believed where lines have the cell elsewhere.
+bool is_known(const CellFollower& by_scene);
 
-/// Whether a ring of lines is that of a bubble or a drop: nothing that the network takes for a cell, and an outline
-/// stronger and more even than any membrane's.
-bool is_bubble(const CellFollower& by_lines, const SceneReading& scene);
+/// The cell that is followed by its lines as a first guess for the networks.
+DetectedCell detected(const CellFollower& by_lines);
 
 /// Whether lines and scene see the same needle, or neither sees one; a scene without a needle contradicts no other.
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene);

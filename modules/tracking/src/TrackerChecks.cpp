@@ -50,6 +50,10 @@ void check(const FrameHints& hints) {
     throw UsageError("tracker: the needle's commanded motion is not finite; give um, or leave it out");
 }
 
+void check_place(const Eigen::Vector2d& place_um) {
+  if (!place_um.allFinite()) throw UsageError("tracker: the hint's place is not finite; give a point of the image, um");
+}
+
 void check(const CellHint& hint) {
   if (!hint.inside_um && !hint.outline_um)
     throw UsageError("tracker: the hint has neither a point nor an outline; give one of the two");

@@ -12,6 +12,7 @@ void check(const TrackerOptions& options);
 void check(const ImageView& image);
 /// Throws UsageError for a motion that is not finite.
 void check(const FrameHints& hints);
+void check_place(const Eigen::Vector2d& place_um);
 /// Throws UsageError for a hint without point or outline, an outline of fewer than 3 points, numbers that are not
 /// finite.
 void check(const CellHint& hint);

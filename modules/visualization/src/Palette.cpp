@@ -1,6 +1,19 @@
 #include "pellucida/visualization/Palette.h"
 
 namespace pellucida {
+namespace {
+
+const ThemeColors* the_theme = &dark_theme();
+
+}  // namespace
+
+const ThemeColors& current_theme() noexcept {
+  return *the_theme;
+}
+
+void set_current_theme(const ThemeColors& theme) noexcept {
+  the_theme = &theme;
+}
 
 const ThemeColors& dark_theme() noexcept {
   static constexpr ThemeColors kDark{.window = palette::kWindow,
@@ -11,7 +24,7 @@ const ThemeColors& dark_theme() noexcept {
                                      .view_top = palette::kViewTop,
                                      .text = palette::kText,
                                      .text_dim = palette::kTextDim,
-                                     .faint = Color::from_hex(0x66737F),
+                                     .faint = Color::from_hex(0x84919E),
                                      .accent = palette::kAccent,
                                      .record = palette::kRecord,
                                      .warning = palette::kWarning,
@@ -20,8 +33,13 @@ const ThemeColors& dark_theme() noexcept {
                                      .grid = palette::kGrid,
                                      .curve = palette::kCurve,
                                      .curve_before = Color::from_hex(0x8494A5),
+                                     .curve_other = palette::kCurveOther,
                                      .cell = Color::from_hex(0x3A5568),
-                                     .glass = palette::kGlass};
+                                     .glass = palette::kGlass,
+                                     .outer_solid = palette::kOuterSolid,
+                                     .inner_solid = palette::kInnerSolid,
+                                     .contact_force = palette::kContactForce,
+                                     .node_mark = palette::kModel};
   return kDark;
 }
 
@@ -34,7 +52,7 @@ const ThemeColors& light_theme() noexcept {
                                       .view_top = Color::from_hex(0xE6EDF4),
                                       .text = Color::from_hex(0x10161D),
                                       .text_dim = Color::from_hex(0x46525E),
-                                      .faint = Color::from_hex(0x8A96A2),
+                                      .faint = Color::from_hex(0x5C6874),
                                       .accent = Color::from_hex(0x0B5FA8),
                                       .record = Color::from_hex(0xB3261E),
                                       .warning = Color::from_hex(0x7A4A00),
@@ -43,8 +61,13 @@ const ThemeColors& light_theme() noexcept {
                                       .grid = Color::from_hex(0xDCE3EA),
                                       .curve = Color::from_hex(0x0B5FA8),
                                       .curve_before = Color::from_hex(0x6F7C89),
+                                      .curve_other = Color::from_hex(0xB85C00),
                                       .cell = Color::from_hex(0xD3DFE8),
                                       .glass = Color::from_hex(0x7F93A8),
+                                      .outer_solid = Color::from_hex(0x5FA3C4),
+                                      .inner_solid = Color::from_hex(0xD9A27E),
+                                      .contact_force = Color::from_hex(0x10161D),
+                                      .node_mark = Color::from_hex(0xC2185B),
                                       .is_light = true};
   return kLight;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Palette.h"
 
 namespace pellucida {
@@ -47,15 +48,15 @@ std::string state(std::optional<CellState> state) {
   if (!state) return kDash;
   switch (*state) {
     case CellState::kNoCell:
-      return "No cell";
+      return say("No cell");
     case CellState::kFree:
-      return "Free";
+      return say("Free");
     case CellState::kContact:
-      return "Contact";
+      return say("Contact");
     case CellState::kPunctured:
-      return "Punctured";
+      return say("Punctured");
     case CellState::kLost:
-      return "Lost";
+      return say("Lost");
   }
   return kDash;
 }
@@ -70,6 +71,17 @@ std::string force(const Measurement& m) {
 std::string force_interval(const Measurement& m) {
   if (!std::isfinite(m.contact_force_lower_uN) || !std::isfinite(m.contact_force_upper_uN)) return {};
   return number(m.contact_force_lower_uN, 2) + " \u2013 " + number(m.contact_force_upper_uN, 2) + " µN";
+}
+
+std::string force_parts(const Measurement& m) {
+  std::string text = to_string(force_spread(m));
+  for (std::size_t at = text.find("+-"); at != std::string::npos; at = text.find("+-", at)) text.replace(at, 2, "±");
+  for (const char* part :
+       {PELLUCIDA_WORDS("picture "), PELLUCIDA_WORDS("kind of cell "), PELLUCIDA_WORDS("this cell ")}) {
+    const std::size_t at = text.find(part);
+    if (at != std::string::npos) text.replace(at, std::char_traits<char>::length(part), say(part));
+  }
+  return text;
 }
 
 std::string pressure(const Measurement& m) {
@@ -100,20 +112,23 @@ double contrast_ratio(const Color& a, const Color& b) noexcept {
   return (bright + 0.05) / (dark + 0.05);
 }
 
-Color state_color(std::optional<CellState> state) noexcept {
+Color state_color(std::optional<CellState> state, const ThemeColors& theme) noexcept {
+  const auto of = [&](std::uint32_t on_dark, std::uint32_t on_light) {
+    return Color::from_hex(theme.is_light ? on_light : on_dark);
+  };
   switch (state.value_or(CellState::kNoCell)) {
     case CellState::kFree:
-      return Color::from_hex(0x6CB6F5);
+      return of(0x6CB6F5, 0x1A66A8);
     case CellState::kContact:
-      return Color::from_hex(0x4ADE9C);
+      return of(0x4ADE9C, 0x0B6E44);
     case CellState::kPunctured:
-      return Color::from_hex(0xFF7A7A);
+      return of(0xFF7A7A, 0xB3261E);
     case CellState::kLost:
-      return palette::kWarning;
+      return theme.warning;
     case CellState::kNoCell:
       break;
   }
-  return Color::from_hex(0x93A1B1);
+  return of(0x93A1B1, 0x566270);
 }
 
 }  // namespace pellucida

@@ -53,7 +53,9 @@ void TraceHistory::append(const Measurement& m) {
                          .indentation_um = m.indentation_um,
                          .force_uN = m.contact_force_uN,
                          .lower_uN = or_force(m.contact_force_lower_uN),
-                         .upper_uN = or_force(m.contact_force_upper_uN)};
+                         .upper_uN = or_force(m.contact_force_upper_uN),
+                         .picture_lower_uN = or_force(m.contact_force_picture_lower_uN),
+                         .picture_upper_uN = or_force(m.contact_force_picture_upper_uN)};
   all_.append(point, m.frame);
   if (m.state == CellState::kContact && std::isfinite(m.indentation_um)) current_.append(point, m.frame);
 }

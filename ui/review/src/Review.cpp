@@ -6,10 +6,10 @@
 namespace pellucida {
 
 int run_review(const std::string& session, const ReviewOptions& options) {
-  WindowProgram program;
+  WindowProgram program(options);
   ReviewWindow window(options);
   if (!session.empty()) window.open(session);
-  const int status = program.show(window);
+  const int status = program.show(window, options);
   window.screenshot().rethrow_fault();
   return status;
 }

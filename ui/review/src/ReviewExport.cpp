@@ -4,8 +4,10 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include "Words.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/report/PassportReport.h"
+#include "pellucida/session/Annotations.h"
 #include "pellucida/session/SessionExport.h"
 #include "presenters/ChartForPrint.h"
 #include "presenters/RecordedSession.h"
@@ -16,11 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPictureKinds = "Picture (*.png)";
-constexpr const char* kChartKinds = "Drawing (*.svg);;Page (*.pdf);;Picture (*.png)";
+constexpr const char* kPictureKinds = PELLUCIDA_WORDS("Picture (*.png)");
+constexpr const char* kChartKinds = PELLUCIDA_WORDS("Drawing (*.svg);;Page (*.pdf);;Picture (*.png)");
+constexpr const char* kVideoKinds = PELLUCIDA_WORDS("Video (*.mp4);;Lossless video (*.avi)");
+constexpr const char* kTableKinds = PELLUCIDA_WORDS("Table (*.csv)");
 constexpr PictureSize kChartSize{.width_px = 1200, .height_px = 800};
 // Files that a table export writes; the last one only where a hand was recorded.
-constexpr const char* kTables[] = {"measurements.csv", "events.csv", "contours.csv", "nodes.csv", "haptics.csv"};
+constexpr const char* kTables[] = {"measurements.csv", "events.csv", kAnnotationsFile,
+                                   "contours.csv",     "nodes.csv",  "haptics.csv"};
 
 QString shown(const fs::path& path) {
   return QString::fromStdString(path.string());
@@ -43,30 +48,46 @@ fs::path ReviewExport::proposal(const std::string& what, const char* ending) con
 
 void ReviewExport::save_image(const QImage& image, const fs::path& file) {
   const bool saved = image.save(shown(file), "PNG");
-  notify_(saved ? "Saved " + shown(file)
-                : shown(file) + ": the picture can't be written; choose a folder that exists and may be written",
+  notify_(saved ? words("Saved ") + shown(file)
+                : shown(file) + words(": the picture can't be written; choose a folder that exists and may be written"),
           !saved);
 }
 
 void ReviewExport::save_window(QWidget& window) {
   const QImage image = window.grab().toImage();
-  const fs::path file = choice_.file_to_write("Window as PNG", proposal("window", ".png"), kPictureKinds);
+  const fs::path file = choice_.file_to_write(words("Window as PNG"), proposal("window", ".png"), words(kPictureKinds));
   if (!file.empty()) save_image(image, file);
 }
 
 void ReviewExport::save_view(ViewWidget& view, const std::string& what) {
   const QImage image = view.grabFramebuffer();
-  const fs::path file = choice_.file_to_write("View as PNG", proposal(what, ".png"), kPictureKinds);
+  const fs::path file = choice_.file_to_write(words("View as PNG"), proposal(what, ".png"), words(kPictureKinds));
   if (!file.empty()) save_image(image, file);
+}
+
+fs::path ReviewExport::ask_for_video() const {
+  return choice_.file_to_write(words("Video of the views"), proposal("views", ".mp4"), words(kVideoKinds));
 }
 
 void ReviewExport::save_chart(const CurveChart& chart, const QString& title, const std::string& what) {
   const ChartPanel panel = chart_for_print(chart.data(), title.toStdString());
-  const fs::path file = choice_.file_to_write(title, proposal(what, ".svg"), kChartKinds);
+  const fs::path file = choice_.file_to_write(title, proposal(what, ".svg"), words(kChartKinds));
   if (file.empty()) return;
   try {
     render_charts({&panel, 1}, 1, file, kChartSize);
-    notify_("Saved " + shown(file), false);
+    notify_(words("Saved ") + shown(file), false);
+  } catch (const Error& error) {
+    notify_(error.what(), true);
+  }
+}
+
+void ReviewExport::save_table(const QString& title, const std::string& what,
+                              const std::function<void(const fs::path&)>& write) {
+  const fs::path file = choice_.file_to_write(title, proposal(what, ".csv"), words(kTableKinds));
+  if (file.empty()) return;
+  try {
+    write(file);
+    notify_(words("Saved ") + shown(file), false);
   } catch (const Error& error) {
     notify_(error.what(), true);
   }
@@ -82,7 +103,7 @@ bool ReviewExport::may_write(const std::vector<fs::path>& files) const {
 
 void ReviewExport::run(const QString& text, std::function<std::function<void()>(const BackgroundTask::Control&)> work) {
   if (task_.running()) {
-    notify_("Wait for the export that is running, or cancel it", true);
+    notify_(words("Wait for the export that is running, or cancel it"), true);
     return;
   }
   work_(text, 0, 0);
@@ -102,37 +123,38 @@ void ReviewExport::run(const QString& text, std::function<std::function<void()>(
 }
 
 void ReviewExport::save_tables() {
-  const fs::path folder = choice_.folder_to_write("Folder for the tables", proposal("tables", ""));
+  const fs::path folder = choice_.folder_to_write(words("Folder for the tables"), proposal("tables", ""));
   if (folder.empty()) return;
   std::vector<fs::path> files;
   for (const char* table : kTables) files.push_back(folder / table);
   if (!may_write(files)) return;
-  run("Writing tables", [this, session = session_, folder](const BackgroundTask::Control& control) {
+  run(words("Writing tables"), [this, session = session_, folder](const BackgroundTask::Control& control) {
     ExportOptions options;
     options.progress = [&](std::size_t done, std::size_t all) { control.progress(done, all); };
     const ExportReport report = export_session(session, folder, options);
     return [this, folder, count = report.files.size()] {
-      notify_(QString("%1 tables written to %2").arg(count).arg(shown(folder)), false);
+      notify_(words("%1 tables written to %2").arg(count).arg(shown(folder)), false);
     };
   });
 }
 
 void ReviewExport::report() {
   const fs::path standard = session_ / kReportFolder / "report.html";
-  const fs::path page = choice_.file_to_write("Report", standard, "Page (*.html)");
+  const fs::path page = choice_.file_to_write(words("Report"), standard, words("Page (*.html)"));
   if (page.empty()) return;
   // The standard place has tables with the standard names.
   const bool is_standard = page.lexically_normal() == standard.lexically_normal();
   const std::string before = is_standard ? "" : page.stem().string() + "_";
   if (!may_write({page.parent_path() / (before + "cells.csv"), page.parent_path() / (before + "contacts.csv")})) return;
-  run("Writing the report", [this, session = session_, page, is_standard](const BackgroundTask::Control& control) {
-    write_report(session, is_standard ? fs::path() : page,
-                 [&](std::size_t done, std::size_t all) { control.progress(done, all); });
-    return [this, page] {
-      notify_("Report written: " + shown(page), false);
-      choice_.show_page(page);
-    };
-  });
+  run(words("Writing the report"),
+      [this, session = session_, page, is_standard](const BackgroundTask::Control& control) {
+        write_report(session, is_standard ? fs::path() : page,
+                     [&](std::size_t done, std::size_t all) { control.progress(done, all); });
+        return [this, page] {
+          notify_(words("Report written: ") + shown(page), false);
+          choice_.show_page(page);
+        };
+      });
 }
 
 void ReviewExport::cancel() {

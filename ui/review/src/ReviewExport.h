@@ -32,6 +32,11 @@ class ReviewExport : public QObject {
   void save_view(ViewWidget& view, const std::string& what);
   /// A chart for print, as SVG, PDF or PNG.
   void save_chart(const CurveChart& chart, const QString& title, const std::string& what);
+  /// A table that `write` writes to the file it is given; it may throw Error.
+  void save_table(const QString& title, const std::string& what,
+                  const std::function<void(const std::filesystem::path&)>& write);
+  /// Asks for a film's file; empty: not now.
+  std::filesystem::path ask_for_video() const;
   /// The session's rows, events, contours and nodes at the peak, as `pellucida export` writes them.
   void save_tables();
   /// The dose passport, then its page is shown.

@@ -3,6 +3,7 @@
 #include <QMouseEvent>
 #include <cmath>
 
+#include "Words.h"
 #include "presenters/SessionCurves.h"
 #include "presenters/SourcePresenter.h"
 #include "widgets/CurvePanel.h"
@@ -28,6 +29,12 @@ QSplitter* pair_of(QWidget* left, QWidget* right) {
   return pair;
 }
 
+void name_curves(const SessionComparison& comparison, CurveChartData& data) {
+  data.curve_name = session_name_of(comparison.shown().folder);
+  data.other_name = session_name_of(comparison.other().folder);
+  data.inner = {};  // one band for each
+}
+
 }  // namespace
 
 ReviewViews::ReviewViews(std::function<void(double)> seek, std::function<void(long)> pick, QWidget* parent)
@@ -41,14 +48,14 @@ ReviewViews::~ReviewViews() {
 }
 
 void ReviewViews::build(std::function<void(double)> seek) {
-  feed_.set_empty_text("No image of this frame");
-  membranes_.set_empty_text("No surface of this frame");
+  feed_.set_empty_text(words("No image of this frame"));
+  membranes_.set_empty_text(words("No surface of this frame"));
   setHandleWidth(4);
   setChildrenCollapsible(false);
   feed_panel_ = new FeedPanel(feed_, nullptr, false);
   membrane_panel_ = new MembranePanel(membranes_, nullptr);
-  touch_ = new CurvePanel("Force over indentation", {}, nullptr);
-  time_ = new CurvePanel("Force over time", std::move(seek), nullptr);
+  touch_ = new CurvePanel(words("Force over indentation"), {}, nullptr);
+  time_ = new CurvePanel(words("Force over time"), std::move(seek), nullptr);
   QSplitter* views = pair_of(feed_panel_, membrane_panel_);
   QSplitter* charts = pair_of(touch_, time_);
   // The upright borders are aligned, and stay so.
@@ -73,8 +80,36 @@ void ReviewViews::set_session(const RecordedSession& session) {
   feed_.reset_camera();
   source_->SetScene(Scene{});
   membranes_.refresh();
-  time_->chart().set_data(pellucida::force_over_time(session));
+  comparison_ = nullptr;
+  step_ = 0;
+  fill_time();
   mark_node(std::nullopt);
+}
+
+void ReviewViews::compare(const SessionComparison* comparison, Alignment alignment) {
+  comparison_ = comparison;
+  alignment_ = alignment;
+  if (!session_) return;
+  fill_time();
+  fill_touch(step_);
+}
+
+void ReviewViews::fill_time() {
+  CurveChartData drawn = pellucida::force_over_time(*session_);
+  if (comparison_) {
+    drawn.other = comparison_->other_over_time(alignment_);
+    name_curves(*comparison_, drawn);
+  }
+  time_->chart().set_data(std::move(drawn));
+}
+
+void ReviewViews::fill_touch(std::size_t step) {
+  CurveChartData drawn = pellucida::force_over_indentation(*session_, step);
+  if (comparison_) {
+    drawn.other = comparison_->other_over_indentation(step);
+    name_curves(*comparison_, drawn);
+  }
+  touch_->chart().set_data(std::move(drawn));
 }
 
 void ReviewViews::show_step(const Scene& scene, std::size_t step) {
@@ -84,9 +119,10 @@ void ReviewViews::show_step(const Scene& scene, std::size_t step) {
   feed_panel_->view().render();
   membrane_panel_->view().render();
   if (!session_) return;
+  step_ = step;
   const std::size_t touch = touch_of(*session_, step);
   if (touch != touch_shown_) {
-    touch_->chart().set_data(pellucida::force_over_indentation(*session_, step));
+    fill_touch(step);
     touch_shown_ = touch;
   }
   const Measurement& row = scene.measurement;
@@ -103,6 +139,11 @@ void ReviewViews::draw_charts() {
 void ReviewViews::mark_node(std::optional<long> node) {
   membranes_.mark_node(node);
   membrane_panel_->view().render();
+}
+
+void ReviewViews::mark_hints(std::vector<HintMark> marks) {
+  feed_.set_hints(std::move(marks));
+  feed_panel_->view().render();
 }
 
 bool ReviewViews::eventFilter(QObject* target, QEvent* event) {

@@ -4,17 +4,18 @@
 #include <QPoint>
 #include <QSplitter>
 #include <functional>
+#include <vector>
 
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
+#include "presenters/SessionComparison.h"
 
 namespace pellucida {
 
 class CurvePanel;
 class FeedPanel;
 class MembranePanel;
-struct RecordedSession;
 
 /// The views of a recorded session: image and 3-D membranes above, both charts of the whole session below, with a
 /// cursor at the frame shown. A press in the time chart seeks, a click on the membrane picks a node.
@@ -29,7 +30,12 @@ class ReviewViews : public QSplitter {
   /// Shows a step; the charts are drawn by `draw_charts`.
   void show_step(const Scene& scene, std::size_t step);
   void draw_charts();
+  /// Lays another session's curves over the charts; null: none. `comparison` must outlive its showing.
+  void compare(const SessionComparison* comparison, Alignment alignment);
   void mark_node(std::optional<long> node);
+  /// Where a person pointed, in the frame shown.
+  void mark_hints(std::vector<HintMark> marks);
+  FeedView& image() noexcept { return feed_; }
 
   const StageSource& source() const { return *source_; }
   FeedPanel& feed() noexcept { return *feed_panel_; }
@@ -41,6 +47,8 @@ class ReviewViews : public QSplitter {
   bool eventFilter(QObject* target, QEvent* event) override;
 
  private:
+  void fill_time();
+  void fill_touch(std::size_t step);
   void build(std::function<void(double)> seek);
 
   vtkNew<StageSource> source_;
@@ -52,6 +60,9 @@ class ReviewViews : public QSplitter {
   CurvePanel* touch_ = nullptr;
   std::function<void(long)> pick_;
   const RecordedSession* session_ = nullptr;
+  const SessionComparison* comparison_ = nullptr;
+  Alignment alignment_ = Alignment::kTime;
+  std::size_t step_ = 0;
   std::optional<std::size_t> touch_shown_;
   std::optional<QPoint> pressed_px_;
 };

@@ -9,12 +9,19 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ComparisonReview.h"
+#include "HintReview.h"
 #include "NodeReview.h"
 #include "ReviewExport.h"
 #include "ReviewViews.h"
+#include "VideoExport.h"
+#include "Words.h"
+#include "pellucida/notes/NoteControl.h"
 #include "presenters/ReadoutPresenter.h"
+#include "presenters/ScalePresenter.h"
 #include "presenters/SessionCurves.h"
 #include "presenters/TimelinePresenter.h"
+#include "widgets/ComparePanel.h"
 #include "widgets/CurvePanel.h"
 #include "widgets/EventPanel.h"
 #include "widgets/FeedPanel.h"
@@ -40,18 +47,15 @@ constexpr int kReviewNotice_ms = 6000;
 constexpr int kRoomForEvents_px = 1200;
 // Lower than this the node takes the place of the list.
 constexpr int kRoomForBoth_px = 780;
-constexpr const char* kHint =
+constexpr const char* kHint = PELLUCIDA_WORDS(
     "Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks "
-    "a "
-    "node";
+    "a node");
 
 }  // namespace
 
 // A session and what follows from its tables, made on the thread that reads it.
 struct ReviewWindow::Opened {
   std::unique_ptr<RecordedSession> session;
-  std::vector<ReviewEvent> events;
-  Timeline timeline;
   std::unique_ptr<StepLoader> loader;
 };
 
@@ -74,14 +78,16 @@ ReviewWindow::~ReviewWindow() {
   timer_.stop();
   opening_.cancel();
   export_->cancel();
+  hints_->set_session(nullptr);
   node_->clear();
+  comparison_->clear();
   loader_.reset();
   // The widgets show the views: they go first.
   delete takeCentralWidget();
 }
 
 void ReviewWindow::build() {
-  setWindowTitle("Pellucida - Review");
+  setWindowTitle(words("Pellucida - Review"));
   setWindowIcon(make_icon(Pictogram::kProgram));
   resize(options_.width_px, options_.height_px);
   setMinimumSize(1000, 640);
@@ -98,12 +104,19 @@ void ReviewWindow::build() {
         if (task_line_) task_line_->show_work(text, done, all);
       },
       this);
+  bar_ = build_bar();
   pages_ = new QStackedWidget;
   pages_->addWidget(open_page_ = new OpenPage([this] { ask_for_session(); }, nullptr));
   pages_->addWidget(build_session_page());
-  column->addWidget(bar_ = build_bar());
+  column->addWidget(bar_);
   column->addWidget(pages_, 1);
-  column->addWidget(task_line_ = new TaskLine([this] { export_->cancel(); }, page));
+  column->addWidget(task_line_ = new TaskLine(
+                        [this] {
+                          export_->cancel();
+                          hints_->cancel();
+                          video_->cancel();
+                        },
+                        page));
   setCentralWidget(page);
   bar_->show_events(options_.width_px >= kRoomForEvents_px);
 }
@@ -115,8 +128,15 @@ QWidget* ReviewWindow::build_session_page() {
   column->setSpacing(0);
   column->addWidget(readouts_ = new ReadoutBar(page));
   const auto to_time = [this](double time_s) { seek(time_s); };
+  build_hints();
+  column->addWidget(&hints_->strip());
   views_ = new ReviewViews(
       to_time, [this](long node) { choose_node(node); }, nullptr);
+  add_hint_control();
+  build_notes();
+  column->addWidget(&notes_->strip());
+  bar_->add(notes_->button());
+  build_video();
   node_ = new NodeReview(
       to_time, [this] { clear_node(); }, this);
   side_ = new QSplitter(Qt::Vertical);
@@ -124,8 +144,13 @@ QWidget* ReviewWindow::build_session_page() {
   side_->setChildrenCollapsible(false);
   side_->addWidget(event_panel_ = new EventPanel(to_time, nullptr));
   side_->addWidget(&node_->panel());
+  comparison_ = new ComparisonReview(
+      *views_, *export_, [this] { clear_comparison(); }, [this](const QString& problem) { notify(problem, true); },
+      this);
+  side_->addWidget(&comparison_->panel());
   side_->setStretchFactor(0, 1);
   side_->setStretchFactor(1, 2);
+  side_->setStretchFactor(2, 4);
 
   auto* all = new QSplitter(Qt::Horizontal);
   all->setHandleWidth(4);
@@ -144,70 +169,24 @@ QWidget* ReviewWindow::build_session_page() {
   return page;
 }
 
-ReviewBar* ReviewWindow::build_bar() {
-  ReviewBar::Actions actions;
-  actions.open = [this] { ask_for_session(); };
-  actions.export_window = [this] { export_->save_window(*this); };
-  actions.export_feed = [this] { export_->save_view(views_->feed().view(), "microscope"); };
-  actions.export_view = [this] { export_->save_view(views_->membranes().view(), "3d"); };
-  actions.export_time = [this] {
-    export_->save_chart(views_->force_over_time().chart(), "Force over time", "force-time");
-  };
-  actions.export_touch = [this] {
-    export_->save_chart(views_->force_over_indentation().chart(), "Force over indentation", "force-indentation");
-  };
-  actions.export_node = [this] {
-    export_->save_chart(node_->panel().curve().chart(), QString("Node %1").arg(node_->node().value_or(0)), "node");
-  };
-  actions.export_tables = [this] { export_->save_tables(); };
-  actions.report = [this] { export_->report(); };
-  actions.show_events = [this](bool on) { side_->setVisible(on); };
-  return new ReviewBar(actions, nullptr);
-}
-
-TransportBar* ReviewWindow::build_transport() {
-  TransportBar::Actions actions;
-  actions.toggle_play = [this] {
-    playback_.play(!playback_.playing(), clock_->now_s());
-    follow();
-  };
-  actions.step_by = [this](long count) {
-    playback_.step_by(count);
-    follow();
-  };
-  actions.to_event = [this](bool forwards) {
-    if (session_) go_to(neighbour_event_step(*session_, events_, playback_.step(), forwards));
-  };
-  actions.to_end = [this](bool last) { go_to(last ? playback_.step_count() - 1 : 0); };
-  actions.set_speed = [this](double ratio) {
-    playback_.set_speed_ratio(ratio, clock_->now_s());
-    show_place();
-  };
-  actions.set_loop = [this](bool on) { playback_.set_loop(on); };
-  actions.set_backwards = [this](bool on) { playback_.set_backwards(on, clock_->now_s()); };
-  return new TransportBar(std::move(actions), nullptr);
-}
-
 void ReviewWindow::ask_for_session() {
-  const std::filesystem::path folder = choice_.session();
+  const std::filesystem::path folder = choice_.session(words("Open a session"));
   if (!folder.empty()) open(folder);
 }
 
 void ReviewWindow::open(const std::filesystem::path& folder) {
   if (opening_.running()) {
-    notify("Wait: a session is being opened", true);
+    notify(words("Wait: a session is being opened"), true);
     return;
   }
   const QString name = QString::fromStdString(folder.string());
   open_page_->show_reading(name);
-  task_line_->show_notice({"Opening " + folder.string(), palette::kTextDim});
+  task_line_->show_notice({std::string(words("Opening ")) + folder.string(), current_theme().text_dim});
   opening_.run(
       [this, folder](const BackgroundTask::Control&) -> std::function<void()> {
         SessionReader reader(folder);
         auto opened = std::make_shared<Opened>();
         opened->session = std::make_unique<RecordedSession>(recorded_session(reader));
-        opened->events = review_events(*opened->session);
-        opened->timeline = timeline_of(*opened->session, opened->events);
         opened->loader = std::make_unique<StepLoader>(std::move(reader));
         return [this, opened] { adopt(*opened); };
       },
@@ -222,16 +201,26 @@ void ReviewWindow::refuse(const QString& problem) {
 
 void ReviewWindow::adopt(Opened& opened) {
   clear_node();
+  clear_comparison();
+  video_->cancel();
   export_->set_session(opened.session->folder);
+  hints_->set_session(opened.session.get());
   loader_ = std::move(opened.loader);
-  events_ = std::move(opened.events);
+  shown_step_.reset();
   // The views hold on to the session before: they are given the new one first.
   const auto before = std::exchange(session_, std::move(opened.session));
   views_->set_session(*session_);
-  timeline_->set_timeline(std::move(opened.timeline));
-  event_panel_->set_events(events_);
+  const std::string caution = session_caution(*session_);
+  if (caution.empty()) {
+    task_line_->show_notice({});
+    since_notice_.invalidate();
+  } else {
+    notify(QString::fromStdString(caution), true);
+  }
+  // What keeps the notes from being read is said last, and stays.
+  notes_->set_session(session_->folder);
   bar_->show_session(session_.get());
-  setWindowTitle("Pellucida - Review of " + QString::fromStdString(session_name_of(session_->folder)));
+  setWindowTitle(words("Pellucida - Review of ") + QString::fromStdString(session_name_of(session_->folder)));
   open_page_->show_problem({});
   pages_->setCurrentIndex(1);
 
@@ -241,16 +230,9 @@ void ReviewWindow::adopt(Opened& opened) {
   playback_.set_speed_ratio(options_.speed_ratio, now_s);
   playback_.set_loop(options_.loop);
   playback_.set_backwards(options_.backwards, now_s);
-  shown_step_.reset();
-  playback_.go_to_time(options_.from_s.value_or(session_->begin_s()), now_s);
+  playback_.go_to_time(std::exchange(options_.from_s, std::nullopt).value_or(session_->begin_s()), now_s);
   follow();
-  const std::string caution = session_caution(*session_);
-  if (caution.empty()) {
-    task_line_->show_notice({});
-    since_notice_.invalidate();
-  } else {
-    notify(QString::fromStdString(caution), true);
-  }
+  if (!options_.compare.empty()) compare(std::exchange(options_.compare, {}));
 }
 
 void ReviewWindow::go_to(std::size_t step) {
@@ -282,6 +264,8 @@ void ReviewWindow::tick() {
     } else if (const auto loaded = loader_->take()) {
       show_step(*loaded);
     }
+    if (comparison_->tick()) charts_due_ = true;
+    if (shown_step_ && !charts_due_) video_->shown(*shown_step_);
     if (was_playing) show_place();
     show_notice();
   }
@@ -296,9 +280,14 @@ void ReviewWindow::show_step(const LoadedStep& loaded) {
   shown_step_ = loaded.step;
   step_error_ = loaded.error;
   shown_.remarks.warning = doubts_at(events_, session_->times_s[loaded.step]);
+  add_scale(*session_, session_->rows[loaded.step], shown_.remarks);
   readouts_->show_texts(readout_texts(&shown_, session_->profile));
+  readouts_->show_scale(scale_texts(&shown_, session_->profile));
+  notes_->show_at(session_->times_s[loaded.step]);
+  show_hint_marks();
   views_->show_step(shown_, loaded.step);
   node_->show_step(shown_);
+  comparison_->show_step(loaded.step);
   event_panel_->set_position_s(session_->times_s[loaded.step]);
   charts_due_ = true;
   show_place();
@@ -307,6 +296,7 @@ void ReviewWindow::show_step(const LoadedStep& loaded) {
 void ReviewWindow::draw_charts() {
   views_->draw_charts();
   node_->draw_chart();
+  comparison_->draw_chart();
   charts_due_ = false;
   since_charts_.start();
 }
@@ -321,15 +311,15 @@ void ReviewWindow::show_notice() {
   if (since_notice_.isValid() && since_notice_.elapsed() < kReviewNotice_ms) return;
   since_notice_.invalidate();
   if (!step_error_.empty()) {
-    task_line_->show_notice({step_error_, palette::kRecord});
+    task_line_->show_notice({step_error_, current_theme().record});
   } else {
     const Phrase doubt = force_notice(shown_);
-    task_line_->show_notice(doubt.text.empty() ? Phrase{kHint, palette::kTextDim} : doubt);
+    task_line_->show_notice(doubt.text.empty() ? Phrase{words(kHint), current_theme().text_dim} : doubt);
   }
 }
 
 void ReviewWindow::notify(const QString& text, bool problem) {
-  task_line_->show_notice({text.toStdString(), problem ? palette::kWarning : palette::kAccent});
+  task_line_->show_notice({text.toStdString(), problem ? current_theme().warning : current_theme().accent});
   since_notice_.start();
 }
 
@@ -351,13 +341,31 @@ void ReviewWindow::clear_node() {
   arrange_side();
 }
 
-// A low window has room for one of the two.
+void ReviewWindow::compare(const std::filesystem::path& folder) {
+  if (!session_) return;
+  bar_->show_events(true);
+  bar_->set_comparing(true);
+  comparison_->choose(*session_, folder);
+  if (shown_step_) comparison_->show_step(*shown_step_);
+  arrange_side();
+}
+
+void ReviewWindow::clear_comparison() {
+  comparison_->clear();
+  bar_->set_comparing(false);
+  arrange_side();
+  charts_due_ = true;
+}
+
+// A low window has room for one of events and node; a comparison takes the place of both but for a node picked since.
 void ReviewWindow::arrange_side() {
-  event_panel_->setVisible(!node_->node() || height() >= kRoomForBoth_px);
+  const bool compares = comparison_->active() && !node_->node();
+  comparison_->panel().setVisible(compares);
+  event_panel_->setVisible(!compares && (!node_->node() || height() >= kRoomForBoth_px));
 }
 
 void ReviewWindow::resizeEvent(QResizeEvent*) {
-  if (node_) arrange_side();
+  if (comparison_) arrange_side();
 }
 
 void ReviewWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -21,8 +21,11 @@ class QStackedWidget;
 
 namespace pellucida {
 
+class ComparisonReview;
 class EventPanel;
+class HintReview;
 class NodeReview;
+class NoteControl;
 class OpenPage;
 class ReadoutBar;
 class ReviewBar;
@@ -31,6 +34,7 @@ class ReviewViews;
 class TaskLine;
 class TimelineBar;
 class TransportBar;
+class VideoExport;
 
 /// The workstation's window in Review mode: a recorded session with its views, charts, events and timeline. What it
 /// shows was recorded; nothing is computed anew. Sessions are opened and steps read on threads of their own; a timer
@@ -45,6 +49,8 @@ class ReviewWindow : public QMainWindow {
 
   /// Opens the session in `folder` in the background, in place of the present one.
   void open(const std::filesystem::path& folder);
+  /// Compares the present session with the one in `folder`, in place of the one before.
+  void compare(const std::filesystem::path& folder);
   /// Nothing before one was opened.
   const RecordedSession* session() const noexcept { return session_.get(); }
   const Playback& playback() const noexcept { return playback_; }
@@ -52,6 +58,8 @@ class ReviewWindow : public QMainWindow {
   std::optional<std::size_t> shown_step() const noexcept { return shown_step_; }
   const ReviewViews& views() const noexcept { return *views_; }
   const NodeReview& node() const noexcept { return *node_; }
+  const ComparisonReview& comparison() const noexcept { return *comparison_; }
+  const HintReview& hints() const noexcept { return *hints_; }
 
   const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
 
@@ -64,6 +72,12 @@ class ReviewWindow : public QMainWindow {
   struct Opened;
 
   void build();
+  void build_hints();
+  void build_notes();
+  void list_events();
+  void build_video();
+  void add_hint_control();
+  void show_hint_marks();
   QWidget* build_session_page();
   ReviewBar* build_bar();
   TransportBar* build_transport();
@@ -83,6 +97,7 @@ class ReviewWindow : public QMainWindow {
   void notify(const QString& text, bool problem);
   void choose_node(long node);
   void clear_node();
+  void clear_comparison();
 
   ReviewOptions options_;
   std::shared_ptr<const Clock> clock_;
@@ -106,7 +121,11 @@ class ReviewWindow : public QMainWindow {
   TransportBar* transport_ = nullptr;
   TaskLine* task_line_ = nullptr;
   NodeReview* node_ = nullptr;
+  NoteControl* notes_ = nullptr;
+  ComparisonReview* comparison_ = nullptr;
+  HintReview* hints_ = nullptr;
   ReviewExport* export_ = nullptr;
+  VideoExport* video_ = nullptr;
 
   QTimer timer_;
   QElapsedTimer since_charts_;  // since the charts were drawn

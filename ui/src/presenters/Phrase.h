@@ -8,7 +8,7 @@ namespace pellucida {
 /// A text and the colour it is written in.
 struct Phrase {
   std::string text;
-  Color color = palette::kText;
+  Color color = current_theme().text;
 };
 
 }  // namespace pellucida

@@ -12,7 +12,9 @@ struct ReadoutTexts {
   Phrase state;  ///< its colour is the pill's ground
   Phrase indentation;
   Phrase force;
-  Phrase force_note;  ///< "95 %: 3.10 – 3.75 µN", that there is none, or that the force should be doubted
+  Phrase force_note;   ///< "95 %: 3.10 – 3.75 µN", that there is none, or that the force should be doubted
+  Phrase force_parts;  ///< "picture ±9 %, kind of cell ±46 %": which of the two opens the interval
+  std::string force_parts_short;  ///< "±9 %, kind ±46 %"
   std::string force_tip;
   Phrase pressure;
   Phrase confidence;

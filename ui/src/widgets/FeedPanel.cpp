@@ -2,6 +2,7 @@
 
 #include <QToolButton>
 
+#include "Words.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/PanZoomStyle.h"
 #include "widgets/ViewWidget.h"
@@ -12,32 +13,34 @@ FeedPanel::FeedPanel(FeedView& feed, QWidget* parent, bool has_model)
     : FeedPanel(feed, new ViewWidget(feed, 0, nullptr), parent, has_model) {}
 
 FeedPanel::FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent, bool has_model)
-    : Panel("Microscope", view, parent), view_(view) {
+    : Panel(words("Microscope"), view, parent), view_(view) {
   vtkNew<PanZoomStyle> style;
   view_->set_style(style);
   add_buttons(feed, has_model);
 }
 
 void FeedPanel::add_buttons(FeedView& feed, bool has_model) {
-  const auto toggle = [&](const char* text, const char* tip, const QKeySequence& key, bool on, auto change) {
+  const auto toggle = [&](const QString& text, const QString& tip, const QKeySequence& key, bool on, auto change) {
     connect(add_toggle(text, tip, key, on), &QToolButton::toggled, this, [this, &feed, change](bool now) {
       change(feed, now);
       view_->render();
     });
   };
-  toggle("Contours", "Membranes found in the image", Qt::Key_1, true,
+  toggle(words("Contours"), words("Membranes found in the image"), Qt::Key_1, true,
          [](FeedView& view, bool on) { view.show_contours(on); });
   if (has_model) {
-    toggle("Model", "Section through the mechanical model", Qt::Key_2, true,
+    toggle(words("Model"), words("Section through the mechanical model"), Qt::Key_2, true,
            [](FeedView& view, bool on) { view.show_model_section(on); });
   }
-  toggle("Tools", "Needle and holding pipette", Qt::Key_3, true, [](FeedView& view, bool on) { view.show_tools(on); });
-  toggle("Whole frame", "The whole image instead of the cell", Qt::Key_W, false,
+  toggle(words("Tools"), words("Needle and holding pipette"), Qt::Key_3, true,
+         [](FeedView& view, bool on) { view.show_tools(on); });
+  toggle(words("Whole frame"), words("The whole image instead of the cell"), Qt::Key_W, false,
          [](FeedView& view, bool on) { view.set_framing(on ? FeedFraming::kFrame : FeedFraming::kCell); });
-  connect(add_button("Reset", "Undo panning and zooming", Qt::Key_F), &QToolButton::clicked, this, [this, &feed] {
-    feed.reset_camera();
-    view_->render();
-  });
+  connect(add_button(words("Reset"), words("Undo panning and zooming"), Qt::Key_F), &QToolButton::clicked, this,
+          [this, &feed] {
+            feed.reset_camera();
+            view_->render();
+          });
 }
 
 }  // namespace pellucida

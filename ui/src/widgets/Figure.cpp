@@ -1,7 +1,9 @@
 #include "widgets/Figure.h"
+#include "Words.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 namespace pellucida {
@@ -15,11 +17,11 @@ QSize FigureLabel::widened(const QSize& size) const {
   return {std::max(size.width(), fontMetrics().horizontalAdvance(widest_) + kFigureSlack_px), size.height()};
 }
 
-Figure add_figure(QHBoxLayout& row, QWidget& parent, const char* name, const char* heading, const char* widest,
-                  const char* widest_note) {
+Figure add_figure(QHBoxLayout& row, QWidget& parent, const char* name, const QString& heading, const QString& widest,
+                  const QString& widest_note) {
   auto* box = new QVBoxLayout;
   box->setSpacing(0);
-  auto* title = new QLabel(QString::fromUtf8(heading), &parent);
+  auto* title = new QLabel(heading, &parent);
   title->setObjectName("readoutName");
   box->addWidget(title);
 
@@ -31,7 +33,7 @@ Figure add_figure(QHBoxLayout& row, QWidget& parent, const char* name, const cha
   auto* line = new QHBoxLayout;
   line->setSpacing(10);
   line->addWidget(figure.value);
-  if (widest_note) {
+  if (!widest_note.isEmpty()) {
     figure.note = new FigureLabel(widest_note, &parent);
     figure.note->setObjectName(QString(name) + "Note");
     figure.note->setProperty("figureNote", true);

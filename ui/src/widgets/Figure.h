@@ -9,7 +9,7 @@ namespace pellucida {
 /// letters.
 class FigureLabel : public QLabel {
  public:
-  FigureLabel(const char* widest, QWidget* parent) : QLabel(parent), widest_(QString::fromUtf8(widest)) {}
+  FigureLabel(const QString& widest, QWidget* parent) : QLabel(parent), widest_(widest) {}
   QSize sizeHint() const override { return widened(QLabel::sizeHint()); }
   QSize minimumSizeHint() const override { return widened(QLabel::minimumSizeHint()); }
 
@@ -26,7 +26,7 @@ struct Figure {
 };
 
 /// Adds one at the row's end. `name`: the value's object name, its note's with "Note" after it. `widest` texts: UTF-8.
-Figure add_figure(QHBoxLayout& row, QWidget& parent, const char* name, const char* heading, const char* widest,
-                  const char* widest_note = nullptr);
+Figure add_figure(QHBoxLayout& row, QWidget& parent, const char* name, const QString& heading, const QString& widest,
+                  const QString& widest_note = {});
 
 }  // namespace pellucida

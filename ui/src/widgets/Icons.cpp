@@ -1,8 +1,10 @@
 #include "widgets/Icons.h"
 
+#include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPixmap>
+#include <algorithm>
 
 #include "Theme.h"
 #include "pellucida/visualization/Palette.h"
@@ -41,10 +43,10 @@ void draw_transport(QPainter& painter, Pictogram pictogram) {
 
 void draw_loop(QPainter& painter) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(to_qt(palette::kText), 1.7));
+  painter.setPen(QPen(to_qt(current_theme().text), 1.7));
   painter.drawArc(QRectF(3, 3, 10, 10), 20 * 16, 300 * 16);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(to_qt(palette::kText));
+  painter.setBrush(to_qt(current_theme().text));
   painter.drawPolygon(QPolygonF({{10.2, 7.0}, {15.4, 7.0}, {12.8, 2.6}}));
 }
 
@@ -55,10 +57,10 @@ void mirror(QPainter& painter) {
 
 void draw(QPainter& painter, Pictogram pictogram) {
   painter.setPen(Qt::NoPen);
-  painter.setBrush(to_qt(palette::kText));
+  painter.setBrush(to_qt(current_theme().text));
   switch (pictogram) {
     case Pictogram::kProgram:
-      // A cell in its clear zone, touched from the right.
+      // A cell in its clear zone, touched from the right; the same in every theme.
       painter.setBrush(to_qt(palette::kPanel));
       painter.drawRoundedRect(QRectF(0, 0, 16, 16), 3.5, 3.5);
       painter.setBrush(Qt::NoBrush);
@@ -71,11 +73,10 @@ void draw(QPainter& painter, Pictogram pictogram) {
       painter.drawPolygon(QPolygonF({{8.6, 8.0}, {15.6, 7.0}, {15.6, 9.0}}));
       break;
     case Pictogram::kRecord:
-      painter.setBrush(to_qt(palette::kRecord));
+      painter.setBrush(to_qt(current_theme().record));
       painter.drawEllipse(QPointF(8, 8), 5, 5);
       break;
     case Pictogram::kStop:
-      painter.setBrush(to_qt(palette::kWindow));
       painter.drawRect(QRectF(4, 4, 8, 8));
       break;
     case Pictogram::kPause:
@@ -90,7 +91,7 @@ void draw(QPainter& painter, Pictogram pictogram) {
       body.addRoundedRect(QRectF(1.5, 4.5, 13, 9), 1.8, 1.8);
       body.addRect(QRectF(5.5, 2.8, 5, 1.8));
       painter.drawPath(body.simplified());
-      painter.setBrush(to_qt(palette::kRaised));
+      painter.setBrush(to_qt(current_theme().raised));
       painter.drawEllipse(QPointF(8, 9), 2.8, 2.8);
       break;
     }
@@ -135,28 +136,59 @@ void draw(QPainter& painter, Pictogram pictogram) {
       painter.drawPolygon(QPolygonF({{1, 3.2}, {7.4, 4.6}, {7.4, 13.4}, {1, 12}}));
       painter.drawPolygon(QPolygonF({{15, 3.2}, {8.6, 4.6}, {8.6, 13.4}, {15, 12}}));
       break;
+    case Pictogram::kCompare:
+      // Two pages side by side.
+      painter.drawRect(QRectF(1.5, 2.5, 5.5, 11));
+      painter.drawRect(QRectF(9, 2.5, 5.5, 11));
+      break;
     case Pictogram::kNote:
       painter.drawRect(QRectF(3, 3, 10, 1.6));
       painter.drawRect(QRectF(3, 7, 10, 1.6));
       painter.drawRect(QRectF(3, 11, 6, 1.6));
       break;
+    case Pictogram::kScale:
+      painter.drawRect(QRectF(2, 7.2, 12, 1.6));
+      for (const double x : {2.0, 7.2, 12.4}) painter.drawRect(QRectF(x, 4.5, 1.6, 7));
+      break;
   }
 }
+
+// Drawn when it is shown, in the colours of the theme at that time.
+class PictogramEngine : public QIconEngine {
+ public:
+  explicit PictogramEngine(Pictogram pictogram) : pictogram_(pictogram) {}
+
+  void paint(QPainter* painter, const QRect& place, QIcon::Mode mode, QIcon::State) override {
+    const double side = std::min(place.width(), place.height());
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setOpacity(mode == QIcon::Disabled ? kFaded : 1.0);
+    painter->translate(place.x() + 0.5 * (place.width() - side), place.y() + 0.5 * (place.height() - side));
+    painter->scale(side / kField, side / kField);
+    draw(*painter, pictogram_);
+    painter->restore();
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap pixmap(size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return pixmap;
+  }
+
+  QIconEngine* clone() const override { return new PictogramEngine(pictogram_); }
+
+ private:
+  static constexpr double kFaded = 0.45;
+
+  Pictogram pictogram_;
+};
 
 }  // namespace
 
 QIcon make_icon(Pictogram pictogram) {
-  QIcon icon;
-  for (const int size : {16, 32, 64, 128}) {
-    QPixmap pixmap(size, size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.scale(size / kField, size / kField);
-    draw(painter, pictogram);
-    icon.addPixmap(pixmap);
-  }
-  return icon;
+  return QIcon(new PictogramEngine(pictogram));
 }
 
 }  // namespace pellucida

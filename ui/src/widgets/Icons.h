@@ -12,6 +12,7 @@ enum class Pictogram {
   kPlay,
   kCamera,
   kNote,
+  kScale,
   kRestart,
   kEnd,
   kStepBack,
@@ -24,6 +25,7 @@ enum class Pictogram {
   kBackwards,
   kOpen,
   kLesson,
+  kCompare,
 };
 QIcon make_icon(Pictogram pictogram);
 

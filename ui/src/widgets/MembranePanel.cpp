@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "Words.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "widgets/ArrowMenu.h"
 #include "widgets/ViewWidget.h"
@@ -17,18 +18,18 @@ MembranePanel::MembranePanel(MembraneView& membranes, QWidget* parent)
     : MembranePanel(membranes, new ViewWidget(membranes, 0, nullptr), parent) {}
 
 MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget* parent)
-    : Panel("Forces in 3-D", view, parent), view_(view) {
+    : Panel(words("Forces in 3-D"), view, parent), view_(view) {
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   view_->set_style(style);
   add_coloring_menu(membranes);
   add_control(new ArrowMenu(
       membranes, [this] { view_->render(); }, this));
-  connect(add_toggle("Tools", "Needle and holding pipette", Qt::Key_4, true), &QToolButton::toggled, this,
+  connect(add_toggle(words("Tools"), words("Needle and holding pipette"), Qt::Key_4, true), &QToolButton::toggled, this,
           [this, &membranes](bool on) {
             membranes.show_tools(on);
             view_->render();
           });
-  connect(add_button("Reset", "Back to the first point of view", Qt::Key_V), &QToolButton::clicked, this,
+  connect(add_button(words("Reset"), words("Back to the first point of view"), Qt::Key_V), &QToolButton::clicked, this,
           [this, &membranes] {
             membranes.reset_camera();
             view_->render();
@@ -36,23 +37,23 @@ MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget*
 }
 
 void MembranePanel::add_coloring_menu(MembraneView& membranes) {
-  QToolButton* button = add_button({}, "What the colour of the outer membrane shows");
+  QToolButton* button = add_button({}, words("What the colour of the outer membrane shows"));
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
   auto* choice = new QActionGroup(menu);
-  const std::pair<const char*, SurfaceColoring> entries[] = {{"Plain", SurfaceColoring::kPlain},
-                                                             {"Tension", SurfaceColoring::kTension},
-                                                             {"Displacement", SurfaceColoring::kDisplacement}};
+  const std::pair<QString, SurfaceColoring> entries[] = {{words("Plain"), SurfaceColoring::kPlain},
+                                                         {words("Tension"), SurfaceColoring::kTension},
+                                                         {words("Displacement"), SurfaceColoring::kDisplacement}};
   for (const auto& [name, coloring] : entries) {
     QAction* action = choice->addAction(menu->addAction(name));
     action->setCheckable(true);
     connect(action, &QAction::triggered, this, [=, this, &membranes, text = QString(name), kind = coloring] {
-      button->setText(QString::fromUtf8("Surface: %1 \u25BE").arg(text.toLower()));
+      button->setText(words("Surface: %1 \u25BE").arg(text.toLower()));
       membranes.set_coloring(kind);
       view_->render();
     });
   }
-  button->setText(QString::fromUtf8("Surface: plain \u25BE"));
+  button->setText(words("Surface: plain \u25BE"));
   choice->actions().first()->setChecked(true);
   button->setMenu(menu);
 }

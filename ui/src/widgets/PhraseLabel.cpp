@@ -13,13 +13,13 @@ constexpr int kSlack_px = 6;
 
 }  // namespace
 
-QLabel* add_phrase_label(QBoxLayout& row, const char* widest) {
+QLabel* add_phrase_label(QBoxLayout& row, const QString& widest) {
   auto* label = new QLabel;
   label->setObjectName("statusText");
   QFont letters = label->font();
   letters.setPixelSize(kLetters_px);
-  if (*widest != '\0') {
-    label->setMinimumWidth(QFontMetrics(letters).horizontalAdvance(QString::fromUtf8(widest)) + kSlack_px);
+  if (!widest.isEmpty()) {
+    label->setMinimumWidth(QFontMetrics(letters).horizontalAdvance(widest) + kSlack_px);
   }
   row.addWidget(label);
   return label;

@@ -7,6 +7,7 @@
 
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
+#include "widgets/LookMenu.h"
 
 namespace pellucida {
 
@@ -35,6 +36,10 @@ QPushButton* TitleBar::add_button(const QString& text, const QKeySequence& key, 
   connect(button, &QPushButton::clicked, this, std::move(action));
   row_->addWidget(button);
   return button;
+}
+
+void TitleBar::add_look_menu(const QKeySequence& light_key) {
+  row_->addWidget(make_look_button(light_key, this));
 }
 
 void TitleBar::add_name(const QString& name, const QString& tip) {

@@ -19,14 +19,20 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   View& view() noexcept { return view_; }
   /// What the mouse does; nullptr for nothing.
   void set_style(vtkInteractorObserver* style);
+  /// All letters and lines of the view `scale` times as large as the screen's own scaling makes them.
+  void set_type_scale(double scale);
   /// Renders now; does nothing while the widget can't be seen.
   void render();
 
  protected:
   bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  void follow_screen();
+
   View& view_;
+  double type_scale_ = 1.0;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
 };
 

@@ -6,9 +6,9 @@
 namespace pellucida {
 
 std::optional<StartChoice> run_start(const StartOptions& options) {
-  WindowProgram program;
+  WindowProgram program(options);
   StartWindow window(options);
-  program.show(window);
+  program.show(window, options);
   window.screenshot().rethrow_fault();
   return window.choice();
 }

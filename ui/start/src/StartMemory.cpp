@@ -50,7 +50,6 @@ StartForm StartMemory::form() const {
   }
   const int card = settings.value("card", 0).toInt();
   if (card >= 0 && card < kStartCardCount) form.card = static_cast<StartCardId>(card);
-  form.light_theme = settings.value("lesson/light_theme", false).toBool();
   form.large_letters = settings.value("lesson/large_letters", false).toBool();
   return form;
 }
@@ -68,7 +67,6 @@ void StartMemory::keep(const StartForm& form, QSize size) const {
   QSettings settings(file_, QSettings::IniFormat);
   for (const auto& [key, member] : kTexts) settings.setValue(key, QString::fromStdString(form.*member));
   settings.setValue("card", static_cast<int>(form.card));
-  settings.setValue("lesson/light_theme", form.light_theme);
   settings.setValue("lesson/large_letters", form.large_letters);
   settings.setValue("window/width_px", size.width());
   settings.setValue("window/height_px", size.height());

@@ -1,5 +1,6 @@
 #pragma once
 #include <QSize>
+#include <QString>
 #include <filesystem>
 
 #include "presenters/StartForm.h"

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "Words.h"
 #include "widgets/CameraCard.h"
 #include "widgets/LessonCard.h"
 #include "widgets/RecentStrip.h"
@@ -27,8 +28,8 @@ namespace {
 constexpr int kTallestCard_px = 570;
 
 std::filesystem::path ask_with_dialog(QWidget& window, bool folder) {
-  const QString answer = folder ? QFileDialog::getExistingDirectory(&window, "Open a folder", QDir::homePath())
-                                : QFileDialog::getOpenFileName(&window, "Open a recording", QDir::homePath());
+  const QString answer = folder ? QFileDialog::getExistingDirectory(&window, words("Open a folder"), QDir::homePath())
+                                : QFileDialog::getOpenFileName(&window, words("Open a recording"), QDir::homePath());
   return answer.toStdString();
 }
 
@@ -57,7 +58,7 @@ StartWindow::~StartWindow() {
 }
 
 void StartWindow::build(const StartForm& form, AskForPath ask) {
-  setWindowTitle("Pellucida - Start");
+  setWindowTitle(words("Pellucida - Start"));
   setWindowIcon(make_icon(Pictogram::kProgram));
   const QSize remembered = options_.remembered_size ? memory_.size() : QSize();
   resize(remembered.isValid() ? remembered : QSize(options_.width_px, options_.height_px));
@@ -69,7 +70,8 @@ void StartWindow::build(const StartForm& form, AskForPath ask) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* bar = new TitleBar(page);
-  bar->add_name("1 to 4 choose a card, Enter starts it; or drop a file or a folder here", {});
+  bar->add_look_menu();
+  bar->add_name(words("1 to 4 choose a card, Enter starts it; or drop a file or a folder here"), {});
   column->addWidget(bar);
   auto* content = new QVBoxLayout;
   content->setContentsMargins(16, 14, 16, 12);
@@ -195,7 +197,7 @@ void StartWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
   make_current(StartCardId::kRecording);
   if (urls.size() != 1 || !urls.front().isLocalFile()) {
-    recording_->show_problem({StartField::kPath, "Drop one file or one folder of this computer."});
+    recording_->show_problem({StartField::kPath, words("Drop one file or one folder of this computer.")});
     return;
   }
   recording_->take(urls.front().toLocalFile().toStdString());

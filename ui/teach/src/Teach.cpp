@@ -7,10 +7,10 @@ namespace pellucida {
 
 int run_teach(const TeachOptions& options) {
   // A wrong name is said before a window opens.
-  LessonChoice lessons = choose_lessons(options.lesson);
-  WindowProgram program(options.light_theme ? light_theme() : dark_theme());
-  TeachWindow window(std::move(lessons), options);
-  const int status = program.show(window);
+  choose_lessons(options.lesson);
+  WindowProgram program(options);
+  TeachWindow window(choose_lessons(options.lesson), options);
+  const int status = program.show(window, options);
   window.screenshot().rethrow_fault();
   return status;
 }

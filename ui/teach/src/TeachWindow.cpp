@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "Theme.h"
+#include "Words.h"
 #include "pellucida/teaching_vtk/PokeStyle.h"
 #include "presenters/TeachPresenter.h"
 #include "widgets/Icons.h"
@@ -50,7 +51,8 @@ int node_under_tip(const CellSnapshot& s) {
 }  // namespace
 
 LessonChoice choose_lessons(const std::string& name) {
-  LessonChoice choice{all_lessons(), 0};
+  // The folder of the language's own.
+  LessonChoice choice{all_lessons(say("lessons")), 0};
   if (name.empty()) return choice;
   const Lesson wanted = load_lesson(name);
   const auto same = std::find_if(choice.lessons.begin(), choice.lessons.end(),
@@ -92,7 +94,7 @@ TeachWindow::~TeachWindow() {
 }
 
 void TeachWindow::build(LessonChoice& lessons) {
-  setWindowTitle("Pellucida, teach");
+  setWindowTitle(words("Pellucida, teach"));
   setWindowIcon(make_icon(Pictogram::kProgram));
   resize(options_.width_px, options_.height_px);
   setMinimumSize(1000, 640);
@@ -118,7 +120,7 @@ void TeachWindow::build(LessonChoice& lessons) {
   auto* all = new QSplitter(Qt::Horizontal);
   all->setHandleWidth(4);
   all->setChildrenCollapsible(false);
-  all->addWidget(new pellucida::Panel("Lessons", lesson_panel_, nullptr));
+  all->addWidget(new pellucida::Panel(words("Lessons"), lesson_panel_, nullptr));
   all->addWidget(middle);
   all->addWidget(build_side());
   all->setStretchFactor(1, 1);
@@ -132,9 +134,11 @@ void TeachWindow::build(LessonChoice& lessons) {
 
 QWidget* TeachWindow::build_top_bar() {
   auto* bar = new TitleBar(nullptr);
-  bar->add_button("Start again", Qt::Key_Home, "The cell at rest", [this] { restart(); })->setObjectName("restart");
-  bar->add_button("Withdraw", Qt::Key_W, "The needle out of the cell", [this] { move_hand(kWithdrawn_um, 0.0); });
-  const auto add_look = [&](const char* text, Qt::Key key, const char* tip, bool& option) {
+  bar->add_button(words("Start again"), Qt::Key_Home, words("The cell at rest"), [this] { restart(); })
+      ->setObjectName("restart");
+  bar->add_button(words("Withdraw"), Qt::Key_W, words("The needle out of the cell"),
+                  [this] { move_hand(kWithdrawn_um, 0.0); });
+  const auto add_look = [&](const QString& text, Qt::Key key, const QString& tip, bool& option) {
     auto* button = bar->add_button(text, key, tip, [this, &option] {
       option = !option;
       apply_look();
@@ -142,11 +146,11 @@ QWidget* TeachWindow::build_top_bar() {
     button->setCheckable(true);
     button->setChecked(option);
   };
-  add_look("Light", Qt::Key_L, "Dark on white, for projectors", options_.light_theme);
-  add_look("Large letters", Qt::Key_T, "For the last row", options_.large_letters);
-  bar->add_button("Full screen", Qt::Key_F11, "All of the screen, and back",
+  add_look(words("Large letters"), Qt::Key_T, words("For the last row"), options_.large_letters);
+  bar->add_button(words("Full screen"), Qt::Key_F11, words("All of the screen, and back"),
                   [this] { isFullScreen() ? showNormal() : showFullScreen(); });
-  bar->add_name("Teach", "A simulated cell to poke");
+  bar->add_look_menu(Qt::Key_L);
+  bar->add_name(words("Teach"), words("A simulated cell to poke"));
   return bar;
 }
 
@@ -179,21 +183,21 @@ QWidget* TeachWindow::build_cell() {
   column->addWidget(banner_);
   column->addWidget(cell_widget_, 1);
 
-  auto* panel = new pellucida::Panel("Cell", content, nullptr);
-  connect(panel->add_toggle("Springs", "Connectors, coloured by their pull", Qt::Key_1, true), &QToolButton::toggled,
-          this, [this](bool on) { cell_view_.show_springs(on); });
-  connect(panel->add_toggle("Surface", "The membrane", Qt::Key_2, true), &QToolButton::toggled, this,
+  auto* panel = new pellucida::Panel(words("Cell"), content, nullptr);
+  connect(panel->add_toggle(words("Springs"), words("Connectors, coloured by their pull"), Qt::Key_1, true),
+          &QToolButton::toggled, this, [this](bool on) { cell_view_.show_springs(on); });
+  connect(panel->add_toggle(words("Surface"), words("The membrane"), Qt::Key_2, true), &QToolButton::toggled, this,
           [this](bool on) { cell_view_.show_surface(on); });
-  connect(panel->add_button("Reset", "Back to the first point of view", Qt::Key_V), &QToolButton::clicked, this,
-          [this] { cell_view_.reset_camera(); });
+  connect(panel->add_button(words("Reset"), words("Back to the first point of view"), Qt::Key_V), &QToolButton::clicked,
+          this, [this] { cell_view_.reset_camera(); });
   return panel;
 }
 
 QWidget* TeachWindow::build_chart() {
   constexpr int kSamples = 4;
   chart_widget_ = new ViewWidget(chart_, kSamples, nullptr);
-  chart_.set_reference("quasi-static", {}, {});
-  return new pellucida::Panel("Force over depth", chart_widget_, nullptr);
+  chart_.set_reference(words("quasi-static"), {}, {});
+  return new pellucida::Panel(words("Force over depth"), chart_widget_, nullptr);
 }
 
 QWidget* TeachWindow::build_side() {
@@ -202,17 +206,17 @@ QWidget* TeachWindow::build_side() {
   side_->tabBar()->setDrawBase(false);
   side_->setUsesScrollButtons(false);
   parameter_panel_ = new ParameterPanel([this](const TeachingParameters& p) { change(p); }, nullptr);
-  const auto add_page = [this](QWidget* page, const char* name) {
+  const auto add_page = [this](QWidget* page, const QString& name) {
     auto* scroll = new QScrollArea;
     scroll->setWidget(page);
     scroll->setWidgetResizable(true);
     side_->addTab(scroll, name);
   };
-  add_page(parameter_panel_, "Parameters");
+  add_page(parameter_panel_, words("Parameters"));
   force_table_ = new NodeForceTable(nullptr);
   connect(&force_table_->head_to_tail(), &QCheckBox::toggled, this,
           [this](bool on) { cell_view_.set_head_to_tail(on); });
-  add_page(force_table_, "Node forces");
+  add_page(force_table_, words("Node forces"));
   return side_;
 }
 
@@ -231,14 +235,10 @@ void TeachWindow::add_keys() {
 }
 
 void TeachWindow::apply_look() {
-  const ThemeColors& theme = options_.light_theme ? light_theme() : dark_theme();
   const double letters = options_.large_letters ? kLargeLetters : 1.0;
-  apply_theme(*qApp, theme, letters);
-  const double ratio = letters * devicePixelRatioF();
-  cell_view_.set_hud_ratio(ratio);
-  chart_.set_hud_ratio(ratio);
-  cell_view_.set_theme(theme);
-  chart_.set_theme(theme);
+  apply_theme(*qApp, current_theme(), letters);
+  cell_widget_->set_type_scale(letters);
+  chart_widget_->set_type_scale(letters);
   cell_widget_->render();
   chart_widget_->render();
 }
@@ -331,10 +331,11 @@ void TeachWindow::show_curve(const CellSnapshot& s) {
   if (fitting == shown_curve_) return;
   shown_curve_ = fitting;
   if (!fitting) {
-    chart_.set_reference("quasi-static: is computed", {}, {});
+    chart_.set_reference(words("quasi-static: is computed"), {}, {});
   } else {
-    chart_.set_reference(fitting->fault.empty() ? "quasi-static" : "quasi-static: " + fitting->fault, fitting->depth_um,
-                         fitting->force_uN);
+    chart_.set_reference(fitting->fault.empty() ? std::string(words("quasi-static"))
+                                                : std::string(words("quasi-static: ")) + fitting->fault,
+                         fitting->depth_um, fitting->force_uN);
   }
 }
 

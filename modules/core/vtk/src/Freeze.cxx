@@ -13,7 +13,7 @@ namespace pellucida {
 namespace {
 
 // VTK makes an array's information and its ranges at the first question and keeps them: ask now, while there is one
-// thread. VTK's XML writers ask every array of what they write, those of points and cells as well.
+// thread. VTK's XML writers change more than that: OwnArrays.h.
 void fill_caches(vtkAbstractArray* array) {
   if (!array) return;
   array->GetInformation();

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -97,17 +98,47 @@ class MechanicsStep::Impl {
 
   ForceObserver& observer() noexcept { return observer_; }
 
+  void set_scale_measurements(std::vector<ScaleMeasurement> measurements) {
+    for (const ScaleMeasurement& one : measurements) way_of(one);
+    std::lock_guard lock(waiting_mutex_);
+    waiting_ = std::move(measurements);
+  }
+
   expected<Scene, StepFailure> process(const Scene& scene, const SolvedShape* known) {
+    ForceEstimate e;
+    auto measured = measure(scene, known, e);
+    if (!measured) return unexpected<StepFailure>(std::move(measured.error()));
+    Scene& out = measured->scene;
+    if (e.rest_um.cols() == 0 || !e.converged) return std::move(out);
+
+    // The model's own surface, and its forces on the surface that people look at.
+    out.model = Frozen<vtkPolyData>(make_model(e, scene.observation->time_s, scene.observation->frame_index));
+    const SurfaceForces& forces = measured->forces;
+    if (forces.force_uN) {
+      auto surface = scene.surface.shallow_copy();
+      vtkPointData* data = surface->GetPointData();
+      for (vtkDataArray* array : {forces.force_uN.Get(), forces.force_sigma_uN.Get(), forces.tension_uN_per_um.Get()}) {
+        data->AddArray(array);
+      }
+      out.surface = Frozen<vtkPolyData>(surface);
+    }
+    return std::move(out);
+  }
+
+  /// `e`: what it was made of.
+  expected<MeasuredScene, StepFailure> measure(const Scene& scene, const SolvedShape* known, ForceEstimate& e) {
     if (!scene.observation) return unexpected<StepFailure>({"mechanics: the scene has no observation"});
     if (scene.run_index != run_index_) {
       run_index_ = scene.run_index;
       observer_.reset();
       said_.clear();
       warnings_.clear();
-      told_puncture_ = false;
+      reported_puncture_ = false;
     }
-    Scene out = scene;
-    const ForceEstimate e = observer_.process(*scene.observation, known);
+    take_measurements();
+    MeasuredScene measured{.scene = scene, .forces = {}};
+    Scene& out = measured.scene;
+    e = observer_.process(*scene.observation, known);
 
     out.contact = contact_model(*scene.observation, e, scene.arrival_s);
 
@@ -115,6 +146,10 @@ class MechanicsStep::Impl {
     out.measurement.contact_force_uN = e.contact_force_uN;
     out.measurement.contact_force_lower_uN = e.contact_force_lower_uN;
     out.measurement.contact_force_upper_uN = e.contact_force_upper_uN;
+    out.measurement.contact_force_picture_lower_uN = e.by_picture.lower_uN;
+    out.measurement.contact_force_picture_upper_uN = e.by_picture.upper_uN;
+    out.measurement.contact_force_scale_lower_uN = e.by_scale.lower_uN;
+    out.measurement.contact_force_scale_upper_uN = e.by_scale.upper_uN;
     out.measurement.pressure_Pa = e.converged ? e.pressure_Pa : Measurement::kNotMeasured;
     if (std::isnan(out.measurement.volume_um3)) out.measurement.volume_um3 = e.volume_um3;
     out.measurement.lateral_force_uN = e.lateral_force_uN;
@@ -123,7 +158,7 @@ class MechanicsStep::Impl {
     out.measurement.asymmetry_um = e.shape.asymmetry_um;
     out.measurement.model_spread_percent = e.opinions.spread_percent;
     out.measurement.puncture_probability = e.puncture_probability;
-    tell(e, *scene.observation, out);
+    add_events(e, *scene.observation, out);
 
     // Why there is no force: with every frame, and once as a note when the reason is new.
     const std::optional<CellState> state = out.measurement.state;
@@ -131,27 +166,34 @@ class MechanicsStep::Impl {
     out.remarks = {.reason = should_measure ? e.reason : std::string(),
                    .warning = describe(e.warnings, observer_.profile().name),
                    .point_load_uN = e.opinions.point_load_uN,
-                   .table_uN = e.opinions.table_uN};
+                   .table_uN = e.opinions.table_uN,
+                   .scale_ratio = observer_.scale().ratio,
+                   .scale_sigma_ratio = observer_.scale().relative_sigma,
+                   .has_own_scale = observer_.has_own_scale()};
     if (should_measure && !e.reason.empty() && e.reason != said_) {
       out.events.push_back({scene.observation->time_s, event_kind::kNote, "no force: " + e.reason});
     }
     if (should_measure) said_ = e.reason;
-    if (e.rest_um.cols() == 0 || !e.converged) return out;
-
-    // The model's own surface, and its forces on the surface that people look at.
-    out.model = Frozen<vtkPolyData>(make_model(e, scene.observation->time_s, scene.observation->frame_index));
-    if (auto surface = scene.surface.shallow_copy()) {
-      if (add_forces(e, surface)) out.surface = Frozen<vtkPolyData>(surface);
+    if (e.rest_um.cols() > 0 && e.converged && scene.surface) {
+      // Only read; VTK's getters are not const.
+      measured.forces = forces_on(e, const_cast<vtkPolyData*>(scene.surface.get()));
     }
-    return out;
+    return measured;
   }
 
  private:
-  bool add_forces(const ForceEstimate& e, vtkPolyData* surface) {
+  void take_measurements() {
+    std::lock_guard lock(waiting_mutex_);
+    if (!waiting_) return;
+    observer_.set_scale_measurements(std::move(*waiting_));
+    waiting_.reset();
+  }
+
+  SurfaceForces forces_on(const ForceEstimate& e, vtkPolyData* surface) {
     vtkDataArray* direction = surface->GetPointData()->GetArray(kRestDirection);
     vtkDataArray* membrane = surface->GetPointData()->GetArray(array_name::kMembrane);
     const vtkIdType count = surface->GetNumberOfPoints();
-    if (!direction || !membrane || count == 0 || direction->GetNumberOfComponents() != 3) return false;
+    if (!direction || !membrane || count == 0 || direction->GetNumberOfComponents() != 3) return {};
 
     // Directions at rest, in the cell frame: there they hardly ever change.
     Eigen::Matrix3Xd directions(3, count);
@@ -172,18 +214,16 @@ class MechanicsStep::Impl {
     const Eigen::MatrixXd force = transfer_->extensive() * e.force_uN.transpose();
     const Eigen::VectorXd sigma = transfer_->extensive() * e.force_sigma_uN;
     const Eigen::VectorXd tension = transfer_->intensive() * e.tension_uN_per_um;
-    vtkPointData* data = surface->GetPointData();
-    data->AddArray(make_array(array_name::kForce, force.transpose()));
-    data->AddArray(make_array(array_name::kForceSigma, sigma.transpose()));
-    data->AddArray(make_array(array_name::kTension, tension.transpose()));
-    return true;
+    return {.force_uN = make_array(array_name::kForce, force.transpose()),
+            .force_sigma_uN = make_array(array_name::kForceSigma, sigma.transpose()),
+            .tension_uN_per_um = make_array(array_name::kTension, tension.transpose())};
   }
 
   /// Events of the contact: a puncture, once; a warning, when it is new; a palpation, when it counts.
-  void tell(const ForceEstimate& e, const Observation& o, Scene& out) {
+  void add_events(const ForceEstimate& e, const Observation& o, Scene& out) {
     out.measurement.state = e.judged_state(o.state);
     // One event a puncture, with its force; none from the tracker, whose word may come late, or be doubted.
-    if (e.puncture || e.puncture_doubted || (told_puncture_ && e.punctured)) {
+    if (e.puncture || e.puncture_doubted || (reported_puncture_ && e.punctured)) {
       std::erase_if(out.events, [](const Event& event) { return event.kind == event_kind::kPuncture; });
     }
     if (e.puncture) {
@@ -191,9 +231,14 @@ class MechanicsStep::Impl {
       out.events.push_back({o.time_s, event_kind::kPuncture,
                             format("at %.2f uN and %.1f um, work %.1f uN um; membrane back at %.1f um", p.peak_force_uN,
                                    p.depth_um, p.work_uN_um, o.indentation_um)});
-      told_puncture_ = true;
+      reported_puncture_ = true;
     }
-    if (!e.punctured) told_puncture_ = false;
+    if (e.puncture_revoked && reported_puncture_) {
+      out.events.push_back(
+          {o.time_s, event_kind::kNote,
+           format("puncture revoked: membrane and tip are together again at %.1f um", o.indentation_um)});
+    }
+    if (!e.punctured) reported_puncture_ = false;
 
     const unsigned fresh = warnings_.add(e.warnings, o.time_s);
     if (fresh != 0U) {
@@ -206,19 +251,34 @@ class MechanicsStep::Impl {
     }
 
     const CellScale scale = observer_.scale();
-    if (!std::isnan(e.puncture_probability) && scale.ratio != told_scale_.ratio) {
-      told_scale_ = scale;
+    // A model built anew changes it by a trifle.
+    const bool is_news = std::abs(std::log(scale.ratio / reported_scale_.ratio)) > 0.01 ||
+                         std::abs(scale.relative_sigma - reported_scale_.relative_sigma) > 0.005;
+    if (observer_.has_own_scale() && is_news) {
+      reported_scale_ = scale;
       out.events.push_back({o.time_s, event_kind::kPalpation,
                             format("this cell's forces are %.3f times the profile's, +- %.1f %%", scale.ratio,
-                                   100.0 * scale.relative_sigma)});
+                                   100.0 * scale.relative_sigma) +
+                                far_from_kind(scale)});
     }
+  }
+
+  /// A measured scale that hardly any cell of the kind has.
+  std::string far_from_kind(const CellScale& scale) const {
+    const double sigmas = std::abs(std::log(scale.ratio)) / scale_before(observer_.profile()).relative_sigma;
+    constexpr double kFar = 2.0;
+    if (sigmas < kFar) return {};
+    return format("; %.1f standard deviations from the kind: check the measurement, and that profile ", sigmas) +
+           observer_.profile().name + " is this cell's";
   }
 
   ForceObserver observer_;
   WarningNews warnings_;
-  bool told_puncture_ = false;  // the state has been punctured since
-  CellScale told_scale_;
-  std::string said_;  // the last reason given
+  bool reported_puncture_ = false;  // the state has been punctured since
+  CellScale reported_scale_;
+  std::mutex waiting_mutex_;
+  std::optional<std::vector<ScaleMeasurement>> waiting_;  // measurements for the next frame
+  std::string said_;                                      // the last reason given
   long run_index_ = 0;
   std::optional<ForceTransfer> transfer_;
   Eigen::Matrix3Xd directions_;  // the surface's, as the transfer was made for
@@ -233,12 +293,16 @@ MechanicsStep& MechanicsStep::operator=(MechanicsStep&&) noexcept = default;
 expected<Scene, StepFailure> MechanicsStep::process(const Scene& scene, const SolvedShape* known) {
   return impl_->process(scene, known);
 }
+expected<MeasuredScene, StepFailure> MechanicsStep::measure(const Scene& scene, const SolvedShape* known) {
+  ForceEstimate estimate;
+  return impl_->measure(scene, known, estimate);
+}
 std::shared_ptr<const SolvedShape> MechanicsStep::solved_shape() const {
   return impl_->observer().solved_shape();
 }
 
-void MechanicsStep::set_palpation(const Palpation& palpation) {
-  impl_->observer().set_palpation(palpation);
+void MechanicsStep::set_scale_measurements(std::vector<ScaleMeasurement> measurements) {
+  impl_->set_scale_measurements(std::move(measurements));
 }
 CellScale MechanicsStep::scale() const noexcept {
   return impl_->observer().scale();

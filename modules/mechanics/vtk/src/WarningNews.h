@@ -13,7 +13,7 @@ class WarningNews {
  public:
   static constexpr double kQuiet_s = 5.0;
 
-  /// The next frame's warnings, in the order of time; those of them to tell.
+  /// The next frame's warnings, in the order of time; those of them to report.
   ForceWarning add(unsigned warnings, double time_s) {
     unsigned news = 0;
     for (std::size_t bit = 0; bit < seen_s_.size(); ++bit) {

@@ -59,9 +59,9 @@ void PokedCellActors::build(vtkRenderer* renderer) {
   // The skin lies behind the connectors that run along it.
   wall.mapper->SetResolveCoincidentTopologyToPolygonOffset();
   wall.mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1.0, 1.0);
-  wall.build(renderer, dark_theme().cell, kWallOpacity, false);
-  holder.build(renderer, dark_theme().glass, 0.75);
-  needle.build(renderer, dark_theme().glass, 0.80);
+  wall.build(renderer, current_theme().cell, kWallOpacity, false);
+  holder.build(renderer, current_theme().glass, 0.75);
+  needle.build(renderer, current_theme().glass, 0.80);
   for (auto& side : needle.sides) side->SetUserTransform(needle_pose);
 }
 

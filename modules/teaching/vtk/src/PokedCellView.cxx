@@ -4,6 +4,7 @@
 #include <vtkLight.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 
 #include "ColorMap.h"
 #include "PokedCellActors.h"
+#include "pellucida/core/Words.h"
 
 namespace pellucida {
 namespace {
@@ -61,17 +63,17 @@ PokedCellView::PokedCellView() : actors_(std::make_unique<PokedCellActors>()) {
   fill->SetIntensity(0.35);
   main_->AddLight(key);
   main_->AddLight(fill);
-  set_theme(dark_theme());
+  follow_theme();
   reset_camera();
 }
 
 PokedCellView::~PokedCellView() = default;
 
-void PokedCellView::set_theme(const ThemeColors& theme) {
-  theme_ = &theme;
-  main_->SetBackground(theme.view_bottom.data());
-  main_->SetBackground2(theme.view_top.data());
-  actors_->set_theme(theme, kSpringWidth_px);
+void PokedCellView::follow_theme() {
+  theme_ = &current_theme();
+  main_->SetBackground(theme_->view_bottom.data());
+  main_->SetBackground2(theme_->view_top.data());
+  actors_->set_theme(*theme_, kSpringWidth_px);
   refresh();
 }
 
@@ -206,13 +208,13 @@ void PokedCellView::draw_hud(HudCanvas& hud, double width_px, double height_px) 
   const double bar_height = std::clamp(0.42 * height_px, 70.0, 200.0);
   if (springs_shown_) {
     draw_color_bar(hud, ColorMapKind::kPull, 16.0, height_px - bar_height - 40.0, bar_height, pull_range_uN_.upper(),
-                   "Pull of a connector (µN)", HudAlign::kLeft, true, *theme_);
+                   say("Pull of a connector (µN)"), HudAlign::kLeft, true, *theme_);
   }
   draw_hand(hud);
   // As much of it as there is room for.
   const HudText style{.color = theme_->text_dim};
   double x = 16.0;
-  for (const char* hint : {"Drag: needle", "Click: forces on a node", "Right drag: turn"}) {
+  for (const std::string& hint : {say("Drag: needle"), say("Click: forces on a node"), say("Right drag: turn")}) {
     const double width = hud.text_width_px(hint, style);
     if (x + width > width_px) break;
     hud.text(x, 18.0, hint, style);
@@ -232,7 +234,7 @@ void PokedCellView::draw_hand(HudCanvas& hud) const {
   hud.line(x0, y0, x1, y1, 2.0, theme_->warning, 0.9);
   hud.disc(x1, y1, 7.0, theme_->warning);
   hud.disc(x1, y1, 4.0, theme_->is_light ? theme_->raised : theme_->window);
-  hud.text(x1, y1 + 18.0, "hand", {.color = theme_->warning, .bold = true, .align = HudAlign::kCentre});
+  hud.text(x1, y1 + 18.0, say("hand"), {.color = theme_->warning, .bold = true, .align = HudAlign::kCentre});
 }
 
 }  // namespace pellucida

@@ -1,9 +1,12 @@
 #include "pellucida/tracking_vtk/TrackingStep.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
 
+#include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/ObservationData.h"
 #include "pellucida/core_vtk/SceneData.h"
 
@@ -15,6 +18,27 @@ std::string format(const char* pattern, Numbers... numbers) {
   char text[192];
   std::snprintf(text, sizeof text, pattern, numbers...);
   return text;
+}
+
+// A session's times are those of its frames but for their last digits.
+constexpr double kHintTolerance_s = 5e-4;
+
+void give(MembraneTracker& tracker, const PersonHint& hint) {
+  const Eigen::Vector2d place_um(hint.x_um, hint.y_um);
+  switch (hint.kind) {
+    case PersonHint::Kind::kCell:
+      tracker.expect_cell({.inside_um = place_um, .outline_um = std::nullopt});
+      break;
+    case PersonHint::Kind::kNeedleTip:
+      tracker.expect_needle(place_um);
+      break;
+    case PersonHint::Kind::kNoCell:
+      tracker.exclude_cell(place_um);
+      break;
+    case PersonHint::Kind::kTakeBack:
+      tracker.take_back_hint();
+      break;
+  }
 }
 
 // Where the cell is, and, where only one of the zona's edges was seen, that the other was not.
@@ -54,8 +78,11 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
     run_index_ = scene.run_index;
     reset();
   }
-  auto tracked = std::make_shared<Observation>(tracker_.process(
-      view_of(scene.frame.get()), stamped_time_s(scene.frame.get()), stamped_frame_index(scene.frame.get())));
+  const double time_s = stamped_time_s(scene.frame.get());
+  const std::vector<PersonHint> hints = due_hints(time_s);
+  for (const PersonHint& hint : hints) give(tracker_, hint);
+  auto tracked = std::make_shared<Observation>(
+      tracker_.process(view_of(scene.frame.get()), time_s, stamped_frame_index(scene.frame.get())));
   // What a session can't hold, no later step sees: a recording gives the same force as the live image.
   round_as_stored(*tracked);
   const std::shared_ptr<const Observation> observation = std::move(tracked);
@@ -64,10 +91,32 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
   result.membranes = Frozen<vtkPolyData>(make_membranes(*observation));
   result.tools = Frozen<vtkPolyData>(make_tools(*observation));
   result.measurement = measurement_from(*observation);
+  for (const PersonHint& hint : hints) {
+    std::string detail = describe(hint);
+    if (!tracker_.hint_outcome().empty()) detail += ": " + tracker_.hint_outcome();
+    result.events.push_back({time_s, event_kind::kHint, std::move(detail)});
+  }
   if (auto event = event_of_change(state_, *observation)) result.events.push_back(std::move(*event));
   state_ = observation->state;
   result.observation = observation;
   return result;
+}
+
+void TrackingStep::add_hint(const PersonHint& hint) {
+  if (!std::isfinite(hint.x_um) || !std::isfinite(hint.y_um) || !std::isfinite(hint.since_s)) {
+    throw UsageError("hint: its place or time is not finite; give a point of the image, um");
+  }
+  const std::lock_guard lock(mutex_);
+  hints_.push_back(as_stored(hint));
+}
+
+std::vector<PersonHint> TrackingStep::due_hints(double time_s) {
+  const std::lock_guard lock(mutex_);
+  const auto first_later = std::find_if(
+      hints_.begin(), hints_.end(), [&](const PersonHint& hint) { return hint.since_s > time_s + kHintTolerance_s; });
+  std::vector<PersonHint> due(hints_.begin(), first_later);
+  hints_.erase(hints_.begin(), first_later);
+  return due;
 }
 
 void TrackingStep::reset() {

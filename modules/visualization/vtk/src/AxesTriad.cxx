@@ -19,9 +19,10 @@ void draw_axes_triad(HudCanvas& hud, vtkCamera* camera) {
     const char* name;
     Color color;
   };
-  std::array<Axis, 3> axes = {{{{1.0, 0.0, 0.0, 0.0}, "x", Color::from_hex(0xFF8A80)},
-                               {{0.0, 1.0, 0.0, 0.0}, "y", Color::from_hex(0x9BE58F)},
-                               {{0.0, 0.0, 1.0, 0.0}, "z", Color::from_hex(0x8AB8FF)}}};
+  const bool is_light = current_theme().is_light;
+  std::array<Axis, 3> axes = {{{{1.0, 0.0, 0.0, 0.0}, "x", Color::from_hex(is_light ? 0xB3261E : 0xFF8A80)},
+                               {{0.0, 1.0, 0.0, 0.0}, "y", Color::from_hex(is_light ? 0x1E6B2E : 0x9BE58F)},
+                               {{0.0, 0.0, 1.0, 0.0}, "z", Color::from_hex(is_light ? 0x2F45C8 : 0x8AB8FF)}}};
   vtkMatrix4x4* to_camera = camera->GetViewTransformMatrix();
   for (Axis& axis : axes) to_camera->MultiplyPoint(axis.direction, axis.direction);
   // The axis that points away from the eye is drawn first.

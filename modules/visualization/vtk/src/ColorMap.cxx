@@ -20,15 +20,33 @@ constexpr std::array<Color, 6> kPullStops = {Color::from_hex(0x2F6BFF), Color::f
                                              Color::from_hex(0x8A97A6), Color::from_hex(0xA8978A),
                                              Color::from_hex(0xF08A4B), Color::from_hex(0xF0483E)};
 
+// On a light ground: dark where it counts.
+constexpr std::array<Color, 6> kForceStopsOnLight = {Color::from_hex(0xE0A12E), Color::from_hex(0xE8743B),
+                                                     Color::from_hex(0xD2456B), Color::from_hex(0xA0338C),
+                                                     Color::from_hex(0x66299A), Color::from_hex(0x2A1A66)};
+constexpr std::array<Color, 6> kSurfaceStopsOnLight = {Color::from_hex(0xE3EE9E), Color::from_hex(0x95DB6B),
+                                                       Color::from_hex(0x3FC08A), Color::from_hex(0x279CA8),
+                                                       Color::from_hex(0x2C74B3), Color::from_hex(0x23357A)};
+
+const std::array<Color, 6>& stops_of(ColorMapKind kind, bool is_light) noexcept {
+  switch (kind) {
+    case ColorMapKind::kForce:
+      return is_light ? kForceStopsOnLight : kForceStops;
+    case ColorMapKind::kSurface:
+      return is_light ? kSurfaceStopsOnLight : kSurfaceStops;
+    case ColorMapKind::kPull:
+      break;
+  }
+  return kPullStops;
+}
+
 constexpr double kBarWidth = 12.0;
 constexpr int kBands = 64;
 
 }  // namespace
 
-Color color_at(ColorMapKind kind, double t) noexcept {
-  const auto& stops = kind == ColorMapKind::kForce     ? kForceStops
-                      : kind == ColorMapKind::kSurface ? kSurfaceStops
-                                                       : kPullStops;
+Color color_at(ColorMapKind kind, double t, const ThemeColors& theme) noexcept {
+  const auto& stops = stops_of(kind, theme.is_light);
   const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
   const auto lower = std::min(static_cast<std::size_t>(place), stops.size() - 2);
   const double part = place - static_cast<double>(lower);
@@ -37,14 +55,18 @@ Color color_at(ColorMapKind kind, double t) noexcept {
   return {a.red + part * (b.red - a.red), a.green + part * (b.green - a.green), a.blue + part * (b.blue - a.blue)};
 }
 
-vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
+void fill_lookup_table(vtkLookupTable* table, ColorMapKind kind) {
   constexpr int kCount = 256;
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(kCount);
   for (int i = 0; i < kCount; ++i) {
     const Color c = color_at(kind, static_cast<double>(i) / (kCount - 1));
     table->SetTableValue(i, c.red, c.green, c.blue, 1.0);
   }
+}
+
+vtkSmartPointer<vtkLookupTable> make_lookup_table(ColorMapKind kind) {
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  fill_lookup_table(table, kind);
   table->SetTableRange(0.0, 1.0);
   return table;
 }
@@ -56,7 +78,7 @@ void draw_color_bar(HudCanvas& hud, ColorMapKind kind, double x, double y, doubl
   const double bar_x = right ? x - kBarWidth : x;
   for (int i = 0; i < kBands; ++i) {
     hud.rectangle(bar_x, y + i * height_px / kBands, kBarWidth, height_px / kBands + 0.5,
-                  color_at(kind, (i + 0.5) / kBands));
+                  color_at(kind, (i + 0.5) / kBands, theme));
   }
   constexpr int kLabels = 5;
   const double lower = kind == ColorMapKind::kPull ? -upper : 0.0;

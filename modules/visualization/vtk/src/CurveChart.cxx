@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "ChartAxes.h"
 #include "pellucida/core/RoundNumbers.h"
@@ -24,6 +26,8 @@ namespace {
 
 // Of the band round a curve that goes back and forth.
 constexpr std::size_t kBandPlaces = 120;
+// Of one band alone; of two.
+constexpr double kBandOpacity = 0.22, kOuterOpacity = 0.14, kInnerOpacity = 0.26;
 
 enum CurveColumn { kCurveX, kCurveY, kCurveLower, kCurveUpper, kCurveColumnCount };
 
@@ -63,6 +67,25 @@ void fill_curve_table(vtkTable* table, const Curve& curve) {
   table->Modified();
 }
 
+vtkPlotArea* add_band(vtkChartXY* chart, vtkTable* table) {
+  vtkPlotArea* band = vtkPlotArea::SafeDownCast(chart->AddPlot(vtkChart::AREA));
+  band->SetInputData(table);
+  band->SetInputArray(0, "x");
+  band->SetInputArray(1, "lower");
+  band->SetInputArray(2, "upper");
+  return band;
+}
+
+void style_line(vtkPlotLine* line, const Color& color, double ratio) {
+  line->SetWidth(static_cast<float>(2.0 * ratio));
+  set_color(line->GetPen(), color);
+}
+
+void style_band(vtkPlotArea* band, const Color& color, double opacity) {
+  band->GetBrush()->SetColorF(color.red, color.green, color.blue, opacity);
+  set_color(band->GetPen(), color, 0.0);
+}
+
 struct Extent {
   double low = 0.0;
   double high = 0.0;
@@ -84,29 +107,34 @@ struct CurveChart::Plots {
   vtkNew<vtkTable> faint_table = make_curve_table();
   vtkNew<vtkTable> table = make_curve_table();
   vtkNew<vtkTable> band_table = make_curve_table();
+  vtkNew<vtkTable> other_table = make_curve_table();
+  vtkNew<vtkTable> other_band_table = make_curve_table();
+  vtkNew<vtkTable> inner_table = make_curve_table();
   vtkPlotLine* faint = nullptr;
+  vtkPlotArea* other_band = nullptr;
   vtkPlotArea* band = nullptr;
+  vtkPlotArea* inner = nullptr;
+  vtkPlotLine* other = nullptr;
   vtkPlotLine* curve = nullptr;
 };
 
 CurveChart::CurveChart() : plots_(std::make_unique<Plots>()) {
   Plots& p = *plots_;
   main_->SetUseFXAA(false);
-  main_->SetBackground(palette::kPanel.data());
+  follow_theme();
   p.actor->GetScene()->AddItem(p.chart);
   p.actor->GetScene()->SetRenderer(main_);
   main_->AddActor(p.actor);
   p.faint = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
-  p.band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
+  p.other_band = add_band(p.chart, p.other_band_table);
+  p.band = add_band(p.chart, p.band_table);
+  p.inner = add_band(p.chart, p.inner_table);
+  p.other = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
   p.curve = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
   p.faint->SetInputData(p.faint_table, kCurveX, kCurveY);
-  p.band->SetInputData(p.band_table);
-  p.band->SetInputArray(0, "x");
-  p.band->SetInputArray(1, "lower");
-  p.band->SetInputArray(2, "upper");
+  p.other->SetInputData(p.other_table, kCurveX, kCurveY);
   p.curve->SetInputData(p.table, kCurveX, kCurveY);
-  for (vtkPlot* plot :
-       {static_cast<vtkPlot*>(p.faint), static_cast<vtkPlot*>(p.band), static_cast<vtkPlot*>(p.curve)}) {
+  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{p.faint, p.other_band, p.band, p.inner, p.other, p.curve}) {
     plot->SelectableOff();
     plot->SetVisible(false);
   }
@@ -116,6 +144,11 @@ CurveChart::CurveChart() : plots_(std::make_unique<Plots>()) {
 }
 
 CurveChart::~CurveChart() = default;
+
+void CurveChart::follow_theme() {
+  main_->SetBackground(current_theme().panel.data());
+  styled_ratio_ = 0.0;
+}
 
 void CurveChart::set_data(CurveChartData data) {
   plots_->data = std::move(data);
@@ -135,20 +168,29 @@ void CurveChart::set_cursor(double x, double y, bool line) {
 void CurveChart::fill() {
   Plots& p = *plots_;
   fill_curve_table(p.faint_table, thinned(p.data.faint, kMostPoints));
-  fill_curve_table(p.table, thinned(p.data.curve, kMostPoints));
   // A band that goes back and forth would cover itself.
-  fill_curve_table(p.band_table, is_ascending(p.data.curve) ? thinned(p.data.curve, kMostPoints)
-                                                            : band_around(p.data.curve, kBandPlaces));
-  p.faint->SetVisible(p.data.faint.size() > 1);
-  p.curve->SetVisible(p.data.curve.size() > 1);
-  p.band->SetVisible(p.data.curve.size() > 1);
+  const auto band_of = [](const Curve& curve) {
+    return is_ascending(curve) ? thinned(curve, kMostPoints) : band_around(curve, kBandPlaces);
+  };
+  fill_curve_table(p.table, thinned(p.data.curve, kMostPoints));
+  fill_curve_table(p.other_table, thinned(p.data.other, kMostPoints));
+  fill_curve_table(p.band_table, band_of(p.data.curve));
+  fill_curve_table(p.other_band_table, band_of(p.data.other));
+  fill_curve_table(p.inner_table, band_of(p.data.inner));
+  const auto show = [](const Curve& curve, std::initializer_list<vtkPlot*> plots) {
+    for (vtkPlot* plot : plots) plot->SetVisible(curve.size() > 1);
+  };
+  show(p.data.faint, {p.faint});
+  show(p.data.curve, {p.curve, p.band});
+  show(p.data.other, {p.other, p.other_band});
+  show(p.data.inner, {p.inner});
 }
 
 void CurveChart::set_ranges(double width_px, double height_px) {
   Plots& p = *plots_;
   const CurveChartData& data = p.data;
   Extent y;
-  for (const Curve* curve : {&data.faint, &data.curve}) {
+  for (const Curve* curve : {&data.faint, &data.curve, &data.other}) {
     y.include(curve->lower);
     y.include(curve->upper);
   }
@@ -158,8 +200,7 @@ void CurveChart::set_ranges(double width_px, double height_px) {
   double begin = data.x_begin, end = data.x_end;
   if (!(end > begin)) {
     Extent x;
-    x.include(data.faint.x);
-    x.include(data.curve.x);
+    for (const Curve* curve : {&data.faint, &data.curve, &data.other}) x.include(curve->x);
     begin = 0.0;
     end = axis_end(1.02 * x.high, 10.0);
   }
@@ -171,14 +212,15 @@ void CurveChart::prepare(double width_px, double height_px) {
   Plots& p = *plots_;
   const double ratio = std::max(hud_ratio(), 1e-3);
   if (changed_ || ratio != styled_ratio_) {
-    style_axis(p.chart->GetAxis(vtkAxis::BOTTOM), p.data.x_title, dark_theme(), ratio);
-    style_axis(p.chart->GetAxis(vtkAxis::LEFT), p.data.y_title, dark_theme(), ratio);
+    style_axis(p.chart->GetAxis(vtkAxis::BOTTOM), p.data.x_title, current_theme(), ratio);
+    style_axis(p.chart->GetAxis(vtkAxis::LEFT), p.data.y_title, current_theme(), ratio);
     p.faint->SetWidth(static_cast<float>(1.5 * ratio));
-    set_color(p.faint->GetPen(), palette::kCurveBefore);
-    p.curve->SetWidth(static_cast<float>(2.0 * ratio));
-    set_color(p.curve->GetPen(), palette::kCurve);
-    p.band->GetBrush()->SetColorF(palette::kCurve.red, palette::kCurve.green, palette::kCurve.blue, 0.22);
-    set_color(p.band->GetPen(), palette::kCurve, 0.0);
+    set_color(p.faint->GetPen(), current_theme().curve_before);
+    style_line(p.curve, current_theme().curve, ratio);
+    style_line(p.other, current_theme().curve_other, ratio);
+    style_band(p.band, current_theme().curve, p.data.inner.empty() ? kBandOpacity : kOuterOpacity);
+    style_band(p.inner, current_theme().curve, kInnerOpacity);
+    style_band(p.other_band, current_theme().curve_other, kBandOpacity);
     styled_ratio_ = ratio;
   }
   if (changed_) fill();
@@ -198,11 +240,12 @@ std::optional<double> CurveChart::x_at(double x_px) const {
 
 void CurveChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   const CurveChartData& data = plots_->data;
-  if (data.curve.empty() && data.faint.empty()) {
+  if (data.curve.empty() && data.faint.empty() && data.other.empty()) {
     hud.text(0.5 * width_px, 0.55 * height_px, data.empty_text,
-             {.size_pt = font_size::kNormal, .color = palette::kTextDim, .align = HudAlign::kCentre});
+             {.size_pt = font_size::kNormal, .color = current_theme().text_dim, .align = HudAlign::kCentre});
   } else {
     draw_marks(hud);
+    draw_names(hud);
   }
   draw_cursor(hud);
 }
@@ -225,6 +268,21 @@ void CurveChart::draw_marks(HudCanvas& hud) const {
   }
 }
 
+// At the left, where curves that begin at zero leave room; below the marks' names.
+void CurveChart::draw_names(HudCanvas& hud) const {
+  const CurveChartData& data = plots_->data;
+  if (data.other_name.empty()) return;
+  vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
+  const double x = left->GetPoint2()[0] / hud_ratio() + 10.0;
+  double y = left->GetPoint2()[1] / hud_ratio() - 26.0;
+  for (const auto& [name, color] : {std::pair(&data.curve_name, &current_theme().curve),
+                                    std::pair(&data.other_name, &current_theme().curve_other)}) {
+    hud.line(x, y, x + 16.0, y, 3.0, *color);
+    hud.text(x + 22.0, y, *name);
+    y -= 17.0;
+  }
+}
+
 void CurveChart::draw_cursor(HudCanvas& hud) const {
   vtkAxis* bottom = plots_->chart->GetAxis(vtkAxis::BOTTOM);
   vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
@@ -235,11 +293,11 @@ void CurveChart::draw_cursor(HudCanvas& hud) const {
   };
   const double x = at(bottom, 0, cursor_x_);
   if (cursor_line_) {
-    hud.line(x, at(left, 1, left->GetMinimum()), x, at(left, 1, left->GetMaximum()), 1.5, palette::kText, 0.9);
+    hud.line(x, at(left, 1, left->GetMinimum()), x, at(left, 1, left->GetMaximum()), 1.5, current_theme().text, 0.9);
   }
   if (std::isfinite(cursor_y_)) {
-    hud.disc(x, at(left, 1, cursor_y_), 5.5, palette::kPanel);
-    hud.disc(x, at(left, 1, cursor_y_), 4.0, palette::kText);
+    hud.disc(x, at(left, 1, cursor_y_), 5.5, current_theme().panel);
+    hud.disc(x, at(left, 1, cursor_y_), 4.0, current_theme().text);
   }
 }
 

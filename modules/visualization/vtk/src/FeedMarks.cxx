@@ -1,29 +1,44 @@
 #include "FeedMarks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "pellucida/core/RoundNumbers.h"
+#include "pellucida/core/Words.h"
+#include "pellucida/visualization/EdgePointer.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
 
-void draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double height_px) {
-  if (rows.empty()) return;
-  constexpr double kRow = 20.0;
+double draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double width_px, double height_px) {
+  // A cell in the middle of the view, with the tools beside it, begins below about so much of its height.
+  constexpr double kMostHeight = 0.27;
+  constexpr double kRow = 20.0, kMargin = 10.0, kLine = 41.0, kGap = 12.0;
+  if (rows.empty()) return 0.0;
   double text_width = 0.0;
   for (const LegendRow& row : rows) text_width = std::max(text_width, hud.text_width_px(row.text));
-  const double plate_height = kRow * static_cast<double>(rows.size()) + 12.0;
-  hud.rounded(10.0, height_px - 10.0 - plate_height, text_width + 52.0, plate_height, 6.0, palette::kWindow, 0.72);
-  double y = height_px - 16.0 - 0.5 * kRow;
-  for (const LegendRow& row : rows) {
+  const auto most = static_cast<std::size_t>(std::max(1.0, (kMostHeight * height_px - kMargin - 12.0) / kRow));
+  const std::size_t column_count = (rows.size() + most - 1) / most;
+  const std::size_t row_count = (rows.size() + column_count - 1) / column_count;
+  const double column_width = kLine + text_width;
+  const double plate_width = static_cast<double>(column_count) * (column_width + kGap) - 1.0;
+  const double plate_height = kRow * static_cast<double>(row_count) + 12.0;
+  if (plate_width + 2.0 * kMargin > width_px) return 0.0;
+  hud.rounded(kMargin, height_px - kMargin - plate_height, plate_width, plate_height, 6.0, palette::kWindow, 0.72);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const LegendRow& row = rows[k];
+    const double x = 20.0 + static_cast<double>(k / row_count) * (column_width + kGap);
+    const double y = height_px - 16.0 - (0.5 + static_cast<double>(k % row_count)) * kRow;
     if (row.dashed) {
-      for (const double x : {20.0, 28.0, 36.0}) hud.rectangle(x, y - 1.25, 5.0, 2.5, row.color);
+      for (const double dash : {0.0, 8.0, 16.0}) hud.rectangle(x + dash, y - 1.25, 5.0, 2.5, row.color);
     } else {
-      hud.rectangle(20.0, y - 1.5, 22.0, 3.0, row.color);
+      hud.rectangle(x, y - 1.5, 22.0, 3.0, row.color);
     }
-    hud.text(51.0, y, row.text);
-    y -= kRow;
+    hud.text(x + 31.0, y, row.text, {.color = palette::kText});
   }
+  return plate_width + kMargin;
 }
 
 void draw_scale_bar(HudCanvas& hud, double um_per_px) {
@@ -34,7 +49,7 @@ void draw_scale_bar(HudCanvas& hud, double um_per_px) {
   hud.rectangle(24.0, 20.0, length, 3.0, palette::kText);
   hud.rectangle(24.0, 17.0, 1.5, 9.0, palette::kText);
   hud.rectangle(24.0 + length - 1.5, 17.0, 1.5, 9.0, palette::kText);
-  hud.text(24.0 + 0.5 * length, 37.0, label, {.align = HudAlign::kCentre});
+  hud.text(24.0 + 0.5 * length, 37.0, label, {.color = palette::kText, .align = HudAlign::kCentre});
 }
 
 void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
@@ -68,6 +83,58 @@ void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
   hud.disc(end.x(), end.y(), kCross + 2.0, palette::kWindow, 0.5);
   hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, palette::kPlan);
   hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, palette::kPlan);
+}
+
+void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {
+  constexpr double kRing_px = 9.0;
+  constexpr int kCorners = 24;
+  const Eigen::Vector2d at = place(mark.place_um);
+  for (const auto& [width_px, color] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, palette::kWarning}}) {
+    for (int k = 0; k < kCorners; ++k) {
+      const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
+      hud.line(at.x() + kRing_px * std::cos(from), at.y() + kRing_px * std::sin(from), at.x() + kRing_px * std::cos(to),
+               at.y() + kRing_px * std::sin(to), width_px, color);
+    }
+  }
+  const HudText style{.color = palette::kWarning, .bold = true};
+  hud.rounded(at.x() + 14.0, at.y() - 10.0, hud.text_width_px(mark.text, style) + 12.0, 20.0, 4.0, palette::kWindow,
+              0.8);
+  hud.text(at.x() + 20.0, at.y(), mark.text, style);
+}
+
+void draw_needle_pointer(HudCanvas& hud, const Eigen::Vector2d& tip_um, const ToHud& place, double width_px,
+                         double height_px, double um_per_px) {
+  constexpr double kMargin_px = 14.0, kArrow_px = 26.0, kGap_px = 10.0, kPlate_px = 28.0;
+  const auto pointer = edge_pointer(place(tip_um), width_px, height_px, kMargin_px);
+  if (!pointer) return;
+  const Eigen::Vector2d along = pointer->direction, across(-along.y(), along.x());
+  const Eigen::Vector2d tail = pointer->at - kArrow_px * along;
+  const auto stroke = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    hud.line(a.x(), a.y(), b.x(), b.y(), 8.0, palette::kWindow, 0.9);
+    hud.line(a.x(), a.y(), b.x(), b.y(), 4.0, palette::kNeedle);
+  };
+  const Eigen::Vector2d barb = pointer->at - 11.0 * along;
+  stroke(tail, pointer->at);
+  stroke(barb + 9.0 * across, pointer->at);
+  stroke(barb - 9.0 * across, pointer->at);
+  const std::string words =
+      say("Needle ") + readout::number(pointer->beyond * um_per_px, 0) + say(" µm beyond the edge");
+  const HudText style{.size_pt = font_size::kTitle, .color = palette::kText, .bold = true};
+  const double width = hud.text_width_px(words, style) + 20.0;
+  const Eigen::Vector2d middle =
+      tail - (kGap_px + 0.5 * (std::abs(along.x()) * width + std::abs(along.y()) * kPlate_px)) * along;
+  const double left = std::clamp(middle.x() - 0.5 * width, 4.0, std::max(4.0, width_px - width - 4.0));
+  const double bottom = std::clamp(middle.y() - 0.5 * kPlate_px, 4.0, std::max(4.0, height_px - kPlate_px - 4.0));
+  hud.rounded(left, bottom, width, kPlate_px, 6.0, palette::kWindow, 0.85);
+  hud.text(left + 10.0, bottom + 0.5 * kPlate_px, words, style);
+}
+
+void draw_prompt(HudCanvas& hud, const std::string& text, double width_px, double height_px) {
+  const HudText style{
+      .size_pt = font_size::kTitle, .color = palette::kWindow, .bold = true, .align = HudAlign::kCentre};
+  const double width = hud.text_width_px(text, style) + 28.0;
+  hud.rounded(0.5 * (width_px - width), height_px - 48.0, width, 34.0, 8.0, palette::kWarning, 0.95);
+  hud.text(0.5 * width_px, height_px - 31.0, text, style);
 }
 
 void draw_tip(HudCanvas& hud, const NeedlePose& needle, const ToHud& place) {

@@ -19,6 +19,7 @@
 #include "FeedLines.h"
 #include "FeedMarks.h"
 #include "ToolShapes.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/SceneBlockFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
 
@@ -26,8 +27,10 @@ namespace pellucida {
 namespace {
 
 constexpr double kLineWidth = 2.0;
-// Width of legend and margins.
-constexpr double kLegendRoom_px = 205.0;
+// Of the caption's plate, and to the legend.
+constexpr double kCaptionMargins_px = 43.0;
+// A view lower than this shows the cell where the caption would be.
+constexpr double kCaptionRoom_px = 220.0;
 constexpr double kCellMargin = 1.7;  // half the view's height, in radii of the cell
 
 bool has_points(const Frozen<vtkPolyData>& part) {
@@ -100,7 +103,7 @@ FeedView::FeedView(StageSource* source) : source_(source), pipeline_(std::make_u
   // The image is shown as it is: lines are smooth by themselves.
   main_->SetUseFXAA(false);
   // As in the eyepiece: x right, y down, looking along +z.
-  main_->SetBackground(palette::kWindow.data());
+  follow_theme();
   vtkCamera* camera = main_->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetViewUp(0.0, -1.0, 0.0);
@@ -111,6 +114,11 @@ FeedView::FeedView(StageSource* source) : source_(source), pipeline_(std::make_u
 }
 
 FeedView::~FeedView() = default;
+
+// What lies over the image keeps its dark ground in every theme: the lines that the legend names are bright.
+void FeedView::follow_theme() {
+  main_->SetBackground(current_theme().window.data());
+}
 
 void FeedView::refresh() {
   Pipeline& p = *pipeline_;
@@ -196,22 +204,24 @@ void FeedView::set_framing(FeedFraming framing) {
 
 void FeedView::refresh_legend() {
   legend_.clear();
+  if (!legend_shown_) return;
   const Scene& scene = source_->GetScene();
   if (contours_shown_) {
-    const auto add_membrane = [&](Membrane kind, const char* text, const Color& color) {
+    const auto add_membrane = [&](Membrane kind, const std::string& text, const Color& color) {
       if (has_cell_value(scene.membranes, array_name::kMembrane, static_cast<int>(kind)))
         legend_.push_back({text, color});
     };
-    add_membrane(Membrane::kOuter, "Outer membrane", palette::kOuter);
-    add_membrane(Membrane::kInner, "Inner membrane", palette::kInner);
-    add_membrane(Membrane::kOolemma, "Oolemma", palette::kOolemma);
+    add_membrane(Membrane::kOuter, say("Outer membrane"), palette::kOuter);
+    add_membrane(Membrane::kInner, say("Inner membrane"), palette::kInner);
+    add_membrane(Membrane::kOolemma, say("Oolemma"), palette::kOolemma);
   }
-  if (model_shown_ && has_points(scene.model)) legend_.push_back({"Model section", palette::kModel, true});
+  if (model_shown_ && has_points(scene.model)) legend_.push_back({say("Model section"), palette::kModel, true});
   if (tools_shown_) {
-    if (has_cell_value(scene.tools, array_name::kTool, 0)) legend_.push_back({"Needle", palette::kNeedle});
-    if (has_cell_value(scene.tools, array_name::kTool, 1)) legend_.push_back({"Holding pipette", palette::kHolder});
+    if (has_cell_value(scene.tools, array_name::kTool, 0)) legend_.push_back({say("Needle"), palette::kNeedle});
+    if (has_cell_value(scene.tools, array_name::kTool, 1))
+      legend_.push_back({say("Holding pipette"), palette::kHolder});
   }
-  if (plan_) legend_.push_back({"Plan", palette::kPlan, true});
+  if (plan_) legend_.push_back({say("Plan"), palette::kPlan, true});
 }
 
 void FeedView::reset_camera() {
@@ -239,12 +249,25 @@ void FeedView::set_plan(const std::optional<PlanMarks>& plan) {
   refresh_legend();
 }
 
+void FeedView::show_legend(bool shown) {
+  legend_shown_ = shown;
+  refresh_legend();
+}
+
 void FeedView::set_caption(std::string utf8) {
   caption_ = std::move(utf8);
 }
 
 void FeedView::set_empty_text(std::string utf8) {
   empty_text_ = std::move(utf8);
+}
+
+Eigen::Vector2d FeedView::place_um(double x_px, double y_px, double view_height_px) const {
+  // The image is seen along the depth, without perspective: any depth gives the same place in its plane.
+  main_->SetDisplayPoint(x_px * hud_ratio(), (view_height_px - 1.0 - y_px) * hud_ratio(), 0.0);
+  main_->DisplayToWorld();
+  const double* place = main_->GetWorldPoint();
+  return {place[0] / place[3], place[1] / place[3]};
 }
 
 void FeedView::prepare(double width_px, double height_px) {
@@ -293,7 +316,7 @@ void FeedView::prepare(double width_px, double height_px) {
 void FeedView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_frame_) {
     hud.text(0.5 * width_px, 0.5 * height_px, empty_text_,
-             {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
+             {.size_pt = font_size::kTitle, .color = current_theme().text_dim, .align = HudAlign::kCentre});
     return;
   }
   const ToHud place = [this](const Eigen::Vector2d& p_um) {
@@ -304,12 +327,21 @@ void FeedView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (plan_) draw_plan(hud, *plan_, place);
   const auto needle = needle_of(source_->GetScene());
   if (tools_shown_ && needle) draw_tip(hud, *needle, place);
-  draw_legend(hud, legend_, height_px);
-  draw_scale_bar(hud, 2.0 * main_->GetActiveCamera()->GetParallelScale() / height_px);
+  for (const HintMark& hint : hints_) draw_hint(hud, hint, place);
+  const double um_per_px = 2.0 * main_->GetActiveCamera()->GetParallelScale() / height_px;
+  const double legend_px = prompt_.empty() ? draw_legend(hud, legend_, width_px, height_px) : 0.0;
+  draw_scale_bar(hud, um_per_px);
+  if (const auto tip_um = needle ? std::optional(needle->tip_um) : reported_tip_um_) {
+    draw_needle_pointer(hud, *tip_um, place, width_px, height_px, um_per_px);
+  }
+  if (!prompt_.empty()) {
+    draw_prompt(hud, prompt_, width_px, height_px);
+    return;
+  }
   if (!caption_.empty()) {
     const HudText style{.color = palette::kText, .align = HudAlign::kRight};
     const double caption_width = hud.text_width_px(caption_, style);
-    if (!legend_.empty() && caption_width + kLegendRoom_px > width_px) return;
+    if (caption_width + legend_px + kCaptionMargins_px > width_px || height_px < kCaptionRoom_px) return;
     hud.rounded(width_px - caption_width - 28.0, height_px - 38.0, caption_width + 18.0, 26.0, 5.0, palette::kWindow,
                 0.72);
     hud.text(width_px - 19.0, height_px - 25.0, caption_, style);

@@ -14,10 +14,15 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <tuple>
 
 #include "ChartAxes.h"
+#include "pellucida/core/Words.h"
+#include "pellucida/visualization/Curve.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
@@ -26,12 +31,20 @@ namespace {
 // A time axis is never shorter than this.
 constexpr double kLeastTime_s = 5.0;
 constexpr double kLeastPull_uN = 0.1;
+// Of the bands over the indentation.
+constexpr std::size_t kLiveBandPlaces = 120;
+// Places without a point over that much of their width are a gap.
+constexpr double kBandGap_ratio = 0.1;
 
-enum Column { kX, kForce, kLower, kUpper, kColumnCount };
+enum Column { kX, kForce, kLower, kUpper, kPictureLower, kPictureUpper, kColumnCount };
+constexpr std::array<const char*, kColumnCount> kColumnNames{"x",        "force_uN",         "lower_uN",
+                                                             "upper_uN", "picture_lower_uN", "picture_upper_uN"};
+// The whole interval behind, what the picture leaves open in front.
+constexpr double kWholeOpacity = 0.14, kPictureOpacity = 0.26;
 
 vtkNew<vtkTable> make_table() {
   vtkNew<vtkTable> table;
-  for (const char* name : {"x", "force_uN", "lower_uN", "upper_uN"}) {
+  for (const char* name : kColumnNames) {
     vtkNew<vtkDoubleArray> column;
     column->SetName(name);
     table->AddColumn(column);
@@ -45,8 +58,13 @@ void fill_table(vtkTable* table, const std::vector<TracePoint>& points, std::siz
   const auto add = [&](const TracePoint& p, bool is_edge) {
     const double x = over_time ? p.time_s : p.indentation_um;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double values[kColumnCount] = {x, is_edge ? nan : p.force_uN, is_edge ? p.force_uN : p.lower_uN,
-                                         is_edge ? p.force_uN : p.upper_uN};
+    const auto edge = [&](double end_uN) { return is_edge ? p.force_uN : end_uN; };
+    const double values[kColumnCount] = {x,
+                                         is_edge ? nan : p.force_uN,
+                                         edge(p.lower_uN),
+                                         edge(p.upper_uN),
+                                         edge(p.picture_lower_uN),
+                                         edge(p.picture_upper_uN)};
     for (int c = 0; c < kColumnCount; ++c) {
       vtkDoubleArray::SafeDownCast(table->GetColumn(c))->InsertNextValue(values[c]);
     }
@@ -62,6 +80,31 @@ void fill_table(vtkTable* table, const std::vector<TracePoint>& points, std::siz
   table->Modified();
 }
 
+// Both bands over the indentation, as wide as the points nearby: a needle goes back and forth, and bands that follow it
+// would cover themselves.
+void fill_bands(vtkTable* table, const std::vector<TracePoint>& points) {
+  Curve whole, picture;
+  for (const TracePoint& p : points) {
+    if (!std::isfinite(p.indentation_um)) continue;
+    whole.add(p.indentation_um, p.force_uN, p.lower_uN, p.upper_uN);
+    picture.add(p.indentation_um, p.force_uN, p.picture_lower_uN, p.picture_upper_uN);
+  }
+  whole = band_around(whole, kLiveBandPlaces);
+  picture = band_around(picture, kLiveBandPlaces);
+  std::vector<TracePoint> bands;
+  const double gap_um = whole.empty() ? 0.0 : kBandGap_ratio * (whole.x.back() - whole.x.front());
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    bands.push_back({.indentation_um = whole.x[k],
+                     .force_uN = picture.y[k],
+                     .lower_uN = whole.lower[k],
+                     .upper_uN = whole.upper[k],
+                     .picture_lower_uN = picture.lower[k],
+                     .picture_upper_uN = picture.upper[k],
+                     .after_gap = k > 0 && whole.x[k] - whole.x[k - 1] > gap_um});
+  }
+  fill_table(table, bands, 0, false);
+}
+
 }  // namespace
 
 struct ForceChart::Plots {
@@ -69,9 +112,11 @@ struct ForceChart::Plots {
   vtkNew<vtkChartXY> chart;
   vtkNew<vtkTable> before_table = make_table();
   vtkNew<vtkTable> table = make_table();
+  vtkNew<vtkTable> band_table = make_table();
   vtkNew<vtkTable> last_table = make_table();
   vtkPlotLine* before = nullptr;
   vtkPlotArea* band = nullptr;
+  vtkPlotArea* picture_band = nullptr;
   vtkPlotLine* curve = nullptr;
   vtkPlotPoints* last = nullptr;
 };
@@ -79,26 +124,29 @@ struct ForceChart::Plots {
 ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_unique<Plots>()) {
   Plots& p = *plots_;
   main_->SetUseFXAA(false);
-  main_->SetBackground(palette::kPanel.data());
+  main_->SetBackground(current_theme().panel.data());
   p.actor->GetScene()->AddItem(p.chart);
   p.actor->GetScene()->SetRenderer(main_);
   main_->AddActor(p.actor);
 
-  // From the back to the front: the touch before, the interval, the curve, its newest point.
+  // From the back to the front: the touch before, the intervals, the curve, its newest point.
   p.before = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
   p.band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
+  p.picture_band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
   p.curve = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
   p.last = vtkPlotPoints::SafeDownCast(p.chart->AddPlot(vtkChart::POINTS));
   p.before->SetInputData(p.before_table, kX, kForce);
-  p.band->SetInputData(p.table);
-  p.band->SetInputArray(0, "x");
-  p.band->SetInputArray(1, "lower_uN");
-  p.band->SetInputArray(2, "upper_uN");
+  for (const auto& [band, lower, upper] :
+       {std::tuple{p.band, kLower, kUpper}, std::tuple{p.picture_band, kPictureLower, kPictureUpper}}) {
+    band->SetInputData(kind == ForceChartKind::kForceTime ? p.table : p.band_table);
+    band->SetInputArray(0, kColumnNames[kX]);
+    band->SetInputArray(1, kColumnNames[lower]);
+    band->SetInputArray(2, kColumnNames[upper]);
+  }
   p.curve->SetInputData(p.table, kX, kForce);
   p.last->SetInputData(p.last_table, kX, kForce);
   p.last->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-  for (vtkPlot* plot : {static_cast<vtkPlot*>(p.before), static_cast<vtkPlot*>(p.band), static_cast<vtkPlot*>(p.curve),
-                        static_cast<vtkPlot*>(p.last)}) {
+  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{p.before, p.band, p.picture_band, p.curve, p.last}) {
     plot->SelectableOff();
     plot->SetVisible(false);
   }
@@ -137,16 +185,20 @@ void ForceChart::set_reference(std::string name, const std::vector<double>& dept
   reference_name_ = std::move(name);
   reference_.clear();
   for (std::size_t k = 0; k < std::min(depth_um.size(), force_uN.size()); ++k) {
-    reference_.push_back(
-        {.indentation_um = depth_um[k], .force_uN = force_uN[k], .lower_uN = force_uN[k], .upper_uN = force_uN[k]});
+    reference_.push_back({.indentation_um = depth_um[k],
+                          .force_uN = force_uN[k],
+                          .lower_uN = force_uN[k],
+                          .upper_uN = force_uN[k],
+                          .picture_lower_uN = force_uN[k],
+                          .picture_upper_uN = force_uN[k]});
   }
   changed_ = true;
 }
 
-void ForceChart::set_theme(const ThemeColors& theme) {
-  theme_ = &theme;
+void ForceChart::follow_theme() {
+  theme_ = &current_theme();
   styled_ratio_ = 0.0;
-  main_->SetBackground(theme.panel.data());
+  main_->SetBackground(theme_->panel.data());
 }
 
 const std::vector<TracePoint>& ForceChart::behind() const {
@@ -157,16 +209,19 @@ void ForceChart::style_axes(double ratio) {
   if (ratio == styled_ratio_) return;
   styled_ratio_ = ratio;
   Plots& p = *plots_;
-  const char* x_title = kind_ == ForceChartKind::kForceTime ? "Time (s)" : "Indentation (µm)";
-  for (const auto& [side, title] : {std::pair{vtkAxis::BOTTOM, x_title}, std::pair{vtkAxis::LEFT, "Force (µN)"}}) {
+  const std::string x_title = kind_ == ForceChartKind::kForceTime ? say("Time (s)") : say("Indentation (µm)");
+  for (const auto& [side, title] : {std::pair<int, std::string>{vtkAxis::BOTTOM, x_title},
+                                    std::pair<int, std::string>{vtkAxis::LEFT, say("Force (µN)")}}) {
     style_axis(p.chart->GetAxis(side), title, *theme_, ratio);
   }
   p.before->SetWidth(static_cast<float>(1.5 * ratio));
-  set_color(p.before->GetPen(), reference_name_.empty() ? palette::kCurveBefore : theme_->curve_before);
+  set_color(p.before->GetPen(), theme_->curve_before);
   p.curve->SetWidth(static_cast<float>(2.0 * ratio));
   set_color(p.curve->GetPen(), theme_->curve);
-  p.band->GetBrush()->SetColorF(theme_->curve.red, theme_->curve.green, theme_->curve.blue, 0.22);
-  set_color(p.band->GetPen(), theme_->curve, 0.0);
+  for (const auto& [band, opacity] : {std::pair{p.band, kWholeOpacity}, std::pair{p.picture_band, kPictureOpacity}}) {
+    band->GetBrush()->SetColorF(theme_->curve.red, theme_->curve.green, theme_->curve.blue, opacity);
+    set_color(band->GetPen(), theme_->curve, 0.0);
+  }
   p.last->SetMarkerSize(static_cast<float>(9.0 * ratio));
   set_color(p.last->GetPen(), theme_->text);
 }
@@ -184,11 +239,15 @@ void ForceChart::fill() {
     first = inside == points.begin() ? 0 : static_cast<std::size_t>(inside - points.begin()) - 1;
   }
   fill_table(p.table, points, first, over_time);
+  if (!over_time) fill_bands(p.band_table, points);
   fill_table(p.last_table, points, points.empty() ? 0 : points.size() - 1, over_time);
   fill_table(p.before_table, behind(), 0, over_time);
   const bool drawable = points.size() - first > 1;
   p.curve->SetVisible(drawable);
-  p.band->SetVisible(drawable);
+  // A needle that rests has a curve of no width, and no band.
+  const bool has_band = over_time ? drawable : p.band_table->GetNumberOfRows() > 1;
+  p.band->SetVisible(has_band);
+  p.picture_band->SetVisible(has_band);
   p.last->SetVisible(over_time ? !points.empty() : history_.in_touch());
   p.before->SetVisible(!over_time && behind().size() > 1);
   set_ranges();
@@ -249,7 +308,7 @@ void ForceChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
     return;
   }
   if (!reference_name_.empty()) return;
-  hud.text(0.5 * width_px, 0.55 * height_px, "No force measured yet",
+  hud.text(0.5 * width_px, 0.55 * height_px, say("No force measured yet"),
            {.size_pt = font_size::kNormal, .color = theme_->text_dim, .align = HudAlign::kCentre});
 }
 
@@ -259,7 +318,7 @@ void ForceChart::draw_reference_name(HudCanvas& hud) const {
   const double x = plots_->chart->GetAxis(vtkAxis::BOTTOM)->GetPoint1()[0] / hud_ratio() + 14.0;
   double y = plots_->chart->GetAxis(vtkAxis::LEFT)->GetPoint2()[1] / hud_ratio() - 12.0;
   for (const auto& [name, color] :
-       {std::pair{std::string("now"), theme_->curve}, std::pair{reference_name_, theme_->curve_before}}) {
+       {std::pair{say("now"), theme_->curve}, std::pair{reference_name_, theme_->curve_before}}) {
     hud.line(x, y, x + kStroke_px, y, 2.5, color);
     hud.text(x + kStroke_px + 8.0, y, name, {.color = theme_->text_dim});
     y -= kRow_px;

@@ -58,9 +58,22 @@ void MembraneActors::build(vtkAlgorithmOutput* scene, vtkRenderer* renderer) {
   build_membranes(scene, renderer);
   build_arrows(renderer);
   // Clear bodies come after solid ones, the cell's skin before the glass.
-  outer_wall.build(renderer, palette::kOuterSolid, kClearOpacity);
-  holder.build(renderer, palette::kGlass, 0.75);
-  needle.build(renderer, palette::kGlass, 0.80);
+  outer_wall.build(renderer, current_theme().outer_solid, kClearOpacity);
+  holder.build(renderer, current_theme().glass, 0.75);
+  needle.build(renderer, current_theme().glass, 0.80);
+  follow_theme();
+}
+
+void MembraneActors::follow_theme() {
+  const ThemeColors& theme = current_theme();
+  for (auto& side : outer_wall.sides) set_color(side, theme.outer_solid);
+  for (ClearWall* glass : {&holder, &needle}) {
+    for (auto& side : glass->sides) set_color(side, theme.glass);
+  }
+  set_color(inner_actor, theme.inner_solid);
+  set_color(contact_actor, theme.contact_force);
+  fill_lookup_table(force_colors, ColorMapKind::kForce);
+  fill_lookup_table(surface_colors, ColorMapKind::kSurface);
 }
 
 void MembraneActors::build_membranes(vtkAlgorithmOutput* scene, vtkRenderer* renderer) {
@@ -74,7 +87,6 @@ void MembraneActors::build_membranes(vtkAlgorithmOutput* scene, vtkRenderer* ren
   inner_actor->SetMapper(inner_mapper);
   inner_actor->PickableOff();
   inner_actor->VisibilityOff();
-  set_color(inner_actor, palette::kInnerSolid);
   inner_actor->GetProperty()->SetAmbient(0.18);
   inner_actor->GetProperty()->SetDiffuse(0.80);
   inner_actor->GetProperty()->SetSpecular(0.12);
@@ -131,7 +143,6 @@ void MembraneActors::build_arrows(vtkRenderer* renderer) {
   contact_actor->SetUserTransform(contact_pose);
   contact_actor->PickableOff();
   contact_actor->VisibilityOff();
-  set_color(contact_actor, palette::kContactForce);
   contact_actor->GetProperty()->SetAmbient(0.55);
   contact_actor->GetProperty()->SetDiffuse(0.50);
   renderer->AddActor(contact_actor);

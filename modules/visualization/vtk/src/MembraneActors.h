@@ -79,6 +79,8 @@ struct MembraneActors {
 
   /// Puts everything, hidden, into `renderer`; `scene` is a StageSource's output.
   void build(vtkAlgorithmOutput* scene, vtkRenderer* renderer);
+  /// Takes the colours of the current theme.
+  void follow_theme();
   /// The surface of the scene now; nullptr where it has none.
   vtkPolyData* update_surface() {
     surface->Update();

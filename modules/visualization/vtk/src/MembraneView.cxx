@@ -19,6 +19,7 @@
 #include "MembraneActors.h"
 #include "NodePick.h"
 #include "ToolShapes.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/visualization/Readout.h"
 
@@ -47,9 +48,9 @@ double greatest_of(vtkPolyData* surface, const char* name) {
   return array ? array->GetRange(array->GetNumberOfComponents() > 1 ? -1 : 0)[1] : -1.0;
 }
 
-const char* why_empty(const Scene& scene) {
-  if (!scene.observation) return "Waiting for a cell";
-  return scene.observation->outer ? "No surface: the contour can't be revolved" : "No cell in sight";
+std::string why_empty(const Scene& scene) {
+  if (!scene.observation) return say("Waiting for a cell");
+  return scene.observation->outer ? say("No surface: the contour can't be revolved") : say("No cell in sight");
 }
 
 }  // namespace
@@ -58,8 +59,7 @@ MembraneView::MembraneView(StageSource* source) : source_(source), actors_(std::
   actors_->build(source_->GetOutputPort(), main_);
 
   main_->GradientBackgroundOn();
-  main_->SetBackground(palette::kViewBottom.data());
-  main_->SetBackground2(palette::kViewTop.data());
+  follow_theme();
   // A key light over the shoulder and a weak fill from below.
   main_->AutomaticLightCreationOff();
   vtkNew<vtkLight> key;
@@ -76,6 +76,12 @@ MembraneView::MembraneView(StageSource* source) : source_(source), actors_(std::
 }
 
 MembraneView::~MembraneView() = default;
+
+void MembraneView::follow_theme() {
+  main_->SetBackground(current_theme().view_bottom.data());
+  main_->SetBackground2(current_theme().view_top.data());
+  actors_->follow_theme();
+}
 
 void MembraneView::refresh() {
   MembraneActors& p = *actors_;
@@ -252,20 +258,20 @@ void MembraneView::prepare(double, double) {
 void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!has_surface_) {
     hud.text(0.5 * width_px, 0.5 * height_px, empty_text_.empty() ? why_empty(source_->GetScene()) : empty_text_,
-             {.size_pt = font_size::kTitle, .color = palette::kTextDim, .align = HudAlign::kCentre});
+             {.size_pt = font_size::kTitle, .color = current_theme().text_dim, .align = HudAlign::kCentre});
     return;
   }
   const double bar_height = std::clamp(0.38 * height_px, 90.0, 220.0);
   const double bar_y = height_px - bar_height - 46.0;
   if (arrows_shown_ && has_forces_) {
     draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, bar_y, bar_height, force_range_uN_.upper(),
-                   "Node force (µN)", HudAlign::kRight, beyond_scale_);
+                   say("Node force (µN)"), HudAlign::kRight, beyond_scale_);
   }
   if (coloring_available_) {
     const bool tension = coloring_ == SurfaceColoring::kTension;
     draw_color_bar(hud, ColorMapKind::kSurface, 16.0, bar_y, bar_height,
                    (tension ? tension_range_uN_per_um_ : displacement_range_um_).upper(),
-                   tension ? "Tension (µN/µm)" : "Displacement (µm)", HudAlign::kLeft);
+                   tension ? say("Tension (µN/µm)") : say("Displacement (µm)"), HudAlign::kLeft);
   }
   draw_axes_triad(hud, main_->GetActiveCamera());
   draw_contact_label(hud);
@@ -275,9 +281,10 @@ void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
 void MembraneView::draw_contact_label(HudCanvas& hud) const {
   if (contact_label_.empty()) return;
   const auto [x, y] = to_hud(contact_tail_um_);
-  const HudText style{.size_pt = font_size::kTitle, .color = palette::kText, .bold = true, .align = HudAlign::kCentre};
+  const HudText style{
+      .size_pt = font_size::kTitle, .color = current_theme().text, .bold = true, .align = HudAlign::kCentre};
   const double width = hud.text_width_px(contact_label_, style) + 18.0;
-  hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, palette::kWindow, 0.78);
+  hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, current_theme().window, 0.78);
   hud.text(x, y + 35.0, contact_label_, style);
 }
 
@@ -285,9 +292,9 @@ void MembraneView::draw_node_mark(HudCanvas& hud) const {
   vtkPolyData* surface = actors_->update_surface();
   if (!marked_node_ || *marked_node_ < 0 || *marked_node_ >= surface->GetNumberOfPoints()) return;
   const auto [x, y] = to_hud(surface->GetPoint(*marked_node_));
-  hud.disc(x, y, 8.0, palette::kWindow, 0.85);
-  hud.disc(x, y, 6.0, palette::kModel);
-  hud.disc(x, y, 3.0, palette::kWindow);
+  hud.disc(x, y, 8.0, current_theme().window, 0.85);
+  hud.disc(x, y, 6.0, current_theme().node_mark);
+  hud.disc(x, y, 3.0, current_theme().window);
 }
 
 }  // namespace pellucida

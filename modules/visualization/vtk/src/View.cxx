@@ -9,7 +9,7 @@ namespace pellucida {
 
 View::View() {
   main_->SetUseFXAA(true);
-  main_->SetBackground(palette::kViewBottom.data());
+  main_->SetBackground(current_theme().view_bottom.data());
   // The camera of the upper renderer is never used: everything there is flat.
   over_->SetLayer(1);
   over_->InteractiveOff();
@@ -35,6 +35,10 @@ void View::add_to(vtkRenderWindow* window, const Viewport& viewport, double hud_
     one->SetViewport(viewport.x0, viewport.y0, viewport.x1, viewport.y1);
     window->AddRenderer(one);
   }
+}
+
+void View::follow_theme() {
+  main_->SetBackground(current_theme().view_bottom.data());
 }
 
 void View::on_start(vtkObject* caller, unsigned long, void* self, void*) {

@@ -7,8 +7,11 @@ namespace pellucida {
 struct WindowOptions {
   std::string screenshot;           ///< save the window as this PNG file, then close; empty: stay open
   double screenshot_after_s = 8.0;  ///< time from the window's opening to the screenshot, > 0
+  std::string theme;                ///< dark or light; empty: the one chosen last
+  std::string language;             ///< en or de; empty: the one chosen last, else the system's
   int width_px = 1400;              ///< size at the start
   int height_px = 900;
+  int stop_descriptor = -1;  ///< once it can be read, the window closes as if a person had closed it; -1: none
 };
 
 }  // namespace pellucida

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "pellucida/core/RoundNumbers.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
 namespace {
 
 constexpr Color kPrintCurve = Color::from_hex(0x1F77B4);
+constexpr Color kPrintOther = Color::from_hex(0xC25E00);
 constexpr Color kPrintFaint = Color::from_hex(0x9AA5B1);
 constexpr std::size_t kBandPlaces = 120;
 // More would cover the chart.
@@ -36,10 +38,17 @@ struct PrintRange {
   }
 };
 
+// How a curve is drawn: its line, its band, or both. An empty name: not drawn.
+struct PartNames {
+  std::string line;
+  std::string band;
+};
+
 // A series without gaps for each unbroken part of the curve; only the first is named in the legend.
-void add_parts(const Curve& curve, const std::string& name, const Color& color, bool with_band, ChartPanel& panel) {
+void add_parts(const Curve& curve, const PartNames& names, const Color& color, double opacity, ChartPanel& panel) {
   ChartSeries line, band;
-  std::string line_name = name, band_name = "95 % interval";
+  std::string line_name = names.line, band_name = names.band;
+  const bool with_band = !names.band.empty();
   const auto flush = [&] {
     if (line.x.empty()) return;
     if (with_band && !is_ascending(curve)) {
@@ -52,12 +61,12 @@ void add_parts(const Curve& curve, const std::string& name, const Color& color, 
       band.name = std::exchange(band_name, {});
       band.style = ChartStyle::kBand;
       band.color = color;
-      band.opacity = 0.25;
+      band.opacity = opacity;
       panel.series.push_back(band);
     }
     line.name = std::exchange(line_name, {});
     line.color = color;
-    panel.series.push_back(line);
+    if (!names.line.empty()) panel.series.push_back(line);
     line = band = ChartSeries{};
   };
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -82,7 +91,7 @@ ChartPanel chart_for_print(const CurveChartData& data, const std::string& title)
   panel.x_title = data.x_title;
   panel.y_title = data.y_title;
   PrintRange x, y;
-  for (const Curve* curve : {&data.faint, &data.curve}) {
+  for (const Curve* curve : {&data.faint, &data.curve, &data.other}) {
     x.include(curve->x);
     y.include(curve->lower);
     y.include(curve->upper);
@@ -90,12 +99,22 @@ ChartPanel chart_for_print(const CurveChartData& data, const std::string& title)
   std::tie(panel.y_begin, panel.y_end) = y.ends();
   std::tie(panel.x_begin, panel.x_end) = x.ends();
   if (data.x_end > data.x_begin) std::tie(panel.x_begin, panel.x_end) = std::pair(data.x_begin, data.x_end);
-  add_parts(thinned(data.faint, CurveChart::kMostPoints), "other touches", kPrintFaint, false, panel);
+  const auto add = [&](const Curve& curve, const PartNames& names, const Color& color, double opacity) {
+    add_parts(thinned(curve, CurveChart::kMostPoints), names, color, opacity, panel);
+  };
   const std::string quantity = data.y_title.substr(0, data.y_title.find(" ("));
-  add_parts(thinned(data.curve, CurveChart::kMostPoints), quantity, kPrintCurve, true, panel);
+  add(data.faint, {say("other touches"), ""}, kPrintFaint, 0.0);
+  add(data.other, {data.other_name, ""}, kPrintOther, 0.25);
+  const std::string name = data.other_name.empty() ? quantity : data.curve_name;
+  if (data.inner.empty()) {
+    add(data.curve, {name, say("95 % interval")}, kPrintCurve, 0.25);
+  } else {
+    add(data.curve, {"", say("95 % interval, the whole")}, kPrintCurve, 0.15);
+    add(data.inner, {name, say("95 % interval, picture")}, kPrintCurve, 0.3);
+  }
   for (const CurveMark& mark : data.marks) {
     ChartSeries line;
-    if (data.marks.size() <= kMostNamedMarks) line.name = mark.name + " at " + readout::time(mark.x);
+    if (data.marks.size() <= kMostNamedMarks) line.name = mark.name + say(" at ") + readout::time(mark.x);
     line.style = ChartStyle::kDashedLine;
     line.x = {mark.x, mark.x};
     line.y = {panel.y_begin, panel.y_end};

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/session/SessionReader.h"
 #include "presenters/SigmaInterval.h"
@@ -89,9 +90,9 @@ NodeHistory read_node_history(const std::filesystem::path& session, long node,
 
 CurveChartData node_over_time(const NodeHistory& history, NodeArray array) {
   CurveChartData data;
-  data.x_title = "Time (s)";
+  data.x_title = say("Time (s)");
   data.y_title = axis_title(array);
-  data.empty_text = "The session holds no such array of this node";
+  data.empty_text = say("The session holds no such array of this node");
   if (!history.times_s.empty()) {
     data.x_begin = history.times_s.front();
     data.x_end = history.times_s.back();
@@ -104,10 +105,10 @@ CurveChartData node_over_time(const NodeHistory& history, NodeArray array) {
 
 CurveChartData along_meridian(vtkPolyData* surface, long number, NodeArray array) {
   CurveChartData data;
-  data.x_title = "Angle from the needle (°)";
+  data.x_title = say("Angle from the needle (°)");
   data.y_title = axis_title(array);
   data.x_end = 180.0;
-  data.empty_text = "No meridian: this frame has no surface with its rest directions";
+  data.empty_text = say("No meridian: this frame has no surface with its rest directions");
   const auto chosen = surface_node(surface, number);
   const auto place = chosen ? angles_of(surface, number) : std::nullopt;
   if (!place) return data;

@@ -1,8 +1,11 @@
 #include "presenters/RecordedSession.h"
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/SourcePresenter.h"
 
@@ -14,8 +17,8 @@ constexpr double kTimeSlack_s = 1e-6;
 
 CellProfile profile_of(const SessionInfo& info) {
   CellProfile unknown;
-  unknown.name = info.profile_name.empty() ? "unknown" : info.profile_name;
-  unknown.description = "The session does not hold this profile";
+  unknown.name = info.profile_name.empty() ? say("unknown") : info.profile_name;
+  unknown.description = say("The session does not hold this profile");
   if (info.profile_json.empty()) return unknown;
   try {
     return parse_profile(info.profile_json, "session.json");
@@ -53,6 +56,11 @@ RecordedSession recorded_session(const SessionReader& reader) {
   session.rows = reader.measurements();
   session.events = reader.events();
   session.profile = profile_of(session.info);
+  const auto scale = nlohmann::json::parse(session.info.palpation_json, nullptr, false);
+  if (const auto ratio = scale.is_object() ? scale.find("cell_scale_ratio") : scale.end();
+      ratio != scale.end() && ratio->is_number() && ratio->get<double>() > 0.0) {
+    session.scale_ratio = ratio->get<double>();
+  }
   if (session.rows.empty()) {
     throw InputError(session.folder.string() + ": the session holds no frame; choose another one");
   }
@@ -71,6 +79,14 @@ std::string session_name_of(const std::filesystem::path& folder) {
   return source_label(info);
 }
 
+void add_scale(const RecordedSession& session, const Measurement& row, ForceRemarks& remarks) {
+  const ForceSpread spread = force_spread(row);
+  if (!spread.is_own_scale || !std::isfinite(spread.scale_ratio)) return;
+  remarks.has_own_scale = true;
+  remarks.scale_ratio = session.scale_ratio;
+  remarks.scale_sigma_ratio = spread.scale_ratio;
+}
+
 std::string session_facts(const RecordedSession& session) {
   const auto& info = session.info;
   std::string facts;
@@ -85,20 +101,21 @@ std::string session_facts(const RecordedSession& session) {
   add(created.empty() ? "" : created + " UTC");
   add(session.profile.name);
   add(readout::plain(info.source.pixel_size_um) + " µm/px");
-  add(std::to_string(session.step_count()) + (session.step_count() == 1 ? " frame" : " frames"));
+  add(std::to_string(session.step_count()) + (session.step_count() == 1 ? say(" frame") : say(" frames")));
   add(readout::time(session.end_s() - session.begin_s()));
-  add(session.complete ? "complete" : "interrupted");
+  add(session.complete ? say("complete") : say("interrupted"));
   return facts;
 }
 
 std::string session_caution(const RecordedSession& session) {
   std::string caution;
   const auto add = [&caution](const std::string& text) { caution += (caution.empty() ? "" : "; ") + text; };
-  if (!session.complete) add("The recording was interrupted, or is still being written");
-  if (session.head_changed) add("session.json was changed after it was written: don't trust calibration and profile");
+  if (!session.complete) add(say("The recording was interrupted, or is still being written"));
+  if (session.head_changed)
+    add(say("session.json was changed after it was written: don't trust calibration and profile"));
   if (session.skipped_row_count > 0) {
-    add(std::to_string(session.skipped_row_count) + (session.skipped_row_count == 1 ? " row" : " rows") +
-        " can't be read and are left out; pellucida check names them");
+    add(std::to_string(session.skipped_row_count) + (session.skipped_row_count == 1 ? say(" row") : say(" rows")) +
+        say(" can't be read and are left out; pellucida check names them"));
   }
   return caution;
 }

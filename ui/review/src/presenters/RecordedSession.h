@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pellucida/core/Event.h"
+#include "pellucida/core/ForceRemarks.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/session/SessionReader.h"
@@ -22,6 +23,7 @@ struct RecordedSession {
   std::vector<Measurement> rows;  ///< one a step
   std::vector<double> times_s;    ///< of the steps, never falling, whatever the file says
   std::vector<Event> events;      ///< in the order of time
+  double scale_ratio = 1.0;       ///< this cell's stiffness over its kind's, if it was measured
   CellProfile profile;            ///< the forces' own; of a session that holds none, only the name
 
   std::size_t step_count() const noexcept { return rows.size(); }
@@ -35,6 +37,9 @@ struct RecordedSession {
 
 /// Takes over head and tables. Throws InputError for a session without a row.
 RecordedSession recorded_session(const SessionReader& reader);
+
+/// What is known of the scale in a row's frame, into its remarks.
+void add_scale(const RecordedSession& session, const Measurement& row, ForceRemarks& remarks);
 
 /// The line of facts: "2026-11-20 20:15 UTC · mouse-oocyte · 0.825 µm/px · 312 frames · complete".
 std::string session_facts(const RecordedSession& session);

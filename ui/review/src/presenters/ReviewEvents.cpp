@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
@@ -38,7 +39,7 @@ void add_stretches(const RecordedSession& session, const std::function<bool(cons
 }
 
 std::string frames_of(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " frame" : " frames");
+  return std::to_string(count) + (count == 1 ? say(" frame") : say(" frames"));
 }
 
 }  // namespace
@@ -52,14 +53,14 @@ std::vector<ReviewEvent> review_events(const RecordedSession& session) {
   }
   add_stretches(
       session, [](const Measurement& m) { return m.state && m.confidence < kLowConfidence_ratio; },
-      [](std::size_t n) { return "confidence below 50 % in " + frames_of(n); }, events);
+      [](std::size_t n) { return say("confidence below 50 % in ") + frames_of(n); }, events);
   add_stretches(
       session,
       [](const Measurement& m) { return m.state == CellState::kContact && !std::isfinite(m.contact_force_uN); },
-      [](std::size_t n) { return "contact without a force in " + frames_of(n); }, events);
+      [](std::size_t n) { return say("contact without a force in ") + frames_of(n); }, events);
   add_stretches(
       session, [](const Measurement& m) { return !m.state; },
-      [](std::size_t n) { return frames_of(n) + " recorded but not measured"; }, events);
+      [](std::size_t n) { return frames_of(n) + say(" recorded but not measured"); }, events);
   std::stable_sort(events.begin(), events.end(),
                    [](const ReviewEvent& a, const ReviewEvent& b) { return a.time_s < b.time_s; });
   return events;
@@ -80,16 +81,16 @@ std::vector<std::string> kinds_of(const std::vector<ReviewEvent>& events) {
 }
 
 Color event_color(const ReviewEvent& event) {
-  if (event.is_doubt) return palette::kWarning;
+  if (event.is_doubt) return current_theme().warning;
   if (event.kind == event_kind::kContact) return state_color(CellState::kContact);
   if (event.kind == event_kind::kPuncture) return state_color(CellState::kPunctured);
   if (event.kind == event_kind::kLost) return state_color(CellState::kLost);
   if (event.kind == event_kind::kLimit || event.kind == event_kind::kGap || event.kind == event_kind::kDropped ||
-      event.kind == event_kind::kUnmeasured) {
-    return palette::kWarning;
+      event.kind == event_kind::kThinned || event.kind == event_kind::kUnmeasured) {
+    return current_theme().warning;
   }
-  if (event.kind == event_kind::kNote) return palette::kPlan;
-  return palette::kTextDim;
+  if (event.kind == event_kind::kNote || event.kind == kAnnotationKind) return current_theme().plan;
+  return current_theme().text_dim;
 }
 
 std::string doubts_at(const std::vector<ReviewEvent>& events, double time_s) {

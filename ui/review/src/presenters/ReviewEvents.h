@@ -18,6 +18,8 @@ struct ReviewEvent {
 
 /// The kind of what the rows say against themselves, beside the kinds of `events.csv`.
 inline constexpr const char* kDoubtKind = "doubt";
+/// That of a note written afterwards (session/Annotations.h).
+inline constexpr const char* kAnnotationKind = "annotation";
 
 /// Below this the confidence of a frame is low: the readouts show it in amber.
 inline constexpr double kLowConfidence_ratio = 0.5;

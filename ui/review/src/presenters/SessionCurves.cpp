@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization/TraceHistory.h"
 
@@ -28,15 +30,29 @@ class TouchCounter {
   std::size_t count_ = 0;
 };
 
+// The force with its whole interval, and with what the picture leaves open.
+void add_force(double x, const Measurement& row, Curve& curve, Curve& inner) {
+  curve.add(x, row.contact_force_uN, row.contact_force_lower_uN, row.contact_force_upper_uN);
+  inner.add(x, row.contact_force_uN, row.contact_force_picture_lower_uN, row.contact_force_picture_upper_uN);
+}
+
+// Sessions of earlier versions know one interval.
+CurveChartData without_empty_band(CurveChartData data) {
+  bool has_band = false;
+  for (std::size_t i = 0; i < data.inner.size(); ++i) has_band |= data.inner.lower[i] < data.inner.upper[i];
+  if (!has_band) data.inner = {};
+  return data;
+}
+
 }  // namespace
 
 CurveChartData force_over_time(const RecordedSession& session) {
   CurveChartData data;
-  data.x_title = "Time (s)";
-  data.y_title = "Force (µN)";
+  data.x_title = say("Time (s)");
+  data.y_title = say("Force (µN)");
   data.x_begin = session.begin_s();
   data.x_end = session.end_s();
-  data.empty_text = "No force in this session";
+  data.empty_text = say("No force in this session");
   std::optional<CellState> last;
   for (std::size_t i = 0; i < session.step_count(); ++i) {
     const Measurement& row = session.rows[i];
@@ -47,10 +63,22 @@ CurveChartData force_over_time(const RecordedSession& session) {
     if (!std::isfinite(row.contact_force_uN)) continue;
     if (!data.curve.empty() && session.times_s[i] - data.curve.x.back() > TraceHistory::kBridged_s) {
       data.curve.add_gap();
+      data.inner.add_gap();
     }
-    data.curve.add(session.times_s[i], row.contact_force_uN, row.contact_force_lower_uN, row.contact_force_upper_uN);
+    add_force(session.times_s[i], row, data.curve, data.inner);
   }
-  return data;
+  return without_empty_band(std::move(data));
+}
+
+std::vector<std::size_t> touches_of(const RecordedSession& session) {
+  TouchCounter touches;
+  std::vector<std::size_t> numbers;
+  numbers.reserve(session.step_count());
+  for (const Measurement& row : session.rows) {
+    touches.take(row);
+    numbers.push_back(touches.count());
+  }
+  return numbers;
 }
 
 std::size_t touch_of(const RecordedSession& session, std::size_t step) {
@@ -61,24 +89,30 @@ std::size_t touch_of(const RecordedSession& session, std::size_t step) {
 
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step) {
   CurveChartData data;
-  data.x_title = "Indentation (µm)";
-  data.y_title = "Force (µN)";
-  data.empty_text = "No force in this session";
+  data.x_title = say("Indentation (µm)");
+  data.y_title = say("Force (µN)");
+  data.empty_text = say("No force in this session");
   const std::size_t present = touch_of(session, step);
   TouchCounter touches;
   std::size_t drawn = 0;
+  Curve unseen;  // the other touches have no band
   for (const Measurement& row : session.rows) {
     touches.take(row);
     if (row.state != CellState::kContact || !std::isfinite(row.contact_force_uN) ||
         !std::isfinite(row.indentation_um)) {
       continue;
     }
-    Curve& curve = touches.count() == present ? data.curve : data.faint;
-    if (touches.count() != drawn) curve.add_gap();
+    const bool is_present = touches.count() == present;
+    Curve& curve = is_present ? data.curve : data.faint;
+    Curve& inner = is_present ? data.inner : unseen;
+    if (touches.count() != drawn) {
+      curve.add_gap();
+      inner.add_gap();
+    }
     drawn = touches.count();
-    curve.add(row.indentation_um, row.contact_force_uN, row.contact_force_lower_uN, row.contact_force_upper_uN);
+    add_force(row.indentation_um, row, curve, inner);
   }
-  return data;
+  return without_empty_band(std::move(data));
 }
 
 }  // namespace pellucida

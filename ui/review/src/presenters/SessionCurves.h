@@ -1,16 +1,23 @@
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "pellucida/visualization_vtk/CurveChart.h"
 #include "presenters/RecordedSession.h"
 
 namespace pellucida {
 
-/// The contact force of the whole session over time with its 95 % interval, contact, puncture and loss marked. Rows
+/// The contact force of the whole session over time with its 95 % interval and, in it, what the picture leaves open;
+/// contact, puncture and loss marked. Rows
 /// without a force for more than half a second are a gap, as in the live chart.
 CurveChartData force_over_time(const RecordedSession& session);
 
 /// The contact force over the indentation: all touches of the session in grey, the one that `step` belongs to (or the
 /// last before it) on top with its interval.
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step);
+
+/// Number of the touch that each step belongs to, as `touch_of` counts.
+std::vector<std::size_t> touches_of(const RecordedSession& session);
 
 /// Number of the touch that `step` belongs to, or the last before it; 0 before the first one. A passing loss and frames
 /// that were not measured don't end a touch.

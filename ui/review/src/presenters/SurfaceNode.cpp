@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/SigmaInterval.h"
@@ -37,10 +38,10 @@ std::string with_unit(double value, int decimals, const char* unit) {
 }
 
 std::string membrane_name(const std::optional<Membrane>& membrane) {
-  if (membrane == Membrane::kOuter) return "outer membrane";
-  if (membrane == Membrane::kInner) return "inner membrane";
-  if (membrane == Membrane::kOolemma) return "oolemma";
-  return "unknown membrane";
+  if (membrane == Membrane::kOuter) return say("outer membrane");
+  if (membrane == Membrane::kInner) return say("inner membrane");
+  if (membrane == Membrane::kOolemma) return say("oolemma");
+  return say("unknown membrane");
 }
 
 std::string three(const std::array<double, 3>& v, int decimals, const char* unit) {
@@ -52,9 +53,9 @@ std::string three(const std::array<double, 3>& v, int decimals, const char* unit
 }  // namespace
 
 std::string axis_title(NodeArray array) {
-  if (array == NodeArray::kTension) return "Tension (µN/µm)";
-  if (array == NodeArray::kDisplacement) return "Displacement (µm)";
-  return "Force (µN)";
+  if (array == NodeArray::kTension) return say("Tension (µN/µm)");
+  if (array == NodeArray::kDisplacement) return say("Displacement (µm)");
+  return say("Force (µN)");
 }
 
 std::string name_of(NodeArray array) {
@@ -85,18 +86,18 @@ std::optional<SurfaceNode> surface_node(vtkPolyData* surface, long number) {
 
 std::vector<NodeFact> node_facts(const SurfaceNode& node) {
   std::vector<NodeFact> facts;
-  facts.push_back({"Node", std::to_string(node.number) + ", " + membrane_name(node.membrane)});
-  facts.push_back({"Place", three(node.place_um, 1, "µm")});
-  facts.push_back({"Force", with_unit(node.force_magnitude_uN, kForceDecimals, "µN")});
+  facts.push_back({say("Node"), std::to_string(node.number) + ", " + membrane_name(node.membrane)});
+  facts.push_back({say("Place"), three(node.place_um, 1, "µm")});
+  facts.push_back({say("Force"), with_unit(node.force_magnitude_uN, kForceDecimals, "µN")});
   const auto [low, high] = sigma_interval(node.force_magnitude_uN, node.force_sigma_uN);
   const bool known = std::isfinite(low) && std::isfinite(high);
   facts.push_back(
       {"95 %", known ? readout::number(low, kForceDecimals) + " \u2013 " + readout::number(high, kForceDecimals) + " µN"
                      : readout::number(SurfaceNode::kNone, 0)});
-  facts.push_back({"Sigma", with_unit(node.force_sigma_uN, kForceDecimals, "µN")});
-  facts.push_back({"Along x, y, z", three(node.force_uN, kForceDecimals, "µN")});
-  facts.push_back({"Tension", with_unit(node.tension_uN_per_um, kForceDecimals, "µN/µm")});
-  facts.push_back({"Displacement", with_unit(node.displacement_um, 2, "µm")});
+  facts.push_back({say("Sigma"), with_unit(node.force_sigma_uN, kForceDecimals, "µN")});
+  facts.push_back({say("Along x, y, z"), three(node.force_uN, kForceDecimals, "µN")});
+  facts.push_back({say("Tension"), with_unit(node.tension_uN_per_um, kForceDecimals, "µN/µm")});
+  facts.push_back({say("Displacement"), with_unit(node.displacement_um, 2, "µm")});
   return facts;
 }
 

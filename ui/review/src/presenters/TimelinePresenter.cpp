@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
@@ -55,9 +56,9 @@ std::string timeline_tip(const Timeline& timeline, double time_s, double reach_s
   const auto span = std::find_if(timeline.spans.begin(), timeline.spans.end(),
                                  [&](const auto& one) { return one.begin_s <= time_s && time_s <= one.end_s; });
   if (span == timeline.spans.end()) {
-    tip += ": nothing recorded";
+    tip += say(": nothing recorded");
   } else {
-    tip += ": " + (span->state ? readout::state(span->state) : "not measured");
+    tip += ": " + (span->state ? readout::state(span->state) : say("not measured"));
   }
   std::size_t lines = 0, more = 0;
   for (const ReviewEvent& event : timeline.events) {
@@ -72,7 +73,7 @@ std::string timeline_tip(const Timeline& timeline, double time_s, double reach_s
     tip.append("\n").append(readout::time(event.time_s)).append("  ").append(event.kind);
     if (!event.text.empty()) tip.append(": ").append(event.text);
   }
-  if (more > 0) tip.append("\nand ").append(std::to_string(more)).append(" more");
+  if (more > 0) tip.append(say("\nand ")).append(std::to_string(more)).append(say(" more"));
   return tip;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "Theme.h"
+#include "Words.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {
@@ -22,10 +23,10 @@ EventPanel::EventPanel(std::function<void(double)> seek, QWidget* parent)
     : EventPanel(std::move(seek), new QTreeWidget, parent) {}
 
 EventPanel::EventPanel(std::function<void(double)> seek, QTreeWidget* list, QWidget* parent)
-    : Panel("Events and doubts", list, parent), seek_(std::move(seek)), list_(list) {
+    : Panel(words("Events and doubts"), list, parent), seek_(std::move(seek)), list_(list) {
   list_->setObjectName("events");
   list_->setColumnCount(kEventColumnCount);
-  list_->setHeaderLabels({"Time", "Kind", "Text"});
+  list_->setHeaderLabels({words("Time"), words("Kind"), words("Text")});
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setAllColumnsShowFocus(true);
@@ -38,7 +39,7 @@ EventPanel::EventPanel(std::function<void(double)> seek, QTreeWidget* list, QWid
   list_->setMinimumHeight(80);
   connect(list_, &QTreeWidget::itemClicked, this,
           [this](QTreeWidgetItem* item) { seek_(item->data(kTimeColumn, Qt::UserRole).toDouble()); });
-  filter_ = add_button({}, "Which kinds are listed");
+  filter_ = add_button({}, words("Which kinds are listed"));
   filter_->setObjectName("eventFilter");
   filter_->setPopupMode(QToolButton::InstantPopup);
   kinds_menu_ = new QMenu(filter_);
@@ -78,6 +79,12 @@ void EventPanel::show_kind(const std::string& kind, bool shown) {
   }
 }
 
+// The theme has changed, and with it the colours of the kinds.
+void EventPanel::changeEvent(QEvent* event) {
+  Panel::changeEvent(event);
+  if (event->type() == QEvent::StyleChange && list_ && filter_) fill();
+}
+
 void EventPanel::fill() {
   list_->clear();
   shown_s_.clear();
@@ -101,9 +108,9 @@ void EventPanel::fill() {
 
 void EventPanel::show_count() {
   const QString arrow = QString::fromUtf8(" \u25BE");
-  filter_->setText((hidden_.empty() ? QString("All kinds")
-                                    : QString("%1 of %2").arg(list_->topLevelItemCount()).arg(events_.size())) +
-                   arrow);
+  filter_->setText(
+      (hidden_.empty() ? words("All kinds") : words("%1 of %2").arg(list_->topLevelItemCount()).arg(events_.size())) +
+      arrow);
 }
 
 void EventPanel::set_position_s(double time_s) {

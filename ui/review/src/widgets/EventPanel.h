@@ -24,6 +24,9 @@ class EventPanel : public Panel {
   /// Marks the newest event that isn't later than `time_s`.
   void set_position_s(double time_s);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   EventPanel(std::function<void(double)> seek, QTreeWidget* list, QWidget* parent);
   void fill();

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Words.h"
 #include "widgets/Choice.h"
 #include "widgets/CurvePanel.h"
 
@@ -34,8 +35,9 @@ NodePanel::NodePanel(Actions actions, QWidget* parent) : QWidget(parent), action
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
-  auto* facts = new pellucida::Panel("Node", build_facts(), this);
-  connect(facts->add_button("Close", "No node"), &QToolButton::clicked, this, [this] { actions_.close(); });
+  auto* facts = new pellucida::Panel(words("Node"), build_facts(), this);
+  connect(facts->add_button(words("Close"), words("No node")), &QToolButton::clicked, this,
+          [this] { actions_.close(); });
   column->addWidget(facts);
   curve_ = new CurvePanel("", {}, this);
   column->addWidget(curve_, 1);
@@ -63,7 +65,7 @@ QWidget* NodePanel::build_facts() {
   progress_->setTextVisible(false);
   progress_->setFixedHeight(8);
   row->addWidget(progress_, 1);
-  auto* cancel = new QPushButton("Cancel");
+  auto* cancel = new QPushButton(words("Cancel"));
   cancel->setObjectName("nodeCancel");
   cancel->setFixedHeight(22);
   cancel->setFocusPolicy(Qt::TabFocus);
@@ -76,12 +78,12 @@ QWidget* NodePanel::build_facts() {
 void NodePanel::build_controls() {
   array_ = new Choice;
   array_->setObjectName("nodeArray");
-  array_->setToolTip("What is drawn of the node");
+  array_->setToolTip(words("What is drawn of the node"));
   for (const NodeArray array : kNodeArrays) array_->addItem(QString::fromStdString(name_of(array)));
   axis_ = new Choice;
   axis_->setObjectName("nodeAxis");
-  axis_->setToolTip("Over the session's time, or along the node's meridian in this frame");
-  axis_->addItems({"over time", "along the meridian"});
+  axis_->setToolTip(words("Over the session's time, or along the node's meridian in this frame"));
+  axis_->addItems({words("over time"), words("along the meridian")});
   for (QComboBox* choice : {array_, axis_}) {
     choice->setFocusPolicy(Qt::TabFocus);
     choice->setFixedHeight(26);
@@ -104,7 +106,8 @@ void NodePanel::show_frame(vtkPolyData* surface, double time_s) {
   time_s_ = time_s;
   const auto node = surface_node(surface, number_);
   show_facts(node ? node_facts(*node)
-                  : std::vector<NodeFact>{{"Node", std::to_string(number_)}, {"Frame", "no surface with this node"}});
+                  : std::vector<NodeFact>{{words("Node"), std::to_string(number_)},
+                                          {words("Frame"), words("no surface with this node")}});
   if (axis_->currentIndex() == kMeridianAxis) fill_chart();
   place_cursor();
 }
@@ -138,7 +141,7 @@ void NodePanel::show_progress(std::size_t done, std::size_t all) {
   if (all == 0) return;
   progress_->setRange(0, static_cast<int>(all));
   progress_->setValue(static_cast<int>(done));
-  progress_->setToolTip(QString("%1 of %2 frames read").arg(done).arg(all));
+  progress_->setToolTip(words("%1 of %2 frames read").arg(done).arg(all));
 }
 
 void NodePanel::show_problem(const QString& text) {
@@ -160,7 +163,7 @@ void NodePanel::fill_chart() {
   const bool meridian = axis_->currentIndex() == kMeridianAxis;
   CurveChartData drawn = meridian ? along_meridian(surface_, number_, array) : node_over_time(history_, array);
   if (!meridian && !problem_.isEmpty()) drawn.empty_text = problem_.toStdString();
-  if (!meridian && problem_.isEmpty() && history_.times_s.empty()) drawn.empty_text = "Reading the session";
+  if (!meridian && problem_.isEmpty() && history_.times_s.empty()) drawn.empty_text = words("Reading the session");
   curve_->chart().set_data(std::move(drawn));
   curve_->set_seek(meridian ? std::function<void(double)>() : actions_.seek);
   place_cursor();

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "Words.h"
 #include "presenters/Phrase.h"
 #include "widgets/Icons.h"
 #include "widgets/PhraseLabel.h"
@@ -19,7 +20,7 @@ OpenPage::OpenPage(std::function<void()> open, QWidget* parent) : QWidget(parent
   auto* column = new QVBoxLayout(this);
   column->setSpacing(14);
   column->addStretch(2);
-  auto* title = new QLabel("Review a recorded session", this);
+  auto* title = new QLabel(words("Review a recorded session"), this);
   title->setObjectName("pageTitle");
   title->setAlignment(Qt::AlignCenter);
   column->addWidget(title);
@@ -28,7 +29,7 @@ OpenPage::OpenPage(std::function<void()> open, QWidget* parent) : QWidget(parent
   text_->setTextFormat(Qt::PlainText);
   text_->setAlignment(Qt::AlignCenter);
   column->addWidget(text_);
-  open_ = new QPushButton(make_icon(Pictogram::kOpen), "Open a session", this);
+  open_ = new QPushButton(make_icon(Pictogram::kOpen), words("Open a session"), this);
   open_->setObjectName("openSession");
   open_->setFixedSize(180, 38);
   connect(open_, &QPushButton::clicked, this, std::move(open));
@@ -46,15 +47,15 @@ OpenPage::OpenPage(std::function<void()> open, QWidget* parent) : QWidget(parent
 }
 
 void OpenPage::show_reading(const QString& folder) {
-  text_->setText("Opening " + folder);
+  text_->setText(words("Opening ") + folder);
   open_->setEnabled(false);
   show_phrase(*problem_, {});
 }
 
 void OpenPage::show_problem(const QString& text) {
-  text_->setText("Choose the folder of a session, or drop it on this window.");
+  text_->setText(words("Choose the folder of a session, or drop it on this window."));
   open_->setEnabled(true);
-  show_phrase(*problem_, {text.toStdString(), palette::kRecord});
+  show_phrase(*problem_, {text.toStdString(), current_theme().record});
 }
 
 }  // namespace pellucida

@@ -7,10 +7,12 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
+#include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
@@ -19,7 +21,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   setObjectName("topBar");
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(46);
-  auto* row = new QHBoxLayout(this);
+  auto* row = row_ = new QHBoxLayout(this);
   row->setContentsMargins(16, 0, 16, 0);
   row->setSpacing(8);
   auto* mark = new QLabel(this);
@@ -29,16 +31,22 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   brand->setObjectName("brand");
   row->addWidget(brand);
   row->addSpacing(18);
-  QPushButton* open = add_button(row, "Open", QKeySequence::Open, "Open another session");
+  QPushButton* open = add_button(row, words("Open"), QKeySequence::Open, words("Open another session"));
   open->setIcon(make_icon(Pictogram::kOpen));
   connect(open, &QPushButton::clicked, this, actions.open);
   add_export(row, actions);
-  events_ = add_button(row, "Events", Qt::Key_E, "Show the events and doubts beside the views");
+  compare_ = add_button(row, words("Compare"), Qt::Key_C, words("Compare with another session"));
+  compare_->setIcon(make_icon(Pictogram::kCompare));
+  compare_->setCheckable(true);
+  compare_->setProperty("lit", true);
+  connect(compare_, &QPushButton::clicked, this, actions.compare);
+  events_ = add_button(row, words("Events"), Qt::Key_E, words("Show the events and doubts beside the views"));
   events_->setIcon(make_icon(Pictogram::kNote));
   events_->setCheckable(true);
   events_->setChecked(true);
   events_->setProperty("lit", true);
   connect(events_, &QPushButton::toggled, this, actions.show_events);
+  row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
   row->addSpacing(8);
 
   auto* session = new QVBoxLayout;
@@ -69,11 +77,11 @@ QPushButton* ReviewBar::add_button(QHBoxLayout* row, const QString& text, const 
 }
 
 void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
-  export_ = new QPushButton(QString::fromUtf8("Export \u25BE"), this);
+  export_ = new QPushButton(words("Export \u25BE"), this);
   export_->setObjectName("export");
   export_->setFixedHeight(30);
   export_->setFocusPolicy(Qt::TabFocus);
-  export_->setToolTip("Pictures, charts, tables and the report of this session");
+  export_->setToolTip(words("Pictures, charts, tables and the report of this session"));
   auto* menu = new QMenu(export_);
   const auto add = [&](const QString& text, const char* name, const std::function<void()>& act) {
     QAction* action = menu->addAction(text);
@@ -82,17 +90,18 @@ void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
     return action;
   };
   const QString dots = QString::fromUtf8("\u2026");
-  QAction* window = add("Window as PNG" + dots, "exportWindow", actions.export_window);
+  QAction* window = add(words("Window as PNG") + dots, "exportWindow", actions.export_window);
   window->setShortcut(QKeySequence::Save);
-  add("Microscope image as PNG" + dots, "exportFeed", actions.export_feed);
-  add("3-D view as PNG" + dots, "exportView", actions.export_view);
+  add(words("Microscope image as PNG") + dots, "exportFeed", actions.export_feed);
+  add(words("3-D view as PNG") + dots, "exportView", actions.export_view);
   menu->addSeparator();
-  add("Force over time as SVG, PDF or PNG" + dots, "exportTime", actions.export_time);
-  add("Force over indentation as SVG, PDF or PNG" + dots, "exportTouch", actions.export_touch);
-  node_ = add("Chart of the node as SVG, PDF or PNG" + dots, "exportNode", actions.export_node);
+  add(words("Force over time as SVG, PDF or PNG") + dots, "exportTime", actions.export_time);
+  add(words("Force over indentation as SVG, PDF or PNG") + dots, "exportTouch", actions.export_touch);
+  node_ = add(words("Chart of the node as SVG, PDF or PNG") + dots, "exportNode", actions.export_node);
   menu->addSeparator();
-  add("Tables as CSV" + dots, "exportTables", actions.export_tables);
-  QAction* report = add("Report" + dots, "report", actions.report);
+  add(words("Video of the views") + dots, "exportVideo", actions.export_video);
+  add(words("Tables as CSV") + dots, "exportTables", actions.export_tables);
+  QAction* report = add(words("Report") + dots, "report", actions.report);
   report->setShortcut(QKeySequence::Print);
   // Keys of a menu that isn't open act too.
   addActions({window, report});
@@ -103,7 +112,7 @@ void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
 void ReviewBar::show_session(const RecordedSession* session) {
   export_->setEnabled(session != nullptr);
   for (QAction* action : export_->menu()->actions()) action->setEnabled(session != nullptr);
-  events_->setEnabled(session != nullptr);
+  for (QPushButton* button : {compare_, events_}) button->setEnabled(session != nullptr);
   set_node_chosen(false);
   name_->setText(session ? QString::fromStdString(session_name_of(session->folder)) : QString());
   if (!session) {
@@ -112,15 +121,23 @@ void ReviewBar::show_session(const RecordedSession* session) {
     return;
   }
   const std::string facts = session_facts(*session), caution = session_caution(*session);
-  show_phrase(*facts_, {facts, caution.empty() ? palette::kTextDim : palette::kWarning});
+  show_phrase(*facts_, {facts, caution.empty() ? current_theme().text_dim : current_theme().warning});
   const QString tip =
       QString::fromStdString(session->folder.string() + "\n" + facts + (caution.empty() ? "" : "\n" + caution));
   // Text of a session is never taken for markup.
   for (QLabel* label : {name_, facts_}) label->setToolTip("<pre>" + tip.toHtmlEscaped() + "</pre>");
 }
 
+void ReviewBar::add(QPushButton& button) {
+  row_->insertWidget(row_->count() - 3, &button);
+}
+
 void ReviewBar::show_events(bool shown) {
   events_->setChecked(shown);
+}
+
+void ReviewBar::set_comparing(bool comparing) {
+  compare_->setChecked(comparing);
 }
 
 void ReviewBar::set_node_chosen(bool chosen) {

@@ -22,16 +22,22 @@ class ReviewBar : public QWidget {
     std::function<void()> export_time;      ///< the chart over time
     std::function<void()> export_touch;     ///< the chart over indentation
     std::function<void()> export_node;      ///< the node's chart
+    std::function<void()> export_video;     ///< views and charts as a film
     std::function<void()> export_tables;    ///< rows, events and more as CSV
     std::function<void()> report;           ///< the dose passport
+    std::function<void(bool)> compare;      ///< with another session; false: no more
     std::function<void(bool)> show_events;  ///< the list at the side
   };
   ReviewBar(const Actions& actions, QWidget* parent);
 
+  /// Puts `button` after the others.
+  void add(QPushButton& button);
   /// Null: no session, and nothing to export.
   void show_session(const RecordedSession* session);
   /// Shows or hides the list at the side, as its button does.
   void show_events(bool shown);
+  /// Whether a session is compared with another one, as its button shows.
+  void set_comparing(bool comparing);
   /// A node is chosen, and has a chart.
   void set_node_chosen(bool chosen);
 
@@ -39,7 +45,9 @@ class ReviewBar : public QWidget {
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const QKeySequence& key, const QString& tip);
   void add_export(QHBoxLayout* row, const Actions& actions);
 
+  QHBoxLayout* row_ = nullptr;
   QPushButton* export_ = nullptr;
+  QPushButton* compare_ = nullptr;
   QPushButton* events_ = nullptr;
   QAction* node_ = nullptr;
   QLabel* name_ = nullptr;

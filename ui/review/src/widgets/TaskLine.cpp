@@ -5,6 +5,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
+#include "Words.h"
 #include "presenters/Phrase.h"
 #include "widgets/PhraseLabel.h"
 
@@ -30,7 +31,7 @@ TaskLine::TaskLine(std::function<void()> cancel, QWidget* parent) : QWidget(pare
   progress_->setTextVisible(false);
   progress_->setFixedSize(140, 8);
   row->addWidget(progress_);
-  auto* button = new QPushButton("Cancel");
+  auto* button = new QPushButton(words("Cancel"));
   button->setObjectName("cancelWork");
   button->setFixedHeight(22);
   button->setFocusPolicy(Qt::TabFocus);

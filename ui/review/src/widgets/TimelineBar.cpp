@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "Theme.h"
+#include "Words.h"
 #include "pellucida/core/RoundNumbers.h"
 #include "pellucida/visualization/Readout.h"
 
@@ -79,7 +80,7 @@ void TimelineBar::draw_legend(QPainter& painter) const {
     painter.fillRect(QRectF(x, kLegendY_px - 0.5 * height_px, 10.0, height_px), QBrush(to_qt(color), style));
     x += 15.0;
     const QString text = QString::fromStdString(name);
-    painter.setPen(to_qt(palette::kTextDim));
+    painter.setPen(to_qt(current_theme().text_dim));
     painter.drawText(QPointF(x, kLegendY_px + 4.0), text);
     x += painter.fontMetrics().horizontalAdvance(text) + 16.0;
   };
@@ -88,20 +89,20 @@ void TimelineBar::draw_legend(QPainter& painter) const {
   }
   const auto& spans = timeline_.spans;
   if (std::any_of(spans.begin(), spans.end(), [](const auto& span) { return !span.state; })) {
-    entry(palette::kTextDim, Qt::BDiagPattern, 10.0, "Not measured");
+    entry(current_theme().text_dim, Qt::BDiagPattern, 10.0, words("Not measured"));
   }
   const auto& events = timeline_.events;
   if (std::any_of(events.begin(), events.end(), [](const auto& event) { return event.is_doubt; })) {
-    entry(palette::kWarning, Qt::SolidPattern, kDoubtHeight_px, "Doubt, low confidence");
+    entry(current_theme().warning, Qt::SolidPattern, kDoubtHeight_px, words("Doubt, low confidence"));
   }
 }
 
 void TimelineBar::draw_spans(QPainter& painter) const {
-  painter.fillRect(bar(), to_qt(palette::kWindow));
+  painter.fillRect(bar(), to_qt(current_theme().window));
   for (const TimelineSpan& span : timeline_.spans) {
     const QRectF box = stretch(x_of(span.begin_s), x_of(span.end_s), kBarTop_px, kBarHeight_px);
-    painter.fillRect(
-        box, span.state ? QBrush(to_qt(state_color(span.state))) : QBrush(to_qt(palette::kTextDim), Qt::BDiagPattern));
+    painter.fillRect(box, span.state ? QBrush(to_qt(state_color(span.state)))
+                                     : QBrush(to_qt(current_theme().text_dim), Qt::BDiagPattern));
   }
 }
 
@@ -118,7 +119,7 @@ void TimelineBar::draw_events(QPainter& painter) const {
     painter.drawPolygon(QPolygonF({{x - 4.0, kMarksTop_px}, {x + 4.0, kMarksTop_px}, {x, kMarksTop_px + 8.0}}));
     if (event.kind == event_kind::kPuncture) {
       painter.fillRect(QRectF(x - 1.0, kMarksTop_px, 2.0, kBarTop_px + kBarHeight_px - kMarksTop_px),
-                       to_qt(palette::kText));
+                       to_qt(current_theme().text));
     }
   }
 }
@@ -128,8 +129,8 @@ void TimelineBar::draw_ticks(QPainter& painter) const {
   const double step_s = nice_ceiling(length_s / std::max(bar().width() / kTickRoom_px, 1.0), 1e-9);
   for (double k = std::ceil(timeline_.begin_s / step_s - 1e-9) + 0.0; k * step_s <= timeline_.end_s + 1e-9; k += 1.0) {
     const double x = x_of(k * step_s);
-    painter.fillRect(QRectF(x - 0.5, kTickTop_px - 2.0, 1.0, 4.0), to_qt(palette::kTextDim));
-    painter.setPen(to_qt(palette::kTextDim));
+    painter.fillRect(QRectF(x - 0.5, kTickTop_px - 2.0, 1.0, 4.0), to_qt(current_theme().text_dim));
+    painter.setPen(to_qt(current_theme().text_dim));
     const QRectF box(x - 40.0, kTickTop_px + 2.0, 80.0, 14.0);
     painter.drawText(box.intersected(QRectF(rect())), Qt::AlignHCenter | Qt::AlignVCenter,
                      QString::fromStdString(readout::plain(k * step_s)) + " s");
@@ -140,9 +141,9 @@ void TimelineBar::draw_cursor(QPainter& painter) const {
   const double x = x_of(position_s_);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(to_qt(palette::kWindow));
+  painter.setBrush(to_qt(current_theme().window));
   painter.drawRoundedRect(QRectF(x - 3.5, kBarTop_px - 5.0, 7.0, kBarHeight_px + 10.0), 3.5, 3.5);
-  painter.setBrush(to_qt(palette::kText));
+  painter.setBrush(to_qt(current_theme().text));
   painter.drawRoundedRect(QRectF(x - 2.0, kBarTop_px - 4.0, 4.0, kBarHeight_px + 8.0), 2.0, 2.0);
 }
 
@@ -150,7 +151,7 @@ void TimelineBar::draw_ground() {
   const double ratio = devicePixelRatioF();
   ground_ = QPixmap(size() * ratio);
   ground_.setDevicePixelRatio(ratio);
-  ground_.fill(to_qt(palette::kPanel));
+  ground_.fill(to_qt(current_theme().panel));
   QPainter painter(&ground_);
   painter.setRenderHint(QPainter::Antialiasing);
   set_small_letters(painter);
@@ -169,6 +170,12 @@ void TimelineBar::paintEvent(QPaintEvent*) {
 
 void TimelineBar::resizeEvent(QResizeEvent*) {
   ground_ = QPixmap();
+}
+
+// The theme has changed.
+void TimelineBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange) ground_ = QPixmap();
 }
 
 void TimelineBar::mousePressEvent(QMouseEvent* event) {

@@ -11,7 +11,7 @@ namespace pellucida {
 
 /// The session's time from left to right: the state of the cell as colour, holes where nothing was recorded, hatching
 /// where nothing was measured, events as marks above and doubts as an amber line below. Press or drag seeks; the mouse
-/// resting on a place tells what is there.
+/// resting on a place describes what is there.
 class TimelineBar : public QWidget {
  public:
   /// `seek` is called with a time of the session, s.
@@ -35,6 +35,7 @@ class TimelineBar : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void draw_ground();

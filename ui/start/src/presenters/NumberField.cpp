@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pellucida/core/Table.h"
+#include "pellucida/core/Words.h"
 
 namespace pellucida {
 namespace {
@@ -29,13 +30,14 @@ TypedNumber read_number(std::string_view text, const NumberKind& kind) {
   const auto [rest, fault] = std::from_chars(digits.data(), end, value);
   if (rest != end || (fault != std::errc{} && fault != std::errc::result_out_of_range)) {
     return {{},
-            "\"" + typed + "\" is no number: give the " + kind.name + " in " + kind.unit + ", such as " + kind.example};
+            "\"" + typed + say("\" is no number: give the ") + say(kind.name) + say(" in ") + say(kind.unit) +
+                say(", such as ") + kind.example};
   }
   // Written so that NaN fails too.
   if (fault == std::errc{} && value >= kind.range.lower && value <= kind.range.upper) return {value, {}};
   return {{},
-          typed + " is out of range: give a " + kind.name + " of " + csv_number(kind.range.lower) + " to " +
-              csv_number(kind.range.upper) + " " + kind.unit};
+          typed + say(" is out of range: give a ") + say(kind.name) + say(" of ") + csv_number(kind.range.lower) +
+              say(" to ") + csv_number(kind.range.upper) + " " + say(kind.unit)};
 }
 
 double specimen_pixel_um(double camera_pixel_um, double magnification) noexcept {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "pellucida/acquisition/StatedRange.h"
+#include "pellucida/core/Words.h"
 
 namespace pellucida {
 
@@ -14,9 +15,10 @@ struct NumberKind {
   StatedRange range;
   const char* example;
 };
-inline constexpr NumberKind kPixelSizeNumber{"pixel size", "µm", kStatedPixelSize_um, "0.825"};
-inline constexpr NumberKind kFrameRateNumber{"frame rate", "frames/s", kStatedFrameRate_hz, "30"};
-inline constexpr NumberKind kCameraPixelNumber{"camera pixel", "µm", {0.5, 50.0}, "3.45"};
+inline constexpr NumberKind kPixelSizeNumber{PELLUCIDA_WORDS("pixel size"), "µm", kStatedPixelSize_um, "0.825"};
+inline constexpr NumberKind kFrameRateNumber{PELLUCIDA_WORDS("frame rate"), PELLUCIDA_WORDS("frames/s"),
+                                             kStatedFrameRate_hz, "30"};
+inline constexpr NumberKind kCameraPixelNumber{PELLUCIDA_WORDS("camera pixel"), "µm", {0.5, 50.0}, "3.45"};
 
 /// A typed number, or why it is none. Neither: nothing was typed.
 struct TypedNumber {

@@ -5,6 +5,7 @@
 #include "pellucida/acquisition/FolderContent.h"
 #include "pellucida/acquisition/OpenSource.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/session/SessionSource.h"
 #include "presenters/SourcePresenter.h"
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 PathJudgement neither(const fs::path& path, const std::string& reason) {
   PathJudgement judgement;
   judgement.path = path;
-  judgement.problem = reason + " - give a video, a folder of images, or the folder of a session";
+  judgement.problem = reason + say(" - give a video, a folder of images, or the folder of a session");
   return judgement;
 }
 
@@ -33,8 +34,8 @@ std::string caption_of(const SourceInfo& info, bool has_size, bool has_rate) {
   SourceInfo known = info;
   std::string caption = source_caption(known);
   if (has_size && has_rate) return caption;
-  return caption.substr(0, caption.find(" px") + 3) + (has_size ? "" : " · pixel size not in the file") +
-         (has_rate ? "" : " · frame rate not in the file");
+  return caption.substr(0, caption.find(" px") + 3) + (has_size ? "" : say(" · pixel size not in the file")) +
+         (has_rate ? "" : say(" · frame rate not in the file"));
 }
 
 // Opens it with what its files state; what they leave open gets a stand-in, so that the rest is known.
@@ -59,7 +60,7 @@ PathJudgement open_recording(const fs::path& path) {
       }
     }
   }
-  return neither(path, path.filename().string() + ": pixel size and frame rate can't be settled");
+  return neither(path, path.filename().string() + say(": pixel size and frame rate can't be settled"));
 }
 
 // The recording that a folder without images of its own stands for.
@@ -70,8 +71,9 @@ PathJudgement recording_below(const fs::path& folder) {
   if (!content.images.empty()) return open_recording(folder);
   if (files.size() == 1) return open_recording(files.front());
   const std::string name = folder.filename().string();
-  if (files.empty()) return neither(folder, name + ": no image, no video and no session in this folder");
-  return neither(folder, name + ": " + std::to_string(files.size()) + " recordings in this folder; choose one of them");
+  if (files.empty()) return neither(folder, name + say(": no image, no video and no session in this folder"));
+  return neither(folder,
+                 name + ": " + std::to_string(files.size()) + say(" recordings in this folder; choose one of them"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/session/SessionSource.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/NumberField.h"
@@ -23,7 +24,7 @@ Decision decide_virtual(const StartForm& form) {
 
 Decision decide_recording(const StartForm& form, const std::optional<PathJudgement>& judged) {
   if (form.path.empty()) {
-    return StartProblem{StartField::kPath, "Choose a file or a folder first, or drop one on this window."};
+    return StartProblem{StartField::kPath, say("Choose a file or a folder first, or drop one on this window.")};
   }
   if (judged && judged->kind == PathKind::kNeither) return StartProblem{StartField::kPath, judged->problem};
   if (judged && judged->kind == PathKind::kSession) return review_of(judged->path);
@@ -32,12 +33,12 @@ Decision decide_recording(const StartForm& form, const std::optional<PathJudgeme
   if (!size.problem.empty()) return StartProblem{StartField::kRecordingPixel, size.problem};
   if (judged && !size.value && !judged->pixel_size_um) {
     return StartProblem{StartField::kRecordingPixel,
-                        "The file does not state the size of a pixel: type it in µm, such as 0.825."};
+                        say("The file does not state the size of a pixel: type it in µm, such as 0.825.")};
   }
   const TypedNumber rate = read_number(form.frame_rate_hz, kFrameRateNumber);
   if (!rate.problem.empty()) return StartProblem{StartField::kFrameRate, rate.problem};
   if (judged && !rate.value && !judged->frame_rate_hz) {
-    return StartProblem{StartField::kFrameRate, "The file does not state its frame rate: type it, such as 30."};
+    return StartProblem{StartField::kFrameRate, say("The file does not state its frame rate: type it, such as 30.")};
   }
   StartChoice choice;
   choice.source = judged ? judged->path.string() : form.path;
@@ -49,7 +50,7 @@ Decision decide_recording(const StartForm& form, const std::optional<PathJudgeme
 
 Decision decide_camera(const StartForm& form) {
   if (form.camera.empty()) {
-    return StartProblem{StartField::kCamera, "There is no camera to start: connect one, then press Search again."};
+    return StartProblem{StartField::kCamera, say("There is no camera to start: connect one, then press Search again.")};
   }
   StartChoice choice;
   choice.source = form.camera;
@@ -58,7 +59,7 @@ Decision decide_camera(const StartForm& form) {
     const TypedNumber size = read_number(form.specimen_pixel_um, kPixelSizeNumber);
     if (!size.problem.empty()) return StartProblem{StartField::kSpecimenPixel, size.problem};
     if (!size.value) {
-      return StartProblem{StartField::kSpecimenPixel, "Type the size of a pixel in µm, or choose the objective."};
+      return StartProblem{StartField::kSpecimenPixel, say("Type the size of a pixel in µm, or choose the objective.")};
     }
     choice.pixel_size_um = size.value;
     return choice;
@@ -67,7 +68,7 @@ Decision decide_camera(const StartForm& form) {
   if (!size.problem.empty()) return StartProblem{StartField::kCameraPixel, size.problem};
   if (!size.pixel_size_um) {
     return StartProblem{StartField::kCameraPixel,
-                        "Type the edge of the camera's own pixel in µm; its data sheet states it."};
+                        say("Type the edge of the camera's own pixel in µm; its data sheet states it.")};
   }
   choice.pixel_size_um = size.pixel_size_um;
   return choice;
@@ -77,7 +78,6 @@ Decision decide_lesson(const StartForm& form) {
   StartChoice choice;
   choice.mode = StartMode::kTeach;
   choice.lesson = form.lesson;
-  choice.light_theme = form.light_theme;
   choice.large_letters = form.large_letters;
   return choice;
 }
@@ -108,7 +108,7 @@ StartChoice review_of(const std::filesystem::path& session) {
 ObjectiveSize size_by_objective(const std::string& objective, const std::string& camera_pixel_um) {
   const TypedNumber pixel = read_number(camera_pixel_um, kCameraPixelNumber);
   if (!pixel.value) return {{}, pixel.problem};
-  constexpr NumberKind kMagnification{"magnification", "times", {0.1, 1000.0}, "20"};
+  constexpr NumberKind kMagnification{PELLUCIDA_WORDS("magnification"), PELLUCIDA_WORDS("times"), {0.1, 1000.0}, "20"};
   const TypedNumber magnification = read_number(objective, kMagnification);
   if (!magnification.value) return {{}, magnification.problem};
   return {specimen_pixel_um(*pixel.value, *magnification.value), {}};
@@ -118,16 +118,16 @@ std::string recording_note(const PathJudgement& judged, const std::string& typed
   std::string note = judged.caption;
   const TypedNumber typed = read_number(typed_pixel_um, kPixelSizeNumber);
   if (typed.value && judged.pixel_size_um && std::abs(*typed.value / *judged.pixel_size_um - 1.0) > kSameSize_ratio) {
-    note += "\nThe file states " + readout::plain(*judged.pixel_size_um) + " µm a pixel; the typed " +
-            readout::plain(*typed.value) + " µm replaces it.";
+    note += say("\nThe file states ") + readout::plain(*judged.pixel_size_um) + say(" µm a pixel; the typed ") +
+            readout::plain(*typed.value) + say(" µm replaces it.");
   }
   return note;
 }
 
 std::string in_words_of_page(std::string text) {
   for (const auto& [option, field] :
-       {std::pair("--pixel-size-um", "the pixel size"), std::pair("--fps", "the frame rate"),
-        std::pair("--profile", "the profile"), std::pair("--hand", "the hand")}) {
+       {std::pair("--pixel-size-um", say("the pixel size")), std::pair("--fps", say("the frame rate")),
+        std::pair("--profile", say("the profile")), std::pair("--hand", say("the hand"))}) {
     for (auto at = text.find(option); at != std::string::npos; at = text.find(option)) {
       text.replace(at, std::string(option).size(), field);
     }

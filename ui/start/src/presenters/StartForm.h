@@ -31,7 +31,6 @@ struct StartForm {
   std::string specimen_pixel_um;
 
   std::string lesson;
-  bool light_theme = false;
   bool large_letters = false;
 };
 

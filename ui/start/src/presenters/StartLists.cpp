@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "pellucida/core/Resources.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/teaching/Lesson.h"
@@ -38,9 +39,10 @@ std::vector<StartEntry> scenario_entries() {
 }
 
 std::vector<StartEntry> hand_entries() {
-  return {{"demonstration", "Demonstration", "A simulated operator injects cell after cell."},
-          {"mouse", "Mouse and keyboard", "You move the needle yourself."},
-          {"none", "The scenario's own motion", "The needle moves as the scenario describes, again and again."}};
+  return {
+      {"demonstration", say("Demonstration"), say("A simulated operator injects cell after cell.")},
+      {"mouse", say("Mouse and keyboard"), say("You move the needle yourself.")},
+      {"none", say("The scenario's own motion"), say("The needle moves as the scenario describes, again and again.")}};
 }
 
 std::vector<StartEntry> profile_entries() {
@@ -58,14 +60,14 @@ std::vector<StartEntry> profile_entries() {
 
 std::vector<StartEntry> lesson_entries() {
   std::vector<StartEntry> entries;
-  for (const auto& lesson : all_lessons()) {
+  for (const auto& lesson : all_lessons(say("lessons"))) {
     entries.push_back({lesson.name, std::to_string(entries.size() + 1) + ". " + lesson.title, lesson.title});
   }
   return entries;
 }
 
 std::vector<StartEntry> objective_entries() {
-  std::vector<StartEntry> entries{{"", "None: I type the pixel size", ""}};
+  std::vector<StartEntry> entries{{"", say("None: I type the pixel size"), ""}};
   for (const char* magnification : {"4", "10", "20", "32", "40", "60", "63", "100"}) {
     entries.push_back({magnification, std::string(magnification) + "×", ""});
   }
@@ -84,7 +86,7 @@ CameraList camera_list(const std::filesystem::path& listing) {
     }
   }
   if (list.cameras.empty())
-    list.notice = "No camera can be used: " + reasons + ".\nConnect one, then press Search again.";
+    list.notice = say("No camera can be used: ") + reasons + say(".\nConnect one, then press Search again.");
   return list;
 }
 

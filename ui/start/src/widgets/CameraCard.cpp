@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "Words.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/NumberField.h"
 #include "presenters/StartLists.h"
@@ -13,25 +14,25 @@
 namespace pellucida {
 
 CameraCard::CameraCard(const StartForm& form, std::filesystem::path listing, std::function<void()> start)
-    : StartCard({StartCardId::kCamera, Pictogram::kCamera, "Connect a camera",
-                 "The live image of your microscope's camera, measured as it comes.", "Connect"},
+    : StartCard({StartCardId::kCamera, Pictogram::kCamera, words("Connect a camera"),
+                 words("The live image of your microscope's camera, measured as it comes."), words("Connect")},
                 std::move(start)),
       listing_(std::move(listing)) {
-  camera_field_ = add_field("Camera", camera_ = make_choice({}, {}), "camera");
-  auto* again = new QPushButton("Search again");
+  camera_field_ = add_field(words("Camera"), camera_ = make_choice({}, {}), "camera");
+  auto* again = new QPushButton(words("Search again"));
   again->setObjectName("searchCameras");
   again->setFixedHeight(28);
   connect(again, &QPushButton::clicked, this, [this] { search(value_of(*camera_)); });
   add_widget(again);
   profile_ = make_choice(profile_entries(), form.camera_profile);
-  add_field("Profile of the cell", profile_, "cameraProfile");
+  add_field(words("Profile of the cell"), profile_, "cameraProfile");
   objective_ = make_choice(objective_entries(), form.objective);
-  objective_->setToolTip("Magnification from the specimen to the camera, the adapter's included");
-  add_field("Objective", objective_, "objective");
-  camera_pixel_ = make_number_line("µm", "such as 3.45", form.camera_pixel_um);
-  camera_pixel_field_ = add_field("Camera's own pixel", camera_pixel_, "cameraPixel");
-  specimen_pixel_ = make_number_line("µm", "such as 0.825", form.specimen_pixel_um);
-  specimen_pixel_field_ = add_field("Pixel in the specimen", specimen_pixel_, "specimenPixel");
+  objective_->setToolTip(words("Magnification from the specimen to the camera, the adapter's included"));
+  add_field(words("Objective"), objective_, "objective");
+  camera_pixel_ = make_number_line("µm", words("such as 3.45"), form.camera_pixel_um);
+  camera_pixel_field_ = add_field(words("Camera's own pixel"), camera_pixel_, "cameraPixel");
+  specimen_pixel_ = make_number_line("µm", words("such as 0.825"), form.specimen_pixel_um);
+  specimen_pixel_field_ = add_field(words("Pixel in the specimen"), specimen_pixel_, "specimenPixel");
   add_widget(computed_ = new QLabel);
   computed_->setObjectName("computedSize");
   finish();
@@ -54,7 +55,7 @@ void CameraCard::search(const std::string& chosen) {
   for (const auto& camera : found.cameras) {
     camera_->addItem(QString::fromStdString(camera.title), QString::fromStdString(camera.value));
   }
-  if (found.cameras.empty()) camera_->addItem("No camera", QString());
+  if (found.cameras.empty()) camera_->addItem(words("No camera"), QString());
   if (!found.cameras.empty()) camera_->setCurrentIndex(index_of(found.cameras, chosen));
   camera_->setEnabled(!found.cameras.empty());
   camera_field_->show_note(found.notice);
@@ -69,9 +70,8 @@ void CameraCard::show_size() {
   specimen_pixel_field_->show_problem({});
   computed_->setVisible(!objective.empty());
   const auto size = size_by_objective(objective.empty() ? "1" : objective, camera_pixel_->text().toStdString());
-  computed_->setText(size.pixel_size_um
-                         ? QString::fromUtf8("= %1 µm per px").arg(readout::plain(*size.pixel_size_um).c_str())
-                         : QString::fromUtf8("= – µm per px"));
+  computed_->setText(size.pixel_size_um ? words("= %1 µm per px").arg(readout::plain(*size.pixel_size_um).c_str())
+                                        : words("= – µm per px"));
 }
 
 void CameraCard::write(StartForm& form) const {

@@ -22,7 +22,6 @@ class LessonCard final : public StartCard {
  private:
   std::vector<StartEntry> lessons_;
   QListWidget* list_;
-  QCheckBox* light_;
   QCheckBox* large_;
 };
 

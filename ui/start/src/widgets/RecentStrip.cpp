@@ -5,7 +5,9 @@
 #include <QPixmap>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
 
+#include "Words.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
@@ -24,14 +26,14 @@ RecentStrip::RecentStrip(std::filesystem::path sessions, std::function<void(cons
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  auto* title = new QLabel("Recent sessions");
+  auto* title = new QLabel(words("Recent sessions"));
   title->setObjectName("recentTitle");
   column->addWidget(title);
   strip_ = new QWidget;
   row_ = new QHBoxLayout(strip_);
   row_->setContentsMargins(0, 0, 0, 0);
   row_->setSpacing(kGap_px);
-  hint_ = new QLabel("Looking for sessions ...");
+  hint_ = new QLabel(words("Looking for sessions ..."));
   hint_->setObjectName("fieldNote");
   row_->addWidget(hint_);
   row_->addStretch(1);
@@ -55,18 +57,18 @@ void RecentStrip::read(std::filesystem::path sessions) {
             found.push_back(read_thumbnail(folder, kLargestPicture_px));
           } catch (const Error&) {
             // A damaged session is offered too: Review says what is wrong with it.
-            found.push_back({{folder, folder.filename().string(), "can't be read"}, {}});
+            found.push_back({{folder, folder.filename().string(), words("can't be read")}, {}});
           }
         }
         return [this, found, sessions] {
           show_sessions(found);
           if (found.empty()) {
-            say("None yet: what you record is kept in " + QString::fromStdString(sessions.string()) +
-                " and offered here. Any other session can be dropped on this window.");
+            show_text(words("None yet: what you record is kept in ") + QString::fromStdString(sessions.string()) +
+                      words(" and offered here. Any other session can be dropped on this window."));
           }
         };
       },
-      {}, [this](const std::string& text) { say(QString::fromStdString(text)); });
+      {}, [this](const std::string& text) { show_text(QString::fromStdString(text)); });
 }
 
 void RecentStrip::show_sessions(const std::vector<SessionThumbnail>& found) {
@@ -82,7 +84,7 @@ void RecentStrip::show_sessions(const std::vector<SessionThumbnail>& found) {
     button->setIcon(QIcon(picture.isNull() ? shown : QPixmap::fromImage(picture)));
     button->setText(date + "\n" + duration);
     button->setToolTip(QString::fromStdString(session.folder.string()));
-    button->setAccessibleName("Review the session of " + date + ", " + duration);
+    button->setAccessibleName(words("Review the session of ") + date + ", " + duration);
     button->setFocusPolicy(Qt::StrongFocus);
     connect(button, &QToolButton::clicked, this, [this, folder = session.folder] { open_(folder); });
     row_->insertWidget(row_->count() - 1, button);
@@ -108,7 +110,7 @@ void RecentStrip::resizeEvent(QResizeEvent* event) {
   fit();
 }
 
-void RecentStrip::say(const QString& text) {
+void RecentStrip::show_text(const QString& text) {
   hint_->setText(text);
   hint_->show();
 }

@@ -25,7 +25,7 @@ class RecentStrip : public QWidget {
   void fit();
   void read(std::filesystem::path sessions);
   void show_sessions(const std::vector<SessionThumbnail>& found);
-  void say(const QString& text);
+  void show_text(const QString& text);
 
   std::function<void(const std::filesystem::path&)> open_;
   QWidget* strip_;

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "Words.h"
 #include "presenters/NumberField.h"
 #include "presenters/StartLists.h"
 #include "widgets/CardFields.h"
@@ -13,19 +14,20 @@
 namespace pellucida {
 
 RecordingCard::RecordingCard(const StartForm& form, Actions actions)
-    : StartCard({StartCardId::kRecording, Pictogram::kOpen, "Open a recording or a video",
-                 "A video, a folder of images or a stack is measured; a recorded session opens in Review.", "Open"},
+    : StartCard({StartCardId::kRecording, Pictogram::kOpen, words("Open a recording or a video"),
+                 words("A video, a folder of images or a stack is measured; a recorded session opens in Review."),
+                 words("Open")},
                 actions.start),
       actions_(std::move(actions)) {
-  path_ = make_number_line("", "drop one on this window", form.path);
-  path_field_ = add_field("File or folder", path_, "path");
+  path_ = make_number_line("", words("drop one on this window"), form.path);
+  path_field_ = add_field(words("File or folder"), path_, "path");
   add_widget(build_path_row());
   profile_ = make_choice(profile_entries(), form.recording_profile);
-  add_field("Profile of the cell", profile_, "recordingProfile");
-  pixel_ = make_number_line("µm", "from the file", form.recording_pixel_um);
-  pixel_field_ = add_field("Edge of a pixel", pixel_, "recordingPixel");
-  rate_ = make_number_line("frames/s", "from the file", form.frame_rate_hz);
-  rate_field_ = add_field("Frame rate", rate_, "frameRate");
+  add_field(words("Profile of the cell"), profile_, "recordingProfile");
+  pixel_ = make_number_line("µm", words("from the file"), form.recording_pixel_um);
+  pixel_field_ = add_field(words("Edge of a pixel"), pixel_, "recordingPixel");
+  rate_ = make_number_line(words("frames/s"), words("from the file"), form.frame_rate_hz);
+  rate_field_ = add_field(words("Frame rate"), rate_, "frameRate");
   finish();
   connect(path_, &QLineEdit::textEdited, this, [this] {
     look_.cancel();
@@ -49,9 +51,9 @@ QWidget* RecordingCard::build_path_row() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   for (const bool folder : {false, true}) {
-    auto* button = new QPushButton(folder ? "Folder ..." : "File ...");
+    auto* button = new QPushButton(folder ? words("Folder ...") : words("File ..."));
     button->setObjectName(folder ? "chooseFolder" : "chooseFile");
-    button->setAccessibleName(folder ? "Choose a folder" : "Choose a file");
+    button->setAccessibleName(folder ? words("Choose a folder") : words("Choose a file"));
     button->setFixedHeight(28);
     connect(button, &QPushButton::clicked, this, [this, folder] {
       if (const auto path = actions_.ask(folder); !path.empty()) take(path);
@@ -69,7 +71,7 @@ void RecordingCard::take(const std::filesystem::path& path) {
 void RecordingCard::look_at(const std::filesystem::path& path, bool report_session) {
   judged_.reset();
   path_field_->show_problem({});
-  path_field_->show_note("Looking at it ...");
+  path_field_->show_note(words("Looking at it ..."));
   look_.run(
       [this, path, report_session](const BackgroundTask::Control&) {
         const PathJudgement judgement = judge_path(path);
@@ -84,7 +86,7 @@ void RecordingCard::look_at(const std::filesystem::path& path, bool report_sessi
 void RecordingCard::show_judgement(const PathJudgement& judgement) {
   judged_ = judgement;
   if (judgement.kind == PathKind::kSession) {
-    path_field_->show_note("A recorded session: it opens in Review.");
+    path_field_->show_note(words("A recorded session: it opens in Review."));
     return;
   }
   check_numbers();

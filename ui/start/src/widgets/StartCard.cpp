@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "Words.h"
 #include "widgets/CardFields.h"
 
 namespace pellucida {
@@ -44,7 +45,7 @@ StartCard::StartCard(const Look& look, std::function<void()> start) : id_(look.i
   head->addWidget(title, 1);
   auto* number = new QLabel(QString::number(static_cast<int>(id_) + 1));
   number->setObjectName("cardNumber");
-  number->setToolTip(QString("Press %1 to choose this card").arg(static_cast<int>(id_) + 1));
+  number->setToolTip(words("Press %1 to choose this card").arg(static_cast<int>(id_) + 1));
   head->addWidget(number, 0, Qt::AlignTop);
   head_column->addLayout(head);
   auto* sentence = new QLabel(look.sentence);

@@ -21,9 +21,9 @@ class StartCard : public QFrame {
   struct Look {
     StartCardId id;
     Pictogram icon;
-    const char* title;
-    const char* sentence;
-    const char* button;
+    QString title;
+    QString sentence;
+    QString button;
   };
   /// `start`: a person pressed the button.
   StartCard(const Look& look, std::function<void()> start);

@@ -1,18 +1,19 @@
 #include "widgets/VirtualCard.h"
 
+#include "Words.h"
 #include "widgets/CardFields.h"
 #include "widgets/Choice.h"
 
 namespace pellucida {
 
 VirtualCard::VirtualCard(const StartForm& form, std::function<void()> start)
-    : StartCard({StartCardId::kVirtual, Pictogram::kProgram, "Try the virtual microscope",
-                 "A simulated cell under a simulated microscope. Nothing has to be connected.", "Start"},
+    : StartCard({StartCardId::kVirtual, Pictogram::kProgram, words("Try the virtual microscope"),
+                 words("A simulated cell under a simulated microscope. Nothing has to be connected."), words("Start")},
                 std::move(start)),
       scenarios_(scenario_entries()),
       hands_(hand_entries()) {
-  scenario_field_ = add_field("Scenario", scenario_ = make_choice(scenarios_, form.scenario), "scenario");
-  hand_field_ = add_field("What moves the needle", hand_ = make_choice(hands_, form.hand), "hand");
+  scenario_field_ = add_field(words("Scenario"), scenario_ = make_choice(scenarios_, form.scenario), "scenario");
+  hand_field_ = add_field(words("What moves the needle"), hand_ = make_choice(hands_, form.hand), "hand");
   finish();
   for (Choice* choice : {scenario_, hand_}) {
     connect(choice, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_details(); });

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "pellucida/core/Html.h"
+#include "pellucida/core/Words.h"
 
 namespace pellucida {
 namespace {
@@ -18,13 +19,20 @@ struct ScaleRow {
 };
 
 constexpr ScaleRow kScales[kTeachSliderCount] = {
-    {"Time step", "Of the integrator", 1.0, 50000.0, true, 0.01},
-    {"Mass of a node", "The cell's own mass would be 10\u207b\u00b9\u00b2 kg a node", 1e-12, 1e-5, true, 0.01},
-    {"Damping ratio", "Dampers along the connectors; 1 damps the stiffest one critically", 0.0, 2.0, false, 0.01},
-    {"Young's modulus", "Of the zona; scales every force and no shape", 20.0, 1000.0, true, 0.01},
-    {"Mesh", "Nodes of the network; the profile's constants hold for its own mesh of 812", 2.0, 9.0, false, 1.0 / 7.0},
-    {"Give of the hand", "How far the tip stays behind the hand for each \u00b5N", 0.0, 5.0, false, 0.02},
-    {"Pace", "Simulated seconds a second, at most: slow motion", 1e-3, 1.0, true, 0.01}};
+    {PELLUCIDA_WORDS("Time step"), PELLUCIDA_WORDS("Of the integrator"), 1.0, 50000.0, true, 0.01},
+    {PELLUCIDA_WORDS("Mass of a node"), PELLUCIDA_WORDS("The cell's own mass would be 10\u207b\u00b9\u00b2 kg a node"),
+     1e-12, 1e-5, true, 0.01},
+    {PELLUCIDA_WORDS("Damping ratio"),
+     PELLUCIDA_WORDS("Dampers along the connectors; 1 damps the stiffest one critically"), 0.0, 2.0, false, 0.01},
+    {PELLUCIDA_WORDS("Young's modulus"), PELLUCIDA_WORDS("Of the zona; scales every force and no shape"), 20.0, 1000.0,
+     true, 0.01},
+    {PELLUCIDA_WORDS("Mesh"),
+     PELLUCIDA_WORDS("Nodes of the network; the profile's constants hold for its own mesh of 812"), 2.0, 9.0, false,
+     1.0 / 7.0},
+    {PELLUCIDA_WORDS("Give of the hand"), PELLUCIDA_WORDS("How far the tip stays behind the hand for each \u00b5N"),
+     0.0, 5.0, false, 0.02},
+    {PELLUCIDA_WORDS("Pace"), PELLUCIDA_WORDS("Simulated seconds a second, at most: slow motion"), 1e-3, 1.0, true,
+     0.01}};
 
 std::string digits(double value) {
   return fixed_number(value, std::max(0, decimals_of(value) - (value >= 10.0 ? 1 : 0)));
@@ -75,7 +83,7 @@ std::string ParameterScale::text_of(double value) const {
     case TeachSlider::kModulus:
       return digits(value) + " kPa";
     case TeachSlider::kMesh:
-      return fixed_number(10.0 * value * value + 2.0, 0) + " nodes";
+      return fixed_number(10.0 * value * value + 2.0, 0) + say(" nodes");
     case TeachSlider::kGive:
       return fixed_number(value, 1) + " µm/µN";
     case TeachSlider::kPace:
@@ -136,25 +144,25 @@ StablePart stable_part(TeachSlider which, const CellSnapshot& s) {
   const double limit_us = 1e6 * s.stability.stable_step_s;
   StablePart part;
   if (!std::isfinite(limit_us)) {
-    if (which == TeachSlider::kTimeStep) part.text = "stable at any step";
+    if (which == TeachSlider::kTimeStep) part.text = say("stable at any step");
     return part;
   }
   const double over = s.parameters.time_step_us / limit_us;
   switch (which) {
     case TeachSlider::kTimeStep:
       part.to = scale.place_of(limit_us);
-      part.text = "stable below " + duration_text(limit_us);
+      part.text = say("stable below ") + duration_text(limit_us);
       break;
     case TeachSlider::kNodeMass: {
       const double least_kg = s.parameters.node_mass_kg * over * over;
       part.from = scale.place_of(least_kg);
-      part.text = "stable above " + mass_text(least_kg);
+      part.text = say("stable above ") + mass_text(least_kg);
       break;
     }
     case TeachSlider::kModulus: {
       const double most_kPa = s.young_modulus_kPa / (over * over);
       part.to = scale.place_of(most_kPa);
-      part.text = "stable below " + scale.text_of(most_kPa);
+      part.text = say("stable below ") + scale.text_of(most_kPa);
       break;
     }
     default:

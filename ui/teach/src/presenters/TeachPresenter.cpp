@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "pellucida/core/Html.h"
+#include "pellucida/core/Words.h"
 #include "presenters/ParameterScale.h"
 
 namespace pellucida {
@@ -20,31 +21,31 @@ std::string three_digits(double value) {
 std::string reason_of(const BlowUp& end) {
   switch (end.kind) {
     case BlowUpKind::kNotFinite:
-      return "a number grew beyond all bounds";
+      return say("a number grew beyond all bounds");
     case BlowUpKind::kEnergyRanAway:
-      return "the nodes move with " + three_digits(end.kinetic_energy_pJ) + " pJ, the needle put in " +
+      return say("the nodes move with ") + three_digits(end.kinetic_energy_pJ) + say(" pJ, the needle put in ") +
              three_digits(end.supplied_energy_pJ) + " pJ";
     case BlowUpKind::kNoSolution:
-      return "the equations of an implicit step were not solved";
+      return say("the equations of an implicit step were not solved");
   }
   return "";
 }
 
 std::string blow_up_text(const BlowUp& end, const std::string& integrator) {
   const std::string step = duration_text(1e6 * end.time_step_s);
-  std::string text = "Blown up after " + duration_text(1e6 * end.time_s) + ": " + reason_of(end) + ". ";
+  std::string text = say("Blown up after ") + duration_text(1e6 * end.time_s) + ": " + reason_of(end) + ". ";
   if (end.is_beyond_limit()) {
     const std::string limit = duration_text(1e6 * end.stable_step_s);
-    return text + "The time step, " + step + ", is above the stability limit of " + integrator + ", " + limit +
-           ". Choose a shorter step or a larger mass, then start again (Home).";
+    return text + say("The time step, ") + step + say(", is above the stability limit of ") + integrator + ", " +
+           limit + say(". Choose a shorter step or a larger mass, then start again (Home).");
   }
   if (std::isfinite(end.stable_step_s)) {
-    return text + "The time step, " + step + ", is below the limit of linear vibration, " +
+    return text + say("The time step, ") + step + say(", is below the limit of linear vibration, ") +
            duration_text(1e6 * end.stable_step_s) +
-           ": the shape left the range where that holds. Push more slowly or take a shorter step, then start again "
-           "(Home).";
+           say(": the shape left the range where that holds. Push more slowly or take a shorter step, then start again "
+               "(Home).");
   }
-  return text + "Take a shorter step than " + step + " or push more slowly, then start again (Home).";
+  return text + say("Take a shorter step than ") + step + say(" or push more slowly, then start again (Home).");
 }
 
 }  // namespace
@@ -64,16 +65,16 @@ TeachTexts teach_texts(const CellSnapshot& s, double quasi_static_uN, const Them
   TeachTexts texts;
   const auto plain = [&](std::string text) { return Phrase{std::move(text), theme.text}; };
   if (s.blow_up) {
-    texts.state = {"Blown up", theme.record};
+    texts.state = {say("Blown up"), theme.record};
     texts.blow_up = blow_up_text(*s.blow_up, s.parameters.integrator);
   } else if (s.depth_um > 0.0) {
-    texts.state = {"In contact", theme.warning};
+    texts.state = {say("In contact"), theme.warning};
   } else {
-    texts.state = {"Free", theme.good};
+    texts.state = {say("Free"), theme.good};
   }
   texts.depth = plain(fixed_number(s.depth_um, 1) + " µm");
   texts.force = plain(fixed_number(s.force_uN, 2) + " µN");
-  texts.force_note = {std::isfinite(quasi_static_uN) ? "at rest: " + fixed_number(quasi_static_uN, 2) + " µN" : "",
+  texts.force_note = {std::isfinite(quasi_static_uN) ? say("at rest: ") + fixed_number(quasi_static_uN, 2) + " µN" : "",
                       theme.text_dim};
   texts.volume = plain(fixed_number(100.0 * s.volume_change_ratio, 2) + " %");
   texts.energy = plain(three_digits(s.potential_energy_pJ + s.kinetic_energy_pJ) + " pJ");
@@ -90,7 +91,7 @@ std::vector<ForceRow> force_rows(const NodeForces& forces) {
   for (std::size_t k = 0; k < kForceTermCount; ++k) {
     rows.push_back({std::string(to_string(static_cast<ForceTerm>(k))), forces.force_uN[k], false});
   }
-  rows.push_back({"Sum: residual", forces.residual_uN(), true});
+  rows.push_back({say("Sum: residual"), forces.residual_uN(), true});
   return rows;
 }
 

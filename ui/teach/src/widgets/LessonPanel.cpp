@@ -1,6 +1,7 @@
 #include "widgets/LessonPanel.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -12,6 +13,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "Words.h"
 #include "pellucida/core/Html.h"
 
 namespace pellucida {
@@ -105,10 +107,13 @@ void LessonPanel::build_page(const Lesson& lesson) {
   page_->setSpacing(8);
   add_text(html_of(lesson.title), "lessonTitle");
   for (const std::string& paragraph : lesson.text) add_text(html_of(paragraph), "lessonText");
-  add_list("DO", lesson.to_do, true);
-  add_list("OBSERVE", lesson.observe, false);
+  add_list(words("DO"), lesson.to_do, true);
+  add_list(words("OBSERVE"), lesson.observe, false);
 
-  add_text("QUESTION", "lessonHead");
+  if (!lesson.scenario.empty()) {
+    add_text(words("In the virtual microscope: scenario %1").arg(html_of(lesson.scenario)), "parameterNote");
+  }
+  add_text(words("QUESTION"), "lessonHead");
   add_text(html_of(lesson.question), "lessonText");
   auto* choices = new QButtonGroup(page);
   for (std::size_t k = 0; k < lesson.answers.size(); ++k) {
@@ -128,9 +133,9 @@ void LessonPanel::build_page(const Lesson& lesson) {
   }
   verdict_ = add_text("", "wrongAnswer");
   connect(choices, &QButtonGroup::idClicked, this, [this](int choice) { answer(choice); });
-  auto* again = new QPushButton("Set up again");
+  auto* again = new QPushButton(words("Set up again"));
   again->setFixedHeight(30);
-  again->setToolTip("The lesson's parameters, and the cell at rest");
+  again->setToolTip(words("The lesson's parameters, and the cell at rest"));
   page_->addWidget(again);
   connect(again, &QPushButton::clicked, this, [this] { opened_(lessons_[static_cast<std::size_t>(current_)]); });
   page_->addStretch(1);
@@ -141,7 +146,7 @@ void LessonPanel::build_page(const Lesson& lesson) {
 void LessonPanel::answer(int choice) {
   const LessonAnswer& given = lessons_[static_cast<std::size_t>(current_)].answers[static_cast<std::size_t>(choice)];
   verdict_->setObjectName(given.is_right ? "rightAnswer" : "wrongAnswer");
-  verdict_->setText((given.is_right ? "Right. " : "No. ") + html_of(given.explanation));
+  verdict_->setText((given.is_right ? words("Right. ") : words("No. ")) + html_of(given.explanation));
   verdict_->style()->unpolish(verdict_);
   verdict_->style()->polish(verdict_);
   if (given.is_right) done_[static_cast<std::size_t>(current_)] = true;

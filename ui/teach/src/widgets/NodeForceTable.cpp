@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "Theme.h"
+#include "Words.h"
 #include "pellucida/core/Html.h"
 #include "pellucida/teaching_vtk/PokedCellView.h"
 #include "presenters/TeachPresenter.h"
@@ -17,7 +18,12 @@ namespace {
 
 constexpr int kNumberColumns = 4;
 constexpr int kForceDecimals = 3;
-constexpr const char* kForceHeads[] = {"Force, µN", "x", "y", "z", "|F|"};
+// The names of the terms (teaching/NodeForces), for lupdate.
+[[maybe_unused]] constexpr const char* kTermTexts[] = {
+    PELLUCIDA_WORDS("Meridian springs"), PELLUCIDA_WORDS("Parallel springs"), PELLUCIDA_WORDS("Diagonals (X)"),
+    PELLUCIDA_WORDS("Hinges"),           PELLUCIDA_WORDS("Pressure"),         PELLUCIDA_WORDS("Needle"),
+    PELLUCIDA_WORDS("Holder"),           PELLUCIDA_WORDS("Dampers"),          PELLUCIDA_WORDS("Inertia, \u2212m a")};
+constexpr const char* kForceHeads[] = {PELLUCIDA_WORDS("Force, µN"), "x", "y", "z", "|F|"};
 
 }  // namespace
 
@@ -27,10 +33,9 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(10);
-  auto* law = new QLabel(
-      QString::fromUtf8("(1) &nbsp;<b>f<sub>ij</sub></b> = k (L/|p| \u2212 1) p \u2212 b (v\u00b7p)/(p\u00b7p) p"
-                        "<br>(2) &nbsp;<b>m a</b> = \u03a3 <b>f</b>"),
-      this);
+  auto* law = new QLabel(words("(1) &nbsp;<b>f<sub>ij</sub></b> = k (L/|p| \u2212 1) p \u2212 b (v\u00b7p)/(p\u00b7p) p"
+                               "<br>(2) &nbsp;<b>m a</b> = \u03a3 <b>f</b>"),
+                         this);
   law->setObjectName("lessonText");
   law->setWordWrap(true);
   column->addWidget(law);
@@ -42,7 +47,7 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
   table_ = new QTableWidget(static_cast<int>(kForceTermCount) + 1, 1 + kNumberColumns, this);
   table_->setObjectName("nodeForces");
   QStringList heads;
-  for (const char* head : kForceHeads) heads << QString::fromUtf8(head);
+  for (const char* head : kForceHeads) heads << words(head);
   table_->setHorizontalHeaderLabels(heads);
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -66,14 +71,14 @@ NodeForceTable::NodeForceTable(QWidget* parent) : QWidget(parent) {
   // All rows; the page scrolls.
   table_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   column->addWidget(table_);
-  head_to_tail_ = new QCheckBox("Arrows head to tail: a balance closes", this);
+  head_to_tail_ = new QCheckBox(words("Arrows head to tail: a balance closes"), this);
   column->addWidget(head_to_tail_);
   column->addStretch(1);
   show_hint();
 }
 
 void NodeForceTable::show_hint() {
-  title_->setText("Click a node of the cell: each term of the equations becomes an arrow.");
+  title_->setText(words("Click a node of the cell: each term of the equations becomes an arrow."));
   table_->hide();
   head_to_tail_->hide();
 }
@@ -81,8 +86,7 @@ void NodeForceTable::show_hint() {
 void NodeForceTable::show_forces(const NodeForces& forces, const ThemeColors& theme) {
   table_->setFixedHeight(table_->horizontalHeader()->height() + table_->verticalHeader()->length() + 2);
   title_->setText(
-      QString::fromUtf8("Node %1. z: the needle's axis, outwards. The residual is the error of the time step.")
-          .arg(forces.node));
+      words("Node %1. z: the needle's axis, outwards. The residual is the error of the time step.").arg(forces.node));
   table_->show();
   head_to_tail_->show();
   const auto rows = force_rows(forces);
@@ -90,8 +94,8 @@ void NodeForceTable::show_forces(const NodeForces& forces, const ThemeColors& th
     const ForceRow& one = rows[static_cast<std::size_t>(row)];
     const QColor color = to_qt(one.is_residual ? theme.record : term_color(static_cast<ForceTerm>(row), theme));
     const double numbers[kNumberColumns] = {one.force_uN.x(), one.force_uN.y(), one.force_uN.z(), one.force_uN.norm()};
-    table_->item(row, 0)->setText(QString::fromUtf8("\u25cf ") + QString::fromStdString(one.name));
-    table_->item(row, 0)->setToolTip(QString::fromStdString(one.name));
+    table_->item(row, 0)->setText(QString::fromUtf8("\u25cf ") + words(one.name.c_str()));
+    table_->item(row, 0)->setToolTip(words(one.name.c_str()));
     table_->item(row, 0)->setForeground(color);
     for (int k = 0; k < kNumberColumns; ++k) {
       table_->item(row, k + 1)->setText(QString::fromStdString(fixed_number(numbers[k], kForceDecimals)));

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "Words.h"
 #include "pellucida/core/Resources.h"
 #include "widgets/Choice.h"
 #include "widgets/ParameterSlider.h"
@@ -13,9 +14,9 @@ namespace pellucida {
 namespace {
 
 constexpr std::pair<const char*, const char*> kIntegratorNames[] = {
-    {"Implicit Euler", "implicit-euler"},
-    {"Symplectic Euler, eq. (4)", "symplectic-euler"},
-    {"Linear acceleration (Newmark)", "linear-acceleration"}};
+    {PELLUCIDA_WORDS("Implicit Euler"), "implicit-euler"},
+    {PELLUCIDA_WORDS("Symplectic Euler, eq. (4)"), "symplectic-euler"},
+    {PELLUCIDA_WORDS("Linear acceleration (Newmark)"), "linear-acceleration"}};
 
 }  // namespace
 
@@ -25,10 +26,10 @@ ParameterPanel::ParameterPanel(std::function<void(const TeachingParameters&)> ch
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(14, 12, 14, 12);
   column->setSpacing(9);
-  profile_ = add_choice("Cell", "profileChoice", "A profile's geometry and constants");
+  profile_ = add_choice(words("Cell"), "profileChoice", words("A profile's geometry and constants"));
   for (const auto& name : list_resources("profiles", ".json")) profile_->addItem(QString::fromStdString(name));
-  integrator_ = add_choice("Integrator", "integratorChoice", "How eq. (2) is stepped through time");
-  for (const auto& [text, name] : kIntegratorNames) integrator_->addItem(text, QString(name));
+  integrator_ = add_choice(words("Integrator"), "integratorChoice", words("How eq. (2) is stepped through time"));
+  for (const auto& [text, name] : kIntegratorNames) integrator_->addItem(words(text), QString(name));
   for (int k = 0; k < kTeachSliderCount; ++k) {
     const auto which = static_cast<TeachSlider>(k);
     sliders_.push_back(new ParameterSlider(
@@ -40,8 +41,8 @@ ParameterPanel::ParameterPanel(std::function<void(const TeachingParameters&)> ch
         this));
     column->addWidget(sliders_.back());
   }
-  volume_ = new QCheckBox("Liquid keeps its volume", this);
-  volume_->setToolTip("Without it the liquid leaves freely, and there is no pressure");
+  volume_ = new QCheckBox(words("Liquid keeps its volume"), this);
+  volume_->setToolTip(words("Without it the liquid leaves freely, and there is no pressure"));
   column->insertWidget(4, volume_);
   column->addStretch(1);
 
@@ -50,7 +51,7 @@ ParameterPanel::ParameterPanel(std::function<void(const TeachingParameters&)> ch
   connect(volume_, &QCheckBox::toggled, this, [this] { change(); });
 }
 
-QComboBox* ParameterPanel::add_choice(const char* name, const char* object_name, const char* tip) {
+QComboBox* ParameterPanel::add_choice(const QString& name, const char* object_name, const QString& tip) {
   auto* label = new QLabel(name, this);
   label->setObjectName("parameterName");
   auto* choice = new Choice(this);

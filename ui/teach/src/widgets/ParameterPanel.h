@@ -26,7 +26,7 @@ class ParameterPanel : public QWidget {
   ParameterSlider& slider(TeachSlider which) { return *sliders_[static_cast<std::size_t>(which)]; }
 
  private:
-  QComboBox* add_choice(const char* name, const char* object_name, const char* tip);
+  QComboBox* add_choice(const QString& name, const char* object_name, const QString& tip);
   void change();
 
   std::function<void(const TeachingParameters&)> changed_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "Theme.h"
+#include "Words.h"
 #include "pellucida/visualization/Palette.h"
 
 namespace pellucida {
@@ -60,12 +61,12 @@ class StableStrip final : public QWidget {
 
 ParameterSlider::ParameterSlider(TeachSlider which, std::function<void(double)> changed, QWidget* parent)
     : QWidget(parent), scale_(which), changed_(std::move(changed)) {
-  setToolTip(QString::fromUtf8(scale_.tip()));
+  setToolTip(words(scale_.tip()));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(3);
   auto* head = new QHBoxLayout;
-  auto* name = new QLabel(QString::fromUtf8(scale_.name()), this);
+  auto* name = new QLabel(words(scale_.name()), this);
   name->setObjectName("parameterName");
   head->addWidget(name);
   head->addStretch(1);

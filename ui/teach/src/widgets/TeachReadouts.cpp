@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "Words.h"
 #include "presenters/TeachPresenter.h"
 #include "widgets/PhraseLabel.h"
 
@@ -21,17 +22,17 @@ TeachReadouts::TeachReadouts(QWidget* parent) : QFrame(parent) {
   row->setSizeConstraint(QLayout::SetNoConstraint);
   row->setContentsMargins(16, 6, 16, 8);
   row->setSpacing(22);
-  state_ = new FigureLabel("   In contact   ", this);
+  state_ = new FigureLabel(words("   In contact   "), this);
   state_->setObjectName("statePill");
   state_->setAlignment(Qt::AlignCenter);
   state_->setFixedHeight(30);
   row->addWidget(state_);
-  depth_ = add_figure(*row, *this, "depth", "DEPTH", "-00.0 µm");
-  force_ = add_figure(*row, *this, "force", "FORCE", "00.00 µN", "at rest: 00.00 µN");
-  volume_ = add_figure(*row, *this, "volume", "VOLUME", "-00.00 %");
-  energy_ = add_figure(*row, *this, "energy", "ENERGY", "0000 pJ");
-  speed_ = add_figure(*row, *this, "speed", "FASTEST NODE", "00000 µm/s");
-  rate_ = add_figure(*row, *this, "rate", "STEPS, PACE", "00000 /s, 0.00×");
+  depth_ = add_figure(*row, *this, "depth", words("DEPTH"), "-00.0 µm");
+  force_ = add_figure(*row, *this, "force", words("FORCE"), "00.00 µN", words("at rest: 00.00 µN"));
+  volume_ = add_figure(*row, *this, "volume", words("VOLUME"), "-00.00 %");
+  energy_ = add_figure(*row, *this, "energy", words("ENERGY"), words("0.000 pJ"));
+  speed_ = add_figure(*row, *this, "speed", words("FASTEST NODE"), "00000 µm/s");
+  rate_ = add_figure(*row, *this, "rate", words("STEPS, PACE"), "00000 /s, 0.00×");
   row->addStretch(1);
 }
 

@@ -23,6 +23,8 @@ struct RecordingSummary {
   double puncture_time_s = kNone;
   double puncture_force_uN = kNone;
   double puncture_depth_um = kNone;
+  double peak_picture_sigma_percent = kNone;
+  double peak_scale_sigma_percent = kNone;
   int warning_count = 0;
   std::string warnings;  ///< "mismatch 2; slip 1"
 };

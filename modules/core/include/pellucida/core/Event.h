@@ -23,9 +23,12 @@ inline constexpr const char* kWarning = "warning";
 inline constexpr const char* kPalpation = "palpation";
 inline constexpr const char* kLimit = "limit";
 inline constexpr const char* kNote = "note";
+inline constexpr const char* kHint = "hint";
 inline constexpr const char* kUnmeasured = "unmeasured";
 inline constexpr const char* kDropped = "dropped";
+inline constexpr const char* kThinned = "thinned";
 inline constexpr const char* kGap = "gap";
+inline constexpr const char* kDamaged = "damaged";
 inline constexpr const char* kPaused = "paused";
 inline constexpr const char* kResumed = "resumed";
 inline constexpr const char* kStarted = "started";
@@ -54,6 +57,9 @@ inline constexpr std::array kEventKinds{
                   "a safety limit of the hand acts; detail: which, the value and the limit. `over`: it has ceased to "
                   "act; detail: for how long and how often it did"},
     EventKindInfo{event_kind::kNote, "the operator's words, or a remark by the measurement"},
+    EventKindInfo{event_kind::kHint,
+                  "a person pointed at something in the image, and the tracking followed from this frame on; detail: "
+                  "`cell at X Y um`, `needle tip at X Y um`, `no cell at X Y um` or `taken back`, and what came of it"},
     EventKindInfo{event_kind::kUnmeasured,
                   "frames were recorded with their image but not measured: their rows have an empty state; detail: how "
                   "many, and the first and last"},
@@ -61,7 +67,13 @@ inline constexpr std::array kEventKinds{
         event_kind::kDropped,
         "the recorder kept frames without their image; detail: how many, the first and last, and what was too "
         "slow"},
+    EventKindInfo{event_kind::kThinned,
+                  "the recorder kept frames without their surface, all else whole; detail: as for `dropped`"},
     EventKindInfo{event_kind::kGap, "the source itself lost frames; detail: how many, and where"},
+    EventKindInfo{
+        event_kind::kDamaged,
+        "frames of the source could not be decoded as they were recorded: they are kept, not measured; detail: "
+        "the first, and the decoder's words. `over`: the frames are whole again; detail: how many were not"},
     EventKindInfo{event_kind::kPaused, "the operator paused the source"},
     EventKindInfo{event_kind::kResumed,
                   "the pause is over; detail: how many frames of a live source were not taken meanwhile"},

@@ -15,6 +15,11 @@ struct ForceRemarks {
   /// the zona for a planar, clamped membrane, so it differs by tens of per cent as a rule.
   double point_load_uN = kNone;
   double table_uN = kNone;  ///< the finite-element table of this kind of cell, within its depths and angles
+
+  /// The scale in use: this cell's stiffness over its kind's, log-normal with that sigma.
+  double scale_ratio = kNone;
+  double scale_sigma_ratio = kNone;
+  bool has_own_scale = false;  ///< measured on this cell
 };
 
 }  // namespace pellucida

@@ -42,7 +42,22 @@ struct Measurement {
   double asymmetry_um = kNotMeasured;
   double model_spread_percent = kNotMeasured;
   double puncture_probability = kNotMeasured;
+  double contact_force_picture_lower_uN = kNotMeasured;
+  double contact_force_picture_upper_uN = kNotMeasured;
+  double contact_force_scale_lower_uN = kNotMeasured;
+  double contact_force_scale_upper_uN = kNotMeasured;
 };
+
+/// The two parts of a force's uncertainty as standard deviations over the force, from their 95 % intervals; NaN where
+/// there is no force above 0, or where an earlier version measured it.
+struct ForceSpread {
+  double picture_ratio = Measurement::kNotMeasured;  ///< depth, geometry, model: between forces of one cell
+  double scale_ratio = Measurement::kNotMeasured;    ///< of this kind of cell, or of this one: against other cells
+  bool is_own_scale = false;                         ///< the cell's own scale was measured
+};
+ForceSpread force_spread(const Measurement& m) noexcept;
+/// "picture +-9 %, kind of cell +-46 %", or "..., this cell +-8 %" with a scale of its own; empty without numbers.
+std::string to_string(const ForceSpread& spread);
 
 /// The numeric columns after `frame`, `time_s` and `state`, in the order of the header; those required are in every
 /// session.
@@ -57,6 +72,8 @@ std::string to_csv(const Measurement& m);
 /// The inverse of `to_csv`. Columns after the known ones are ignored; later columns may be missing.
 /// Throws InputError when a cell is not what its column holds; the text names the column.
 Measurement measurement_from_csv(std::string_view row);
+/// The same of a row's cells.
+Measurement measurement_from_cells(std::span<const std::string_view> cells);
 
 /// The part of a row that comes from the tracker alone.
 Measurement measurement_from(const Observation& observation);

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,17 @@ class Table {
 
 /// Splits a CSV line at its commas; a cell in double quotes may hold commas and doubled quotes.
 std::vector<std::string> split_csv(std::string_view line);
+
+/// The same for many lines, without memory of its own for the cells of a line that has no quotes.
+class CsvCells {
+ public:
+  /// At least one cell. The cells are valid until the next call, and as long as `line` is.
+  std::span<const std::string_view> split(std::string_view line);
+
+ private:
+  std::vector<std::string_view> cells_;
+  std::vector<std::string> texts_;
+};
 
 /// `text` as a CSV cell: quoted when it holds a comma, a quote or a line end.
 std::string csv_cell(std::string_view text);

@@ -35,7 +35,7 @@ class PipetteReader {
  public:
   void see(const PipetteState& state, double max_speed_um_per_s) noexcept;
 
-  /// Whether the pipette is where the newest report says: known, and heard of lately.
+  /// Whether the pipette is where the newest report says: known and recent.
   bool is_there(double now_s, const CellLimits& limits) const noexcept {
     return known_ && now_s - state_.time_s <= limits.pipette_age_limit_s;
   }

@@ -35,6 +35,10 @@ struct ForceEstimate {
   double contact_force_uN = kNotMeasured;
   double contact_force_lower_uN = kNotMeasured;  ///< 95 % interval, see `interval_95`; what it is made of: `errors`
   double contact_force_upper_uN = kNotMeasured;
+  /// Its two parts: what the picture leaves open (forces of one cell compared with each other), and what the scale does
+  /// (forces compared with those of other cells and instruments).
+  ForceInterval by_picture{kNotMeasured, kNotMeasured, kNotMeasured};
+  ForceInterval by_scale{kNotMeasured, kNotMeasured, kNotMeasured};
   double lateral_force_uN = kNotMeasured;  ///< magnitude of the force of the needle on the cell across the push, solved
                                            ///< for; 0 when free or punctured
   Eigen::Vector3d tip_force_uN = Eigen::Vector3d::Zero();  ///< whole force of the needle on the cell, frame W
@@ -59,7 +63,8 @@ struct ForceEstimate {
   double asymmetry_force_uN = 0.0;  ///< force error that the unexplained asymmetry may cause
   ForceWarning warnings = kNoForceWarning;
   bool punctured = false;            ///< the membrane has left the tip: the force is 0
-  bool puncture_doubted = false;     ///< the tracker says punctured, the membrane still follows: measured as a contact
+  bool puncture_doubted = false;     ///< it may have, or the frame is misread: measured as a contact, less certain
+  bool puncture_revoked = false;     ///< in one frame: the puncture reported last was none, the contact goes on
   std::optional<Puncture> puncture;  ///< in the first frame that shows it
   double work_uN_um = 0.0;           ///< of the needle on the cell in this contact
   ForceCrossCheck opinions;          ///< the force according to other models

@@ -4,18 +4,24 @@
 
 namespace pellucida {
 
-/// The uncertainties of a force. Relative parts are standard deviations of its logarithm, absolute ones of itself, uN.
+/// The uncertainties of a force: those of the picture (depth, shape, model, geometry), which differ between frames and
+/// between pushes, and that of the scale, one unknown factor on all forces of a cell. Relative parts are standard
+/// deviations of its logarithm, absolute ones of itself, uN.
 struct ForceErrors {
   double depth_uN = 0.0;        ///< noise and bias of the depth times the tangent stiffness
   double shape_uN = 0.0;        ///< the contour's residual beyond what is usual, times the tangent stiffness
   double relaxation_uN = 0.0;   ///< from the spread of the arms, where the membrane relaxes
   double model_uN = 0.0;        ///< the profile's stated error, below the depths it was compared at
   double model_ratio = 0.0;     ///< the same at those depths
-  double scale_ratio = 0.0;     ///< of the profile's scale, or of this cell's after a palpation
-  double geometry_ratio = 0.0;  ///< radius and holder at rest
+  double geometry_ratio = 0.0;  ///< radius, thickness, tools at rest
+  double scale_ratio = 0.0;     ///< of this kind of cell; of this cell, once its own scale was measured
 
   double absolute_uN() const noexcept;
   double relative() const noexcept;
+  /// All but the scale's: what the picture leaves open.
+  ForceErrors of_picture() const noexcept;
+  /// The scale's alone.
+  ForceErrors of_scale() const noexcept;
 };
 
 /// A force with its interval, uN.

@@ -4,7 +4,7 @@
 
 #include "pellucida/core/Observation.h"
 #include "pellucida/mechanics/ForceEstimate.h"
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/mechanics/ScaleMeasurement.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/membrane/Indenter.h"
 
@@ -43,17 +43,19 @@ class ForceObserver {
   /// above 0 with a sigma of 0 or above.
   void set_scale(const CellScale& scale);
 
-  /// Learns this cell's scale from a palpation: the model of this cell, as seen and held, at that depth, against the
-  /// measured value. It takes effect from the next frame that shows the cell. Throws as `validate`.
-  void set_palpation(const Palpation& palpation);
+  /// Learns this cell's scale from measurements: for a push the model of this cell, as seen and held, at that depth,
+  /// against the known value. They take effect from the next frame at or after `since_s` that shows the cell; none: the
+  /// kind's scale. Throws UsageError as `way_of`, and for an aspiration without its modulus.
+  void set_scale_measurements(std::vector<ScaleMeasurement> measurements);
 
   /// The risk of a further push into the cell seen last: depths `step_um`, 2 `step_um`, ... to 1.3 times the profile's
   /// puncture indentation. Empty before a cell was seen. Leaves the model at rest: not to be called between two frames
   /// in contact. Throws UsageError unless the step is above 0.
   std::vector<PunctureRisk> puncture_risk(double step_um);
 
-  /// The scale in use.
+  /// The scale in use, and whether it was measured on this cell.
   CellScale scale() const noexcept;
+  bool has_own_scale() const noexcept;
 
   /// State `free` gives a force of 0 and the shape at rest; `no_cell` and `lost` give nothing; `contact` gives the
   /// force at the observed indentation, or nothing with the reason when needle or numbers are missing. A puncture,

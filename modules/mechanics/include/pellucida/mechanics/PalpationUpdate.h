@@ -8,6 +8,8 @@ namespace pellucida {
 struct CellScale {
   double ratio = 1.0;           ///< > 0, the median
   double relative_sigma = 0.0;  ///< >= 0
+  /// Measured by a push on this cell as it is seen: what sizes leave open is part of it.
+  bool has_geometry = false;
 };
 
 /// An independent measurement made beforehand: a small push of known force, or of a known rise of the force with depth.
@@ -23,14 +25,11 @@ struct Palpation {
 /// Throws UsageError unless the numbers are as `Palpation` states.
 void validate(const Palpation& palpation);
 
-/// Spread of single cells of one type and stage: standard deviation over mean of the zona's modulus in mouse eggs, from
-/// 0.26 (four cells) over 0.46 (germinal vesicle, pronucleus) to 0.63 (metaphase II), measured with a micro tactile
-/// sensor. A palpation reduces it; the profile's own sigma is that of the type's mean.
-constexpr double kCellSpread_ratio = 0.46;
 /// Spread of puncture forces about the profile's (Table I gives one number and no spread): assumed.
 constexpr double kPunctureSpread_ratio = 0.3;
 
-/// The scale of a cell before it is touched: the profile's, and the spread between cells.
+/// The scale of a cell before it is measured: the profile's, with the uncertainty of the kind's mean and the spread of
+/// its single cells.
 CellScale scale_before(const CellProfile& profile) noexcept;
 
 /// Bayes' rule for the log-normal scale. With s = ln(ratio), the palpation measures y = ln(known / model) with the

@@ -54,7 +54,8 @@ struct GeometryRange {
   double holder_from_ratio = 0.0, holder_to_ratio = 0.0;
   double depth_to_ratio = 0.0;
   int cell_count = 0;
-  double spread_ratio = 0.0;  ///< RMS difference of ln force on cells left out of the fit
+  double spread_ratio = 0.0;           ///< RMS difference of ln force on cells left out of the fit
+  double pressure_spread_ratio = 0.0;  ///< of ln pressure; 0: not fitted
 };
 
 /// Everything that turns a shape into a force for one kind of cell; no such number is hidden in code. Loaded from
@@ -73,7 +74,8 @@ struct CellProfile {
   // is used.
   double young_modulus_kPa = 0.0;
   double effective_young_modulus_kPa = 0.0;
-  double force_scale_relative_sigma = 0.0;
+  double force_scale_relative_sigma = 0.0;  ///< of the kind's mean
+  double kind_spread_ratio = 0.46;          ///< how single cells of the kind differ about that
   double poisson_ratio = 0.5;
   double puncture_force_uN = 0.0;
   double puncture_indentation_um = 0.0;
@@ -103,6 +105,7 @@ struct CellProfile {
 
   /// Cells of another thickness, under other tools; empty: not identified, the force is the springs'.
   std::vector<GeometryTerm> geometry_terms;
+  std::vector<GeometryTerm> geometry_pressure_terms;  ///< of the pressure; empty: it has the force's factor
   GeometryRange geometry_range;
 
   /// How the force falls while the needle rests; empty: unknown, and taken as no decay. The effective modulus is that

@@ -22,13 +22,26 @@ struct IndentationState {
   SolveReport report;
 };
 
+/// What the springs of a model bear at one shape; without the factor of its geometry.
+struct ToolForces {
+  Eigen::Vector3d tip_uN = Eigen::Vector3d::Zero();     ///< of the needle on the cell
+  Eigen::Vector3d holder_uN = Eigen::Vector3d::Zero();  ///< of the holder on the cell
+  double push_uN = 0.0;                                 ///< the tip's along the push
+  double pressure_Pa = 0.0;
+  double volume_um3 = 0.0;
+};
+
 /// An equilibrium, to be taken over by a model of the same cell under another modulus: the modulus scales every force
 /// and no shape.
 struct SolvedShape {
   double depth_um = 0.0;
   Eigen::Matrix3Xd positions_um;   ///< (3 x n), frame C
   Eigen::Matrix3Xd depth_tangent;  ///< (3 x n), motion of the nodes per micrometre of depth
-  double stiffness_uN_per_um = 0.0;
+  /// (3 x n), change of the membrane's elastic force on the nodes per micrometre of depth
+  Eigen::Matrix3Xd elastic_slope_uN_per_um;
+  Eigen::Matrix3Xd elastic_force_uN;  ///< (3 x n), the membrane's elastic force on the nodes; empty: not computed yet
+  ToolForces forces;
+  double stiffness_uN_per_um = 0.0;    ///< d push / d depth
   double force_scale_uN_per_um = 0.0;  ///< of the model it was solved in
   SolveReport report;
 };
@@ -49,6 +62,8 @@ class Indenter {
   const Eigen::Matrix3Xd& positions_um() const noexcept { return x_um_; }
   /// What the forces of springs and hinges are multiplied by at the present depth; states have it in them.
   double force_ratio() const noexcept { return factor_at(depth_um_).ratio; }
+  /// The same for the liquid's pressure.
+  double pressure_ratio() const noexcept;
   /// Motion of the nodes per micrometre of depth (3 x n).
   const Eigen::Matrix3Xd& depth_tangent() const noexcept { return tangent_; }
 
@@ -64,8 +79,19 @@ class Indenter {
   /// The present state, with the report of the solution that led to it.
   SolvedShape shape(const SolveReport& report) const;
   /// Takes over a solution instead of solving. Precondition: it was solved in a model of the same mesh, setup and
-  /// constants, the modulus aside. Forces are read out of this model at that shape; the stiffness is scaled.
+  /// constants, the modulus aside, which scales its forces.
   IndentationState adopt(const SolvedShape& solved);
+  /// The same, but checked: where a node's residual force is above `tolerance_um` times E h, the solver starts from
+  /// that shape.
+  IndentationState adopt_checked(const SolvedShape& solved, double tolerance_um);
+
+  /// What the forces of the present equilibrium change by per micrometre of depth.
+  ToolForces force_slopes();
+
+  /// The membrane's own elastic force on each node at present, uN (3 x n), and its change per micrometre of depth;
+  /// without the factor of the geometry.
+  const Eigen::Matrix3Xd& elastic_force_uN() const;
+  const Eigen::Matrix3Xd& elastic_slope_uN_per_um() const;
 
   /// Sets weak observations on the nodes (frame C); they remain until others are given, or `reset`. None: the model
   /// alone. They pull from the next `advance_to` on, also one to the depth that is reached already.
@@ -73,6 +99,8 @@ class Indenter {
 
  private:
   SolveReport step_to(double depth_um);
+  ToolForces forces_at(const Eigen::Matrix3Xd& x_um) const;
+  void forget_elastic();
   IndentationState read_out(const SolveReport& report) const;
   GeometryFactor factor_at(double depth_um) const noexcept;
 
@@ -87,7 +115,9 @@ class Indenter {
   Eigen::Matrix3Xd tangent_;      // dx/dd
   Eigen::Matrix3Xd bend_per_um_;  // d2x/dd2, by differences
   Eigen::Matrix3Xd before_um_;
-  Eigen::Matrix3Xd load_uN_per_um_;  // w_i push
+  Eigen::Matrix3Xd load_uN_per_um_;                                // w_i push
+  mutable Eigen::Matrix3Xd elastic_uN_, elastic_slope_uN_per_um_;  // empty until somebody asks
+  ToolForces forces_;
   double stiffness_uN_per_um_ = 0.0;
   bool has_tangent_ = false;
   bool has_bend_ = false;

@@ -34,13 +34,17 @@ inline constexpr double kFinestTip_ratio = 0.08;
 
 /// What the springs' force is multiplied by at a geometry that isn't the profile's own: 1 there, and 1 without terms.
 struct GeometryFactor {
-  double ratio = 1.0;         ///< on force and pressure
+  double ratio = 1.0;         ///< on the force
   double slope_per_um = 0.0;  ///< its derivative by depth: stiffness = ratio k + slope F
 };
 
 /// ln ratio = sum of c x^i y^j z^k t^p over the profile's terms, x = ln of (h/R over the profile's), y and z likewise
 /// of a/R and o/R, t = depth / R. Held at the border of the range that the terms were fitted in.
 GeometryFactor geometry_factor(const CellProfile& profile, const MembraneGeometry& geometry, double depth_um) noexcept;
+
+/// The same for the liquid's pressure, by the profile's `geometry_pressure_terms`: a thick wall yields under the needle
+/// by itself, so that the pressure falls behind the force. Without such terms the force's ratio.
+double pressure_factor(const CellProfile& profile, const MembraneGeometry& geometry, double depth_um) noexcept;
 
 /// True where one of h/R, a/R, o/R lies outside the range that the terms were fitted in.
 bool is_beyond_range(const CellProfile& profile, const MembraneGeometry& geometry) noexcept;

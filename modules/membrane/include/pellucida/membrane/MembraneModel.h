@@ -64,6 +64,9 @@ class MembraneModel {
 
   /// The membrane's own elastic force on each node, uN (3 x n): that of springs and hinges.
   Eigen::Matrix3Xd elastic_force_uN(const Eigen::Matrix3Xd& x_um) const;
+  /// What is left of all forces on each node, uN (3 x n), the elastic one being known: 0 in equilibrium. Without terms
+  /// that were added to the sum.
+  Eigen::Matrix3Xd residual_uN(const Eigen::Matrix3Xd& x_um, const Eigen::Matrix3Xd& elastic_uN) const;
 
   const SpringTerm& springs() const noexcept { return springs_; }
   const HingeTerm& hinges() const noexcept { return hinges_; }

@@ -16,8 +16,9 @@ class HandEngagement;
 class InjectionGuide;
 
 /// The hand on a live run, as a window needs it: what moves the pipette, the plan and the guide, the emergency stop.
-/// Makes the plan by itself once an untouched cell is seen. The limits of force and depth come from the run's profile.
-/// One thread (the window's) for all calls but the emergency stop.
+/// Makes the plan by itself once an untouched cell is seen. The limits of force and depth come from the run's profile
+/// and, once it was measured, from the cell's own scale. One thread (the window's) for all calls but the emergency
+/// stop.
 class OperatorConsole {
  public:
   struct Options {
@@ -87,6 +88,11 @@ class OperatorConsole {
   /// To be called from the window's tick, ten times a second or more: evaluates the newest frame.
   void update();
 
+  /// What the cell in view bears, by the profile and its own scale.
+  CellStrength strength() const noexcept;
+  /// What the hand at work is held to, by plan and strength; before there is one, the limits of the strength.
+  CellLimits limits() const;
+
   HandStatus status();
   /// The current activity in a few words; empty when there is none.
   std::string doing() const;
@@ -97,6 +103,7 @@ class OperatorConsole {
   HapticSettings settings() const;
   void apply_settings();
   void look();
+  void follow_scale(const ForceRemarks& remarks);
   void make_plan(const ContactModel& contact);
   void show_operator();
   void renew();
@@ -115,7 +122,8 @@ class OperatorConsole {
   std::string trouble_;  // one line; empty when there is none
   bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false;
   long frame_index_ = -1;
-  bool broken_ = false;  // the newest frame shows the membrane closed around the shaft
+  double cell_scale_ratio_ = 1.0;  // of the newest frame
+  bool broken_ = false;            // the newest frame shows the membrane closed around the shaft
 };
 
 }  // namespace pellucida

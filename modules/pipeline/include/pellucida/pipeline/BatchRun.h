@@ -29,8 +29,10 @@ struct BatchResult {
   Distribution frame_to_force_us;               ///< from a frame's arrival to its force
   CellProfile profile;                          ///< that the forces are scaled by
   CellScale cell_scale;                         ///< of the forces, relative to the profile's
-  std::vector<PunctureRisk> puncture_risk;      ///< by depth; only after a palpation
+  std::vector<PunctureRisk> puncture_risk;      ///< by depth; only with a scale of its own
   double elapsed_s = 0.0;
+  long damaged_count = 0;          ///< frames that were not decoded as recorded: kept, not measured
+  std::string first_damage;        ///< the first of them, with the reason; empty for none
   std::exception_ptr input_fault;  ///< why the input ended early; empty when it ended well
 };
 
@@ -39,5 +41,8 @@ struct BatchResult {
 /// damaged is reported in `input_fault`; the frames before were measured. Throws what the sink throws, and UsageError
 /// or InputError for a bad profile.
 BatchResult run_batch(FrameSource& source, const BatchOptions& options, const std::function<void(const Scene&)>& sink);
+
+/// What a summary says of damaged frames, with its line end; empty for none.
+std::string damage_line(const BatchResult& result);
 
 }  // namespace pellucida

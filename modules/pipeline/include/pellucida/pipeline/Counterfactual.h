@@ -28,10 +28,10 @@ struct ReplayVariant {
 
 struct CounterfactualOptions {
   Rerun rerun = Rerun::kTracking;
-  PipelineOptions pipeline;  ///< tracking, mesh, palpation; the profile is the variant's
+  PipelineOptions pipeline;  ///< tracking, mesh, measurements of the scale; the profile is the variant's
   PlaybackOptions playback;  ///< `from_s`, `to_s`, `every`, `pixel_size_um`, `all_frames` count
   bool keep_frames = false;  ///< write the images too
-  bool tables_only = false;  ///< write rows, events and tables, but no surfaces, contours and tools: twice as fast
+  bool tables_only = false;  ///< write rows, events and tables, but no surfaces, contours and tools: in less time
   int job_count = 2;         ///< variants at work at the same time, >= 1
   std::string command_line;
   std::function<void(long done, std::optional<long> all)> progress;  ///< after each frame; may be empty
@@ -62,10 +62,11 @@ bool has_observations(const SessionReader& session);
 /// the bits, are those of the recorded run; frames it had no time for stay without numbers (`Frame::use`). Tracking and
 /// reconstruction run once for all variants. Each new session holds the recorded fields and the differences beside its
 /// own (docs/file-format.md, A replayed session), `differences.csv`, and the events of the recording that no
-/// measurement can repeat.
+/// measurement can repeat. The recorded hints of a person count again where they did, with those in
+/// `pipeline.hints` among them, in the order of time; frames before the first new one keep their bits.
 ///
-/// Throws InputError when the session lacks what `rerun` needs, UsageError for options out of range or a folder that
-/// holds a session, OutputError when the disk refuses.
+/// Throws UsageError for new hints where only the mechanics run; InputError when the session lacks what `rerun` needs,
+/// UsageError for options out of range or a folder that holds a session, OutputError when the disk refuses.
 CounterfactualResult run_counterfactual(const std::filesystem::path& session, const CounterfactualOptions& options,
                                         const std::vector<ReplayVariant>& variants);
 

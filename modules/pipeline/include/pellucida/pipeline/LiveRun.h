@@ -11,6 +11,7 @@
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/ContactModel.h"
 #include "pellucida/core/PaceFigures.h"
+#include "pellucida/core/PersonHint.h"
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core_vtk/FrameSource.h"
 #include "pellucida/core_vtk/Scene.h"
@@ -34,6 +35,7 @@ struct LiveStatus {
   std::string recording_folder;  ///< of the running or last recording; empty before the first
   std::uint64_t recorded_count = 0;
   std::uint64_t recorder_dropped_count = 0;  ///< frames recorded without their image, or lost to a fault
+  std::uint64_t recorder_thinned_count = 0;  ///< frames recorded without their surface
   std::size_t waiting_note_count = 0;        ///< notes made while nothing recorded: they go into the next recording
   PaceFigures pace;                          ///< of a source that isn't live
   bool finished = false;                     ///< the source ended and all was processed
@@ -64,7 +66,10 @@ class LiveRun {
   double session_lag_s() const noexcept;
 
   void start();
+  /// Ends the run; a recording is closed first.
   void stop();
+  /// Throws OutputError where `stop` could not close the recording whole.
+  void rethrow_recording_fault() const;
   /// A paused run keeps its newest scene; a source that isn't live waits, of a live one the frames in between are not
   /// taken. The events `paused` and `resumed` say so, the latter with how many: they don't count as lost by the source.
   void set_paused(bool paused);
@@ -97,6 +102,15 @@ class LiveRun {
   bool record_hand(const Frozen<vtkPolyData>& block, double time_s);
   /// The plan that guides the hand, JSON text: written to the running recording and later ones.
   void set_plan(const std::string& plan_json);
+  /// A measurement of this cell's own scale, which counts from a moment later on (`since_s` is set to that); into the
+  /// running recording and later ones, with an event. An aspiration needs its modulus. Throws UsageError as
+  /// `ForceObserver::set_scale_measurements`.
+  void add_scale_measurement(const ScaleMeasurement& measurement);
+  /// Back to the kind's scale: another cell.
+  void forget_scale();
+  /// What a person points at in the image: counts for the first frame measured from its time on (0: the next), whose
+  /// events report it. Throws UsageError for numbers that are not finite.
+  void add_hint(const PersonHint& hint);
   /// An event that does not come from a frame (a limit that acted), for the log of events and the running recording.
   void add_event(const Event& event);
   /// An operator's note, into the log of events and the running recording. False when nothing records: the note is

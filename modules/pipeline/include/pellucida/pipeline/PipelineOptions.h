@@ -1,10 +1,11 @@
 #pragma once
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
+#include <vector>
 
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/core/PersonHint.h"
+#include "pellucida/mechanics/ScaleMeasurement.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/tracking/TrackerOptions.h"
 
@@ -14,10 +15,11 @@ namespace pellucida {
 struct PipelineOptions {
   std::string profile = "mouse-oocyte";              ///< name of a shipped cell profile, or a file
   std::shared_ptr<const CellProfile> given_profile;  ///< instead, where set: the profile itself
-  std::optional<Palpation> palpation;                ///< an independent measurement of this cell's stiffness
+  std::vector<ScaleMeasurement> scale_measurements;  ///< of this cell's own scale; aspirations with their modulus
   double revolve_step_deg = 10.0;                    ///< angular step of the revolved mesh, 1..120, a divisor of 360
   int meridian_point_count = 49;                     ///< points from pole to pole, >= 5
   TrackerOptions tracker;                            ///< of them, `quality` is the user's choice
+  std::vector<PersonHint> hints;                     ///< to the tracking, in the order of time
   std::map<std::string, std::string> versions;  ///< of the program and its libraries, by name: for the record alone
 };
 

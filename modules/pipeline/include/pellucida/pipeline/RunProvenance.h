@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/mechanics/ScaleMeasurement.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "pellucida/pipeline/PipelineOptions.h"
 #include "pellucida/session/SessionInfo.h"
 
 namespace pellucida {
 
-/// What a session tells of where its numbers come from, beside what its writer knows (docs/file-format.md, Provenance).
+/// Where the numbers of a session come from, beside what its writer knows (docs/file-format.md, Provenance).
 struct RunProvenance {
   std::map<std::string, std::string> input_sha256;  ///< by what was read: `file`, `session_json`, ...
   long frames_before_recording = 0;  ///< frames the run had seen when the recording began: its steps remember them
@@ -23,12 +23,14 @@ std::string to_json(const RunProvenance& provenance, const PipelineOptions& opti
 /// The profile that `options` name or hold. Throws as `load_profile`.
 CellProfile profile_of(const PipelineOptions& options);
 
-/// The options a session was measured with: its own profile, tracking, mesh and palpation. What an earlier version's
-/// session does not state keeps its default. Throws InputError for a damaged entry; the text names it.
+/// The options a session was measured with: its own profile, tracking, mesh and measurements of the scale. What an
+/// earlier version's session does not state keeps its default. Throws InputError for a damaged entry; the text names
+/// it.
 PipelineOptions recorded_options(const SessionInfo& info);
 
-/// A palpation and what came of it, as `SessionInfo::palpation_json`.
-std::string palpation_json(const Palpation& palpation, const CellScale& scale, const std::vector<PunctureRisk>& risk);
+/// The measurements of this cell's scale and what came of them, as `SessionInfo::palpation_json`.
+std::string palpation_json(const std::vector<ScaleMeasurement>& measurements, const CellScale& scale,
+                           const std::vector<PunctureRisk>& risk);
 
 /// How many frames the recorded run had seen before the recording; 0 where the session does not say.
 long frames_before_recording(const SessionInfo& info);

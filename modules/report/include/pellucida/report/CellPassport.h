@@ -42,6 +42,7 @@ struct ContactPassport {
   double peak_force_uN = kNone, peak_force_lower_uN = kNone, peak_force_upper_uN = kNone;
   double peak_force_depth_um = kNone;
   double peak_force_s = kNone;
+  double picture_sigma_percent = kNone, scale_sigma_percent = kNone;
   double largest_depth_um = kNone;
   double largest_pressure_Pa = kNone;
   double work_pJ = kNone, work_lower_pJ = kNone, work_upper_pJ = kNone;

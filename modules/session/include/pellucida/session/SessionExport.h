@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pellucida/session/SessionCheck.h"
+#include "pellucida/session/SessionReader.h"
 
 namespace pellucida {
 
@@ -29,10 +30,15 @@ struct ExportReport {
 /// Writes a session as flat files for other tools: `measurements.csv`, `events.csv`, `contours.csv`
 /// (`frame,membrane,point,x_um,y_um`), `nodes.csv`
 /// (`frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN`); if a hand was recorded, `haptics.csv`
-/// (`path,x_um,y_um,z_um` and every array of the recording's points). An earlier export in `output` is replaced, file
-/// by file. Throws InputError when the session can't be read, UsageError when `options.frames` names no frame of the
-/// session or `output` is the session itself, OutputError when a file can't be written.
+/// (`path,x_um,y_um,z_um` and every array of the recording's points); if there are annotations, `annotations.csv`. An
+/// earlier export in `output` is replaced, file by file. Throws InputError when the session can't be read, UsageError
+/// when `options.frames` names no frame of the session or `output` is the session itself, OutputError when a file can't
+/// be written.
 ExportReport export_session(const std::filesystem::path& session, const std::filesystem::path& output,
                             const ExportOptions& options = {});
+
+/// The step that shows most of a session: of the largest contact force; without one, the step seen best. 0 for a
+/// session without a step.
+std::size_t telling_step(const SessionReader& session);
 
 }  // namespace pellucida

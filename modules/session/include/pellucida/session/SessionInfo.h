@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "pellucida/core/Version.h"
 #include "pellucida/core_vtk/FrameSource.h"
+#include "pellucida/vtk_files/DataWriter.h"
 
 namespace pellucida {
 
@@ -19,6 +21,7 @@ struct SessionInfo {
   std::string command_line;                       ///< as the user typed it; empty for the window
   std::map<std::string, std::uint64_t> seeds;     ///< of everything random, by the name of its user
   std::map<std::string, double> clock_offsets_s;  ///< other clock minus session clock, by the clock's name
+  std::string clocks_json;     ///< how the clocks of a live recording run against each other; empty: unknown
   std::string palpation_json;  ///< an independent measurement of the cell and its result; empty: none
   std::string plan_json;       ///< the plan that guided the hand; empty: none
   /// Where the numbers come from: versions, parameters, hashes of inputs, and of a replay what it replays; a JSON
@@ -27,14 +30,32 @@ struct SessionInfo {
   std::string drop_policy = "none";  ///< which frames may be lost on the way to the recorder, in words
 };
 
+/// How the data files are made. All are VTK XML files of the same names and arrays, which every version reads.
+enum class SessionLayout {
+  kCompact,  ///< packed by `DataWriter`, surfaces as narrow as `narrowed_surface` makes them
+  kWide      ///< as before there was another: by VTK's own writers, surfaces as they come from the model
+};
+
+/// Of a session that is written once more.
+struct RewrittenSession {
+  std::string created;   ///< wall clock at the start of the recording, UTC
+  bool cut_off = false;  ///< the recording was: once closed, the session counts as recovered, not as complete
+};
+
+/// When what was written is asked onto the disk.
+enum class SessionSync {
+  kAlways,  ///< each half second: a power cut loses at most the last second
+  kAtEnd    ///< on closing: for what can be computed again
+};
+
 /// Options of writing.
 struct SessionOptions {
   bool frames = true;  ///< keep the images themselves
+  SessionLayout layout = SessionLayout::kCompact;
+  SessionSync sync = SessionSync::kAlways;
+  /// What is written was recorded before. Its provenance is whole: the writer adds nothing to it.
+  std::optional<RewrittenSession> rewritten;
 };
-
-/// How images are packed: small for about 4 ms of processor time each, or quick: larger files in
-/// less time. Every reader of VTK files reads both.
-enum class Packing { kSmall, kQuick };
 
 /// What one step cost to write.
 struct WriteCost {
@@ -54,6 +75,7 @@ struct SessionCounts {
   std::uint64_t unmeasured_count = 0;                         ///< of these steps, kept without numbers
   std::uint64_t event_count = 0;                              ///< rows of `events.csv`
   std::uint64_t dropped_count = 0;  ///< frames without their image for want of time (events `dropped`)
+  std::uint64_t thinned_count = 0;  ///< frames without their surface for want of time (events `thinned`)
   std::uint64_t byte_count = 0;     ///< of data files and rows
 
   std::uint64_t files(SessionPart part) const noexcept { return file_count[static_cast<std::size_t>(part)]; }

@@ -6,6 +6,7 @@
 #include "pellucida/core/Event.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/session/SessionInfo.h"
+#include "pellucida/session/StepParts.h"
 
 namespace pellucida {
 
@@ -35,11 +36,14 @@ class SessionWriter {
   /// already. Throws OutputError when the disk refuses; the step is then incomplete, all before it valid, and the
   /// writer may be used again (to close it, for example).
   void write(const Scene& scene, Packing packing = Packing::kSmall);
+  /// The same with parts that were made ready elsewhere.
+  void write(const Scene& scene, const StepParts& ready);
   /// What the last `write` cost.
   const WriteCost& last_cost() const noexcept;
 
-  /// Adds one event, at any time: `close` puts the table into the order of time. An event of kind `dropped` also counts
-  /// as many frames as its detail begins with (1 where it begins with no number). Throws OutputError.
+  /// Adds one event, at any time: `close` puts the table into the order of time. An event of kind `dropped` or
+  /// `thinned` also counts as many frames as its detail begins with (1 where it begins with no number). Throws
+  /// OutputError.
   void event(const Event& event);
 
   /// Adds the next block of the recording of the hand (`haptics/`, docs/file-format.md): covering the time since the
@@ -48,6 +52,9 @@ class SessionWriter {
 
   /// The injection plan, JSON text: in `session.json` from its next writing on. The last one counts.
   void set_plan(std::string plan_json);
+
+  /// How the clocks ran against each other, JSON text: in `session.json` from its next writing on.
+  void set_clocks(std::string clocks_json);
 
   /// The result of a palpation, JSON text: in `session.json` from its next writing on.
   void set_palpation(std::string palpation_json);

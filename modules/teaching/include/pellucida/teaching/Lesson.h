@@ -20,6 +20,7 @@ struct Lesson {
   std::string name;  ///< of the file, without its ending
   int order = 0;     ///< in the list
   std::string title;
+  std::string scenario;              ///< of the virtual microscope, to see the same in; empty: none
   std::vector<std::string> text;     ///< paragraphs
   TeachingParameters setting;        ///< of the parameters when the lesson begins
   double hand_depth_um = -10.0;      ///< where the hand is then
@@ -40,7 +41,7 @@ Lesson read_lesson(const std::filesystem::path& file);
 /// neither, InputError when the file is damaged.
 Lesson load_lesson(std::string_view name_or_file);
 
-/// All shipped lessons in their order.
-std::vector<Lesson> all_lessons();
+/// All shipped lessons in their order; `folder`: of the resources, for another language's.
+std::vector<Lesson> all_lessons(std::string_view folder = "lessons");
 
 }  // namespace pellucida

@@ -1,5 +1,7 @@
 #pragma once
+#include <Eigen/Core>
 #include <memory>
+#include <string>
 
 #include "pellucida/core/ImageView.h"
 #include "pellucida/core/Observation.h"
@@ -31,7 +33,21 @@ class MembraneTracker {
   /// an outline of fewer than 3 points, or numbers that are not finite.
   void expect_cell(const CellHint& hint);
 
-  /// Forgets the cell, the needle, the holder and everything learnt about them.
+  /// Looks for the needle's tip where the user points, in the next frame. Where no needle can be followed the needle is
+  /// what it was. Throws UsageError for a place that is not finite, as the two below.
+  void expect_needle(const Eigen::Vector2d& tip_um);
+
+  /// What is at that place is no cell: it is given up, and not taken for a cell again until the hint is taken back, a
+  /// cell is expected there, or `reset`.
+  void exclude_cell(const Eigen::Vector2d& place_um);
+
+  /// The latest hint in force no longer counts: cell or needle are searched for again without it. Nothing without one.
+  void take_back_hint();
+
+  /// What came of the hints before the last frame, in words; empty without any.
+  const std::string& hint_outcome() const noexcept;
+
+  /// Forgets the cell, the needle, the holder, all hints and everything learnt.
   void reset();
 
   const TrackerOptions& options() const noexcept;

@@ -62,6 +62,7 @@ inline constexpr Color kContactForce = Color::from_hex(0xFFFFFF);
 // Curves of the charts.
 inline constexpr Color kCurve = Color::from_hex(0x58B7FF);
 inline constexpr Color kCurveBefore = Color::from_hex(0x56687B);
+inline constexpr Color kCurveOther = Color::from_hex(0xFFA94D);
 inline constexpr Color kGrid = Color::from_hex(0x26303B);
 }  // namespace palette
 
@@ -71,8 +72,9 @@ struct ThemeColors {
   Color view_bottom, view_top;
   Color text, text_dim, faint;
   Color accent, record, warning, good, plan;
-  Color grid, curve, curve_before;
+  Color grid, curve, curve_before, curve_other;
   Color cell, glass;
+  Color outer_solid, inner_solid, contact_force, node_mark;  // of the 3-D view
   bool is_light = false;
 };
 /// The palette above.
@@ -80,9 +82,14 @@ const ThemeColors& dark_theme() noexcept;
 /// Dark on white, for projectors; the same contrasts.
 const ThemeColors& light_theme() noexcept;
 
-/// Colour of a state's pill; text on it is `palette::kWindow`.
+/// The theme of this program's windows and of the views in them: the dark one until another is set.
+const ThemeColors& current_theme() noexcept;
+/// Set on the thread that draws, by who then has everything drawn again. `theme` is one of the two above.
+void set_current_theme(const ThemeColors& theme) noexcept;
+
+/// Colour of a state's pill and of its name in `theme`; text on the pill is the theme's `window`.
 /// That of no cell for a frame that was not measured.
-Color state_color(std::optional<CellState> state) noexcept;
+Color state_color(std::optional<CellState> state, const ThemeColors& theme = current_theme()) noexcept;
 
 /// Sizes of letters in points at 72 dots an inch.
 namespace font_size {

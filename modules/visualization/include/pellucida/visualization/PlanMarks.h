@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <string>
 
 namespace pellucida {
 
@@ -11,6 +12,12 @@ struct PlanMarks {
   Eigen::Vector2d depth_stop_um = Eigen::Vector2d::Zero();  ///< where the tip is stopped
   double corridor_um = 0.0;                                 ///< half width of the guide about the way
   bool guided = true;                                       ///< the guide is on
+};
+
+/// A place that a person pointed at, as a view draws it.
+struct HintMark {
+  Eigen::Vector2d place_um = Eigen::Vector2d::Zero();  ///< frame W, image plane
+  std::string text;                                    ///< UTF-8
 };
 
 }  // namespace pellucida

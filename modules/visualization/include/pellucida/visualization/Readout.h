@@ -17,6 +17,8 @@ std::string indentation(const Measurement& m);
 std::string force(const Measurement& m);
 /// "3.10 – 3.75 µN", empty when there is no interval.
 std::string force_interval(const Measurement& m);
+/// "picture ±9 %, kind of cell ±46 %": the interval's two parts, standard deviations; empty without a force or parts.
+std::string force_parts(const Measurement& m);
 /// "152 Pa"
 std::string pressure(const Measurement& m);
 /// "97 %"

@@ -6,13 +6,15 @@
 
 namespace pellucida {
 
-/// One point of a force curve. The interval's ends equal the force where no interval was given.
+/// One point of a force curve. The intervals' ends equal the force where no interval was given.
 struct TracePoint {
   double time_s = 0.0;
   double indentation_um = 0.0;  ///< NaN where it was not measured
   double force_uN = 0.0;
   double lower_uN = 0.0;
   double upper_uN = 0.0;
+  double picture_lower_uN = 0.0;  ///< of what the picture leaves open; the two above are the whole
+  double picture_upper_uN = 0.0;
   bool after_gap = false;  ///< no line joins it to the point before
 };
 

@@ -8,6 +8,7 @@ namespace pellucida {
 
 /// Options of the window in Review mode.
 struct ReviewOptions : WindowOptions {
+  std::string compare;           ///< folder of a session to compare with; empty: none
   std::optional<double> from_s;  ///< time shown first; nothing: the session's beginning
   double speed_ratio = 1.0;      ///< 0.1 .. 10 times the session's own; the nearest of these
   bool loop = false;

@@ -27,7 +27,6 @@ struct StartChoice {
 
   // Teach mode.
   std::string lesson;  ///< name of a shipped lesson
-  bool light_theme = false;
   bool large_letters = false;
 };
 

@@ -7,8 +7,7 @@ namespace pellucida {
 
 /// Options of the window in Teach mode.
 struct TeachOptions : WindowOptions {
-  std::string lesson;        ///< to begin with, by name or file; empty: the first
-  bool light_theme = false;  ///< dark on white, for projectors
+  std::string lesson;  ///< to begin with, by name or file; empty: the first
   bool large_letters = false;
 };
 

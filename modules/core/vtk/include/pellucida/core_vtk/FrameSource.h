@@ -2,6 +2,7 @@
 #include <vtkImageData.h>
 
 #include <optional>
+#include <string>
 
 #include "pellucida/core/SourceInfo.h"
 #include "pellucida/core_vtk/Frozen.h"
@@ -16,6 +17,13 @@ enum class FrameUse : int {
   kMeasure = 3   ///< and the force: everything
 };
 
+/// What a decoder could not read of a frame, or only by making up for what was missing.
+struct FrameDamage {
+  bool damaged = false;   ///< its pixels, or those of a frame that it needs, are not what was recorded
+  long count_before = 0;  ///< damaged frames in a row right before it
+  std::string reason;     ///< in the decoder's words; empty for none
+};
+
 /// One frame as delivered by a source.
 struct Frame {
   Frozen<vtkImageData> image;  ///< 1 component, 8 or 16 bit unsigned, spacing in um, stamped
@@ -24,6 +32,7 @@ struct Frame {
   long gap_count = 0;          ///< frames lost between the one before and this one
   long run_index = 0;          ///< increases where the frames begin anew: steps with memory then reset
   FrameUse use = FrameUse::kMeasure;
+  FrameDamage damage;  ///< a damaged frame is kept, not measured
 };
 
 /// Anything that delivers frames: video, folder, multi-page TIFF, still, camera, virtual microscope. Used by one thread

@@ -1,15 +1,29 @@
 #pragma once
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <memory>
 #include <vector>
 
 #include "pellucida/core/Step.h"
 #include "pellucida/core_vtk/Scene.h"
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/mechanics/ScaleMeasurement.h"
 #include "pellucida/membrane/CellProfile.h"
 
 namespace pellucida {
 
 struct SolvedShape;  // membrane/Indenter.h
+
+/// The point arrays that the mechanics adds to a surface; null where there is no force.
+struct SurfaceForces {
+  vtkSmartPointer<vtkDataArray> force_uN, force_sigma_uN, tension_uN_per_um;
+};
+
+/// A measured scene without what only views and the hand want.
+struct MeasuredScene {
+  Scene scene;  ///< its surface is the input's, its model empty
+  SurfaceForces forces;
+};
 
 /// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
 ///
@@ -20,7 +34,8 @@ struct SolvedShape;  // membrane/Indenter.h
 /// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
 /// `punctured` then; a tracker's own event of it is left out, and one that the membrane does not bear out); `warning`
 /// when the force becomes less certain, by name; `palpation` when the cell's scale has been learnt; `note` why there is
-/// no force. Makes `model`: triangles in the solved shape, frame W, with point arrays
+/// no force, and where a puncture that was reported is revoked. Makes `model`: triangles in the solved shape, frame W,
+/// with point arrays
 ///   | array              | components | unit   | what                                                     |
 ///   | force_uN           | 3          | uN     | the membrane's own elastic force on the node             |
 ///   | displacement_um    | 3          | um     | from rest                                                |
@@ -44,9 +59,13 @@ class MechanicsStep {
   /// `known`: see `ForceObserver::process`.
   expected<Scene, StepFailure> process(const Scene& scene, const SolvedShape* known = nullptr);
   std::shared_ptr<const SolvedShape> solved_shape() const;
+  /// The same for a scene that is written and never shown: the same numbers, `model` left out and the forces beside the
+  /// surface.
+  expected<MeasuredScene, StepFailure> measure(const Scene& scene, const SolvedShape* known = nullptr);
 
+  /// See `ForceObserver`; from the next call of `process` on. From any thread. Throws likewise.
+  void set_scale_measurements(std::vector<ScaleMeasurement> measurements);
   /// See `ForceObserver`. Between two calls of `process`.
-  void set_palpation(const Palpation& palpation);
   CellScale scale() const noexcept;
   std::vector<PunctureRisk> puncture_risk(double step_um);
 

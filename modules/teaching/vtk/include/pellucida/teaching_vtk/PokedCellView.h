@@ -25,7 +25,7 @@ class PokedCellView : public View {
 
   /// What to show from the next rendering on; null shows nothing.
   void set_snapshot(CellSnapshotPtr snapshot);
-  void set_theme(const ThemeColors& theme);
+  void follow_theme() override;
   void show_springs(bool shown);
   void show_surface(bool shown);
   /// Arrows of a node one behind the other instead of all from the node.
@@ -54,7 +54,7 @@ class PokedCellView : public View {
   void draw_hand(HudCanvas& hud) const;
 
   CellSnapshotPtr snapshot_;
-  const ThemeColors* theme_ = &dark_theme();
+  const ThemeColors* theme_ = &current_theme();
   std::unique_ptr<PokedCellActors> actors_;
   NiceRange pull_range_uN_{0.001};
   bool springs_shown_ = true;

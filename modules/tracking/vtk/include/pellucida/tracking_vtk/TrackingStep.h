@@ -1,6 +1,9 @@
 #pragma once
+#include <mutex>
 #include <optional>
+#include <vector>
 
+#include "pellucida/core/PersonHint.h"
 #include "pellucida/core/Step.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/tracking/MembraneTracker.h"
@@ -8,8 +11,8 @@
 namespace pellucida {
 
 /// The tracker as a step: a scene with a frame becomes a scene with contours, tools, the tracker's part of the
-/// measurement and the events of this frame: `contact`, `release`, `puncture`, `lost`, `found`. Has memory: frames in
-/// order, one thread at a time.
+/// measurement and the events of this frame: `contact`, `release`, `puncture`, `lost`, `found`, `hint`. Has memory:
+/// frames in order, one thread at a time.
 class TrackingStep {
  public:
   using Input = Scene;
@@ -20,11 +23,19 @@ class TrackingStep {
   /// Fails when the scene has no frame. A frame without a cell is not a failure: its state shows it.
   expected<Scene, StepFailure> process(const Scene& scene);
 
-  /// Forgets what was tracked.
+  /// A person's hint: counts for the first frame from its time on, whose events report it with what came of it. From
+  /// any thread; hints in the order of time. Throws UsageError for a place that is not finite.
+  void add_hint(const PersonHint& hint);
+
+  /// Forgets what was tracked; hints still to come are kept.
   void reset();
 
  private:
+  std::vector<PersonHint> due_hints(double time_s);
+
   MembraneTracker tracker_;
+  std::mutex mutex_;
+  std::vector<PersonHint> hints_;  // still to come
   std::optional<CellState> state_;
   long run_index_ = 0;
 };

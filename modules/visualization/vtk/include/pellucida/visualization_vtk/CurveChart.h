@@ -21,16 +21,21 @@ struct CurveMark {
 struct CurveChartData {
   std::string x_title;  ///< with its unit
   std::string y_title;
-  Curve faint;  ///< behind the curve, in grey, without a band
-  Curve curve;  ///< with its band
+  Curve faint;                         ///< behind the curve, in grey, without a band
+  Curve curve;                         ///< with its band
+  Curve inner;                         ///< the same points with a narrower band, drawn over it; empty: none
+  Curve other;                         ///< what it is held against, in another colour, with its band
+  std::string curve_name, other_name;  ///< where there are two curves, each is named
   std::vector<CurveMark> marks;
   double x_begin = 0.0;  ///< ends of the x axis; equal: 0 and a round number above the data
   double x_end = 0.0;
   std::string empty_text;  ///< in place of the curves where both are empty
 };
 
-/// A finished curve of any length with its 95 % band, a grey one behind it, and a cursor: an upright line at a place of
-/// the x axis, a dot on the curve. Long curves are thinned to what a screen can show; their peaks remain.
+/// A finished curve of any length with its 95 % band and a narrower one in it, a grey one behind it, one to compare it
+/// with, and a cursor: an
+/// upright line at a place of the x axis, a dot on the curve. Long curves are thinned to what a screen can show; their
+/// peaks remain.
 class CurveChart : public View {
  public:
   static constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
@@ -39,6 +44,8 @@ class CurveChart : public View {
 
   CurveChart();
   ~CurveChart() override;
+
+  void follow_theme() override;
 
   void set_data(CurveChartData data);
   /// As it was given.
@@ -61,6 +68,7 @@ class CurveChart : public View {
   void fill();
   void set_ranges(double width_px, double height_px);
   void draw_marks(HudCanvas& hud) const;
+  void draw_names(HudCanvas& hud) const;
   void draw_cursor(HudCanvas& hud) const;
 
   std::unique_ptr<Plots> plots_;

@@ -2,8 +2,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization/PlanMarks.h"
 #include "pellucida/visualization_vtk/View.h"
@@ -37,6 +39,7 @@ class FeedView : public View {
 
   /// Takes the source's present output. Call after `Poll` or `SetScene`, before rendering.
   void refresh();
+  void follow_theme() override;
   /// Undoes panning and zooming.
   void reset_camera();
   /// Default: kCell.
@@ -45,8 +48,19 @@ class FeedView : public View {
   void show_contours(bool shown);
   void show_model_section(bool shown);
   void show_tools(bool shown);
+  /// Default: on. Off for a small view beside one that has the same lines.
+  void show_legend(bool shown);
   /// The injection plan: the straight path with its corridor, entry, depth stop and target. Nothing: none is drawn.
   void set_plan(const std::optional<PlanMarks>& plan);
+
+  /// Where a person pointed.
+  void set_hints(std::vector<HintMark> marks) { hints_ = std::move(marks); }
+  /// What a click is waited for, large at the top; empty for nothing.
+  void set_prompt(std::string utf8) { prompt_ = std::move(utf8); }
+  /// Where the manipulator says that the tip is: for the arrow at the edge while the needle isn't seen.
+  void set_reported_tip(const std::optional<Eigen::Vector2d>& tip_um) { reported_tip_um_ = tip_um; }
+  /// Where a place of the view, logical pixels from its upper left corner, lies in the image plane, um.
+  Eigen::Vector2d place_um(double x_px, double y_px, double view_height_px) const;
 
   /// A line in the upper right corner, empty for none; left out where the legend leaves no room for it.
   void set_caption(std::string utf8);
@@ -68,11 +82,15 @@ class FeedView : public View {
   std::unique_ptr<Pipeline> pipeline_;
   std::vector<LegendRow> legend_;
   std::string caption_;
-  std::string empty_text_ = "Waiting for the first frame";
+  std::string empty_text_ = say("Waiting for the first frame");
   std::optional<PlanMarks> plan_;
+  std::vector<HintMark> hints_;
+  std::string prompt_;
+  std::optional<Eigen::Vector2d> reported_tip_um_;
   bool contours_shown_ = true;
   bool model_shown_ = true;
   bool tools_shown_ = true;
+  bool legend_shown_ = true;
   bool fitted_ = true;  // the camera follows the frame's size
   bool has_frame_ = false;
   double frame_width_um_ = 0.0;

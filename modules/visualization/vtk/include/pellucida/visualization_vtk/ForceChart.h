@@ -27,7 +27,7 @@ class ForceChart : public View {
   void clear();
   /// A curve behind the others on kForceIndentation, in place of the touch before; `name` is written beside it.
   void set_reference(std::string name, const std::vector<double>& depth_um, const std::vector<double>& force_uN);
-  void set_theme(const ThemeColors& theme);
+  void follow_theme() override;
   /// The newest point, as it is marked.
   std::optional<TracePoint> newest() const;
   /// Width of the time axis in s; 0 (the default) shows all. Of no effect on kForceIndentation.
@@ -50,7 +50,7 @@ class ForceChart : public View {
   void draw_reference_name(HudCanvas& hud) const;
 
   TraceHistory history_;
-  const ThemeColors* theme_ = &dark_theme();
+  const ThemeColors* theme_ = &current_theme();
   std::string reference_name_;
   std::vector<TracePoint> reference_;
   std::unique_ptr<Plots> plots_;

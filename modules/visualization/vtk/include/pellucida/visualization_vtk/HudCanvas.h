@@ -23,7 +23,7 @@ enum class HudAlign { kLeft, kCentre, kRight };
 /// How a text is set.
 struct HudText {
   int size_pt = font_size::kSmall;
-  Color color = palette::kText;
+  Color color = current_theme().text;
   bool bold = false;
   HudAlign align = HudAlign::kLeft;
 };

@@ -25,6 +25,7 @@ class MembraneView : public View {
 
   /// Takes the source's present output. Call after `Poll` or `SetScene`, before rendering.
   void refresh();
+  void follow_theme() override;
   /// Frames cell and tool tips, seen from the front and above.
   void reset_camera();
 

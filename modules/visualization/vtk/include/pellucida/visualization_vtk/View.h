@@ -37,6 +37,9 @@ class View {
   /// Scales letters and lines from the next rendering on, > 0.
   void set_hud_ratio(double hud_ratio) noexcept { hud_ratio_ = hud_ratio; }
 
+  /// Takes the colours of `current_theme()`, from the next rendering on.
+  virtual void follow_theme();
+
   vtkRenderer* renderer() const noexcept { return main_; }
 
  protected:

@@ -1,0 +1,111 @@
+#include "PunctureOdds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pellucida {
+namespace {
+
+/// A contact of some 50 frames may end in a puncture.
+constexpr double kPuncture_rate = 0.02;
+/// A misreading begins in so many of the frames seen with full confidence, and in ten times as many for each
+/// `kTenfold` of confidence less. It is over in a frame seen with this confidence, and lasts in poor ones.
+constexpr double kMisread_rate = 3e-4;
+constexpr double kTenfold = 0.22;
+constexpr double kMostMisread_rate = 0.3;
+constexpr double kMisread_over = 0.8;
+/// A membrane that gives way comes back by three tenths of its depth and more; a contour that is misread by less
+/// mostly.
+constexpr double kLeastBack_ratio = 0.3, kBackEdge_ratio = 0.04;
+/// Further back than the resting outline, and it is that outline which is wrong: the cell has moved.
+constexpr double kMostBack_ratio = 1.2;
+constexpr double kMisreadBack_ratio = 0.3;
+/// How far the tip's share spreads about 0 at a puncture, about 1 where both go back: a needle halts, and is drawn back
+/// soon after.
+constexpr double kStays_sigma = 0.25, kGoesOn_sigma = 1.0;
+/// Of the frames in contact, those in which both go back.
+constexpr double kDrawnBack_ratio = 0.2;
+/// Of punctures, those in which the contour is still tied to the tip.
+constexpr double kTied_ratio = 0.5;
+/// What even an impossible frame leaves a hypothesis.
+constexpr double kFloor = 1e-4;
+/// A frame that shows what the one before did, but for so much of it, is evidence anew to this power only.
+constexpr double kRepeated = 0.3, kSame_ratio = 0.75;
+
+struct Odds {
+  double contact = 1.0, misread = 1.0, punctured = 1.0;
+};
+
+double rise(double off) {
+  return 1.0 / (1.0 + std::exp(-off / kBackEdge_ratio));
+}
+
+double gone(double back_ratio) {
+  return rise(back_ratio - kLeastBack_ratio) * rise(kMostBack_ratio - back_ratio);
+}
+
+double of_misread(double back_ratio) {
+  return std::exp(-back_ratio / kMisreadBack_ratio) / kMisreadBack_ratio;
+}
+
+double normal(double off, double sigma) {
+  const double z = off / sigma;
+  return std::exp(-0.5 * z * z) / (sigma * std::sqrt(2.0 * std::numbers::pi));
+}
+
+}  // namespace
+
+void PunctureOdds::advance(double misread_rate, double lasting) noexcept {
+  const double over = (1.0 - lasting) * misread_;
+  const double began = contact_ * misread_rate, through = contact_ * kPuncture_rate;
+  // A misreading hides what happens under it.
+  const double hidden = misread_ * kPuncture_rate;
+  contact_ += over - began - through;
+  misread_ += began - over - hidden;
+  punctured_ += through + hidden;
+}
+
+void PunctureOdds::normalise() noexcept {
+  const double sum = contact_ + misread_ + punctured_;
+  contact_ /= sum;
+  misread_ /= sum;
+  punctured_ /= sum;
+}
+
+void PunctureOdds::weigh(const Evidence& now) noexcept {
+  const double back = std::max(0.0, now.back_ratio), share = std::clamp(now.tip_share, -3.0, 3.0);
+  const bool has_flank = !std::isnan(now.flank_ratio);
+  const double flank = has_flank ? std::max(0.0, now.flank_ratio) : 0.0;
+  // A frame that shows the membrane on the tip, as before, is not misread in a way that matters, however poor it is.
+  const bool is_odd = now.is_apart || flank > kLeastBack_ratio;
+  const double confidence = is_odd ? std::clamp(now.confidence, 0.0, 1.0) : 1.0;
+  advance(std::min(kMostMisread_rate, kMisread_rate * std::pow(10.0, (1.0 - confidence) / kTenfold)),
+          std::max(0.0, 1.0 - std::pow(confidence / kMisread_over, 2)));
+
+  // Of the membrane under the tip: a contour may stay tied there while the flanks are back.
+  const double tied = has_flank ? kTied_ratio : 0.0;
+  Odds axis{.contact = 2.0 * normal(back, now.back_sigma_ratio),
+            .misread = of_misread(back),
+            .punctured = tied + (1.0 - tied) * (now.is_apart ? gone(back) : 0.0)};
+  Odds flanks;
+  if (has_flank)
+    flanks = {
+        .contact = 2.0 * normal(flank, now.flank_sigma_ratio), .misread = of_misread(flank), .punctured = gone(flank)};
+  // Of the tip's own way: it may have gone anywhere before; at a puncture it stays, or goes on.
+  const double stays = std::hypot(share > 0.0 ? kStays_sigma : kGoesOn_sigma, now.tip_share_sigma);
+  const double anywhere = normal(0.0, kGoesOn_sigma);
+  const double together = normal(share - 1.0, std::hypot(kStays_sigma, now.tip_share_sigma));
+
+  const double shown = std::max(flank, now.is_apart ? back : 0.0);
+  const double power = is_odd && shown_before_ > kSame_ratio * shown ? kRepeated : 1.0;
+  shown_before_ = shown;
+  const auto weighed = [&](double likelihood) { return std::pow(likelihood + kFloor, power); };
+  contact_ *=
+      weighed((1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * anywhere + kDrawnBack_ratio * together);
+  misread_ *= weighed(axis.misread * flanks.misread * anywhere);
+  punctured_ *= weighed(axis.punctured * flanks.punctured * normal(share, stays) * stays / kStays_sigma);
+  normalise();
+}
+
+}  // namespace pellucida

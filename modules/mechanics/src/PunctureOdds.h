@@ -1,0 +1,44 @@
+#pragma once
+#include <limits>
+
+namespace pellucida {
+
+/// A sequential test (Wald) over the frames of a contact, by Bayes' rule on three hypotheses:
+/// - contact: the membrane lies on the tip, or both went back together (slipped, drawn back);
+/// - misread: contour or tip is not where it seems (tracker confused, needle wrongly placed);
+/// - punctured: the membrane went back and the tip, beyond it, did not.
+/// A misreading is the rarer the better the frame was seen, so that one frame decides alone where it was seen well; and
+/// it tends to last, so that a frame that repeats a poor one adds little. One thread at a time.
+class PunctureOdds {
+ public:
+  /// Of one frame, against the deepest membrane of late.
+  struct Evidence {
+    double back_ratio = 0.0;        ///< by which share of that depth the membrane has come back
+    double back_sigma_ratio = 0.0;  ///< its standard deviation, > 0
+    double tip_share = 0.0;         ///< the tip's own way back as a share of the membrane's; 1: they went together
+    double tip_share_sigma = 0.0;   ///< its standard deviation, >= 0
+    double confidence = 1.0;        ///< 0..1, how well membrane and tip were seen
+    bool is_apart = false;          ///< the tip lies beyond the membrane by more than noise explains
+    /// By which share of their depth the flanks of the dimple have come back, beside the tip and what hides or ties the
+    /// membrane there, with its standard deviation; NaN: there were none to see.
+    double flank_ratio = std::numeric_limits<double>::quiet_NaN();
+    double flank_sigma_ratio = 0.1;
+  };
+
+  void weigh(const Evidence& now) noexcept;
+  void reset() noexcept { *this = PunctureOdds{}; }
+
+  /// Probability that the membrane is through.
+  double probability() const noexcept { return punctured_ / (contact_ + misread_ + punctured_); }
+  /// That it isn't a contact as usual.
+  double doubt() const noexcept { return 1.0 - contact_ / (contact_ + misread_ + punctured_); }
+
+ private:
+  void advance(double misread_rate, double lasting) noexcept;
+  void normalise() noexcept;
+
+  double contact_ = 1.0, misread_ = 0.0, punctured_ = 0.0;
+  double shown_before_ = 0.0;  // back by so much, in the frame before
+};
+
+}  // namespace pellucida

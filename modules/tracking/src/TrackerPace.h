@@ -1,0 +1,18 @@
+#pragma once
+
+namespace pellucida {
+
+// A needle with no cell: how far it may go between two frames, and when it counts as gone.
+inline constexpr double kNeedleReach_px = 34.0, kLeastNeedleConfidence = 0.1;
+// While a cell has no needle: frames between two looks at the whole image; frames in which a cell is new, and a third
+// as many lie between them.
+inline constexpr int kNeedleSearch_frames = 10, kNewCell_frames = 10;
+// Of the way from where a needle without a cell was followed to, to where its tip is read.
+inline constexpr double kLoneTipShare = 0.5;
+// While a cell is followed by lines and has no needle: frames between two looks of the network.
+inline constexpr int kConfirmation_frames = 30;
+// While a cell is followed by lines: frames between two readings of where it is by the networks, and of these so many
+// in a row that contradict the lines.
+inline constexpr int kReread_frames = 8, kDisagreements = 2;
+
+}  // namespace pellucida

@@ -1,0 +1,2601 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en_GB">
+<context>
+    <name>Pellucida</name>
+    <message>
+        <source>
+No force: </source>
+        <translation>
+Keine Kraft: </translation>
+    </message>
+    <message>
+        <source>
+Other models of the same push, no part of the interval:</source>
+        <translation>
+Andere Modelle desselben Stoßes, kein Teil des Intervalls:</translation>
+    </message>
+    <message>
+        <source>
+The bar goes from a quarter of the kind's stiffness (profile </source>
+        <translation>
+Der Balken reicht von einem Viertel der Steifigkeit der Zellart (Profil </translation>
+    </message>
+    <message>
+        <source>
+The file states </source>
+        <translation>
+Die Datei gibt </translation>
+    </message>
+    <message>
+        <source>
+Warning: </source>
+        <translation>
+Warnung: </translation>
+    </message>
+    <message>
+        <source>
+and </source>
+        <translation>
+und </translation>
+    </message>
+    <message>
+        <source>   In contact   </source>
+        <translation>   In Kontakt   </translation>
+    </message>
+    <message>
+        <source> % OF LIMIT</source>
+        <translation> % DER GRENZE</translation>
+    </message>
+    <message>
+        <source> %). The formula takes the zona for a flat, clamped membrane: tens of per cent are usual.</source>
+        <translation> %). Die Formel hält die Zona für eine ebene, eingespannte Membran: Dutzende Prozent sind üblich.</translation>
+    </message>
+    <message>
+        <source> (spread </source>
+        <translation> (Streuung </translation>
+    </message>
+    <message>
+        <source> (standard deviation): so much single cells of this kind differ in stiffness. Scale, in the top row, measures this one: a push of known force, a fibre, or a tongue in the holding pipette.</source>
+        <translation> (Standardabweichung): so verschieden steif sind einzelne Zellen dieser Art. „Skala“ in der obersten Zeile misst diese: mit einem Stoß bekannter Kraft, einer Faser oder einer Zunge in der Haltepipette.</translation>
+    </message>
+    <message>
+        <source> (standard deviation); measured on it.</source>
+        <translation> (Standardabweichung); an ihr gemessen.</translation>
+    </message>
+    <message>
+        <source> - give a video, a folder of images, or the folder of a session</source>
+        <translation> – wählen Sie ein Video, einen Ordner mit Bildern oder den Ordner einer Sitzung</translation>
+    </message>
+    <message>
+        <source> N of </source>
+        <translation> N von </translation>
+    </message>
+    <message>
+        <source> and offered here. Any other session can be dropped on this window.</source>
+        <translation> und hier angeboten. Jede andere Sitzung lässt sich auf dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source> at </source>
+        <translation> bei </translation>
+    </message>
+    <message>
+        <source> can't be read and are left out; pellucida check names them</source>
+        <translation> sind nicht lesbar und fehlen; pellucida check nennt sie</translation>
+    </message>
+    <message>
+        <source> drawn</source>
+        <translation> gezeichnet</translation>
+    </message>
+    <message>
+        <source> finite-element table </source>
+        <translation> Finite-Elemente-Tabelle </translation>
+    </message>
+    <message>
+        <source> for the next recording</source>
+        <translation> auf die nächste Aufnahme</translation>
+    </message>
+    <message>
+        <source> frame</source>
+        <translation> Bild</translation>
+    </message>
+    <message>
+        <source> frame </source>
+        <translation> Bild </translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> Bilder</translation>
+    </message>
+    <message>
+        <source> frames </source>
+        <translation> Bilder </translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> Bilder/s</translation>
+    </message>
+    <message>
+        <source> hint</source>
+        <translation> Hinweis</translation>
+    </message>
+    <message>
+        <source> hints</source>
+        <translation> Hinweise</translation>
+    </message>
+    <message>
+        <source> in </source>
+        <translation> in </translation>
+    </message>
+    <message>
+        <source> is out of range: give a </source>
+        <translation> liegt außerhalb des Bereichs; erlaubt für </translation>
+    </message>
+    <message>
+        <source> measured, </source>
+        <translation> gemessen, </translation>
+    </message>
+    <message>
+        <source> missed, 99 % late by at most </source>
+        <translation> versäumt, 99 % höchstens verspätet um </translation>
+    </message>
+    <message>
+        <source> more</source>
+        <translation> weitere</translation>
+    </message>
+    <message>
+        <source> nodes</source>
+        <translation> Knoten</translation>
+    </message>
+    <message>
+        <source> note waits</source>
+        <translation> Notiz wartet</translation>
+    </message>
+    <message>
+        <source> notes wait</source>
+        <translation> Notizen warten</translation>
+    </message>
+    <message>
+        <source> of </source>
+        <translation> von </translation>
+    </message>
+    <message>
+        <source> old</source>
+        <translation> alt</translation>
+    </message>
+    <message>
+        <source> or push more slowly, then start again (Home).</source>
+        <translation> oder stoßen Sie langsamer, dann beginnen Sie neu (Pos1).</translation>
+    </message>
+    <message>
+        <source> pJ, the needle put in </source>
+        <translation> pJ, zugeführt hat die Nadel </translation>
+    </message>
+    <message>
+        <source> point-load formula </source>
+        <translation> Punktlastformel </translation>
+    </message>
+    <message>
+        <source> recorded but not measured</source>
+        <translation> aufgezeichnet, aber nicht gemessen</translation>
+    </message>
+    <message>
+        <source> recordings in this folder; choose one of them</source>
+        <translation> Aufzeichnungen in diesem Ordner; wählen Sie eine davon</translation>
+    </message>
+    <message>
+        <source> row</source>
+        <translation> Zeile</translation>
+    </message>
+    <message>
+        <source> rows</source>
+        <translation> Zeilen</translation>
+    </message>
+    <message>
+        <source> ticks, </source>
+        <translation> Takte, </translation>
+    </message>
+    <message>
+        <source> times as stiff as its kind, </source>
+        <translation> mal so steif wie ihre Art, </translation>
+    </message>
+    <message>
+        <source> to </source>
+        <translation> bis </translation>
+    </message>
+    <message>
+        <source> µm a pixel; the typed </source>
+        <translation> µm je Pixel an; die eingegebenen </translation>
+    </message>
+    <message>
+        <source> µm beyond the edge</source>
+        <translation> µm jenseits des Randes</translation>
+    </message>
+    <message>
+        <source> µm replaces it.</source>
+        <translation> µm ersetzen sie.</translation>
+    </message>
+    <message>
+        <source> µs; energy margin </source>
+        <translation> µs; Energiereserve </translation>
+    </message>
+    <message>
+        <source> · frame rate not in the file</source>
+        <translation> · Bildrate nicht in der Datei</translation>
+    </message>
+    <message>
+        <source> · pixel size not in the file</source>
+        <translation> · Pixelgröße nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>" is no number: give the </source>
+        <translation>“ ist keine Zahl: nötig ist </translation>
+    </message>
+    <message>
+        <source>%1  ·  frame %2  ·  %3 of %4</source>
+        <translation>%1  ·  Bild %2  ·  %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 frames changed; written to %2</source>
+        <translation>%1 Bilder geändert; geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames read</source>
+        <translation>%1 von %2 Bildern gelesen</translation>
+    </message>
+    <message>
+        <source>%1 tables written to %2</source>
+        <translation>%1 Tabellen geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>(1) &amp;nbsp;&lt;b&gt;f&lt;sub&gt;ij&lt;/sub&gt;&lt;/b&gt; = k (L/|p| − 1) p − b (v·p)/(p·p) p&lt;br&gt;(2) &amp;nbsp;&lt;b&gt;m a&lt;/b&gt; = Σ &lt;b&gt;f&lt;/b&gt;</source>
+        <translation>(1) &amp;nbsp;&lt;b&gt;f&lt;sub&gt;ij&lt;/sub&gt;&lt;/b&gt; = k (L/|p| − 1) p − b (v·p)/(p·p) p&lt;br&gt;(2) &amp;nbsp;&lt;b&gt;m a&lt;/b&gt; = Σ &lt;b&gt;f&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>) to four times.</source>
+        <translation>) bis zum Vierfachen.</translation>
+    </message>
+    <message>
+        <source>, at </source>
+        <translation>, bei </translation>
+    </message>
+    <message>
+        <source>, at its limit</source>
+        <translation>, an der Grenze</translation>
+    </message>
+    <message>
+        <source>, guided</source>
+        <translation>, geführt</translation>
+    </message>
+    <message>
+        <source>, is above the stability limit of </source>
+        <translation>, liegt über der Stabilitätsgrenze von </translation>
+    </message>
+    <message>
+        <source>, is below the limit of linear vibration, </source>
+        <translation>, liegt unter der Grenze der linearen Schwingung, </translation>
+    </message>
+    <message>
+        <source>, node </source>
+        <translation>, Knoten </translation>
+    </message>
+    <message>
+        <source>, such as </source>
+        <translation>, etwa </translation>
+    </message>
+    <message>
+        <source>.
+Connect one, then press Search again.</source>
+        <translation>.
+Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
+    </message>
+    <message>
+        <source>. Choose a shorter step or a larger mass, then start again (Home).</source>
+        <translation>. Wählen Sie einen kürzeren Schritt oder eine größere Masse, dann beginnen Sie neu (Pos1).</translation>
+    </message>
+    <message>
+        <source>0.00 N of 0.0 N</source>
+        <translation>0.00 N von 0.0 N</translation>
+    </message>
+    <message>
+        <source>0.000 pJ</source>
+        <translation>0.000 pJ</translation>
+    </message>
+    <message>
+        <source>0000 Pa</source>
+        <translation>0000 Pa</translation>
+    </message>
+    <message>
+        <source>00000 frames skipped</source>
+        <translation>00000 Bilder ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 to 4 choose a card, Enter starts it; or drop a file or a folder here</source>
+        <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
+    </message>
+    <message>
+        <source>3-D view as PNG</source>
+        <translation>3-D-Ansicht als PNG</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>95 % interval, picture</source>
+        <translation>95-%-Intervall, Bild</translation>
+    </message>
+    <message>
+        <source>95 % interval, the whole</source>
+        <translation>95-%-Intervall, gesamt</translation>
+    </message>
+    <message>
+        <source>: all forces are scaled to cells of this kind.
+The picture can't tell one kind from another of the same size: choose the profile with --profile.</source>
+        <translation>: alle Kräfte sind auf Zellen dieser Art skaliert.
+Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mit --profile.</translation>
+    </message>
+    <message>
+        <source>: no image, no video and no session in this folder</source>
+        <translation>: kein Bild, kein Video und keine Sitzung in diesem Ordner</translation>
+    </message>
+    <message>
+        <source>: not now)</source>
+        <translation>: doch nicht)</translation>
+    </message>
+    <message>
+        <source>: nothing recorded</source>
+        <translation>: nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>: pixel size and frame rate can't be settled</source>
+        <translation>: Pixelgröße und Bildrate lassen sich nicht klären</translation>
+    </message>
+    <message>
+        <source>: the picture can't be written; choose a folder that exists and may be written</source>
+        <translation>: das Bild lässt sich nicht schreiben; wählen Sie einen vorhandenen, beschreibbaren Ordner</translation>
+    </message>
+    <message>
+        <source>: the shape left the range where that holds. Push more slowly or take a shorter step, then start again (Home).</source>
+        <translation>: die Form hat den Bereich verlassen, in dem sie gilt. Stoßen Sie langsamer oder wählen Sie einen kürzeren Schritt, dann beginnen Sie neu (Pos1).</translation>
+    </message>
+    <message>
+        <source>; 1 kHz: </source>
+        <translation>; 1 kHz: </translation>
+    </message>
+    <message>
+        <source>; waits until a rendering has finished: </source>
+        <translation>; wartet das Ende einer Bildausgabe ab: </translation>
+    </message>
+    <message>
+        <source>= %1 µm per px</source>
+        <translation>= %1 µm je px</translation>
+    </message>
+    <message>
+        <source>= – µm per px</source>
+        <translation>= – µm je px</translation>
+    </message>
+    <message>
+        <source>A bending microfibre or calibrated pipette pushes this cell. Its stiffness times its deflection is the force.</source>
+        <translation>Eine biegsame Mikrofaser oder kalibrierte Pipette drückt diese Zelle. Steifigkeit mal Auslenkung ist die Kraft.</translation>
+    </message>
+    <message>
+        <source>A cell to poke on screen, with lessons on how its force comes about.</source>
+        <translation>Eine Zelle zum Anstupsen, mit Lektionen darüber, wie ihre Kraft zustande kommt.</translation>
+    </message>
+    <message>
+        <source>A profile's geometry and constants</source>
+        <translation>Geometrie und Konstanten eines Profils</translation>
+    </message>
+    <message>
+        <source>A recorded session: it opens in Review.</source>
+        <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
+    </message>
+    <message>
+        <source>A simulated cell to poke</source>
+        <translation>Eine simulierte Zelle zum Anstupsen</translation>
+    </message>
+    <message>
+        <source>A simulated cell under a simulated microscope. Nothing has to be connected.</source>
+        <translation>Eine simulierte Zelle unter einem simulierten Mikroskop. Nichts muss angeschlossen sein.</translation>
+    </message>
+    <message>
+        <source>A simulated operator injects cell after cell.</source>
+        <translation>Ein simulierter Bediener injiziert Zelle um Zelle.</translation>
+    </message>
+    <message>
+        <source>A video, a folder of images or a stack is measured; a recorded session opens in Review.</source>
+        <translation>Video, Bilderordner oder Bildstapel werden gemessen; eine aufgezeichnete Sitzung öffnet sich in der Auswertung.</translation>
+    </message>
+    <message>
+        <source>AT THE LIMIT</source>
+        <translation>AN DER GRENZE</translation>
+    </message>
+    <message>
+        <source>Add a remark to the session's events</source>
+        <translation>Fügt den Ereignissen der Sitzung eine Bemerkung hinzu</translation>
+    </message>
+    <message>
+        <source>All kinds</source>
+        <translation>Alle Arten</translation>
+    </message>
+    <message>
+        <source>All of the screen, and back</source>
+        <translation>Den ganzen Bildschirm nutzen, und zurück</translation>
+    </message>
+    <message>
+        <source>Along x, y, z</source>
+        <translation>Längs x, y, z</translation>
+    </message>
+    <message>
+        <source>Angle from the needle (°)</source>
+        <translation>Winkel von der Nadel (°)</translation>
+    </message>
+    <message>
+        <source>Approaching</source>
+        <translation>Annähern</translation>
+    </message>
+    <message>
+        <source>Arrows head to tail: a balance closes</source>
+        <translation>Pfeile aneinandergereiht</translation>
+    </message>
+    <message>
+        <source>Arrows ▾</source>
+        <translation>Pfeile ▾</translation>
+    </message>
+    <message>
+        <source>Aspiration</source>
+        <translation>Aspiration</translation>
+    </message>
+    <message>
+        <source>At a place in the image</source>
+        <translation>An einer Stelle im Bild</translation>
+    </message>
+    <message>
+        <source>At this time, on the node picked</source>
+        <translation>Zu diesem Zeitpunkt, am gewählten Knoten</translation>
+    </message>
+    <message>
+        <source>Back to its kind</source>
+        <translation>Zurück zur Zellart</translation>
+    </message>
+    <message>
+        <source>Back to the first point of view</source>
+        <translation>Zurück zum ersten Blickpunkt</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Blown up</source>
+        <translation>Instabil</translation>
+    </message>
+    <message>
+        <source>Blown up after </source>
+        <translation>Instabil geworden nach </translation>
+    </message>
+    <message>
+        <source>CELL LOST</source>
+        <translation>ZELLE VERLOREN</translation>
+    </message>
+    <message>
+        <source>CELL PROFILE</source>
+        <translation>ZELLPROFIL</translation>
+    </message>
+    <message>
+        <source>CONFIDENCE</source>
+        <translation>SICHERHEIT</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera's own pixel</source>
+        <translation>Pixel der Kamera</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled; no video was written</source>
+        <translation>Abgebrochen; kein Video geschrieben</translation>
+    </message>
+    <message>
+        <source>Cancelled; what was measured so far is in </source>
+        <translation>Abgebrochen; das bisher Gemessene liegt in </translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>Chart of the node as SVG, PDF or PNG</source>
+        <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file or a folder first, or drop one on this window.</source>
+        <translation>Wählen Sie zuerst eine Datei oder einen Ordner, oder ziehen Sie sie auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a session, or drop it on this window.</source>
+        <translation>Wählen Sie den Ordner einer Sitzung, oder ziehen Sie ihn auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Click a node of the cell: each term of the equations becomes an arrow.</source>
+        <translation>Klicken Sie auf einen Knoten der Zelle: jeder Term der Gleichungen wird zum Pfeil.</translation>
+    </message>
+    <message>
+        <source>Click inside the cell</source>
+        <translation>Klicken Sie in die Zelle</translation>
+    </message>
+    <message>
+        <source>Click the needle's tip</source>
+        <translation>Klicken Sie auf die Nadelspitze</translation>
+    </message>
+    <message>
+        <source>Click the place of the note (Shift+A: not now)</source>
+        <translation>Klicken Sie auf die Stelle der Notiz (Umschalt+A: doch nicht)</translation>
+    </message>
+    <message>
+        <source>Click what is no cell</source>
+        <translation>Klicken Sie auf das, was keine Zelle ist</translation>
+    </message>
+    <message>
+        <source>Click: forces on a node</source>
+        <translation>Klick: Kräfte an einem Knoten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Coarse 100:1</source>
+        <translation>Grob 100:1</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare no more</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>Compare with a session</source>
+        <translation>Mit einer Sitzung vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with another session</source>
+        <translation>Mit einer anderen Sitzung vergleichen</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Connect a camera</source>
+        <translation>Kamera anschließen</translation>
+    </message>
+    <message>
+        <source>Connectors, coloured by their pull</source>
+        <translation>Verbindungen, nach ihrem Zug gefärbt</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact, </source>
+        <translation>Kontakt, </translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>Konturen</translation>
+    </message>
+    <message>
+        <source>DEPTH</source>
+        <translation>TIEFE</translation>
+    </message>
+    <message>
+        <source>DO</source>
+        <translation>AUFGABE</translation>
+    </message>
+    <message>
+        <source>Dampers</source>
+        <translation>Dämpfer</translation>
+    </message>
+    <message>
+        <source>Dampers along the connectors; 1 damps the stiffest one critically</source>
+        <translation>Dämpfer längs der Verbindungen; 1 dämpft die steifste kritisch</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>Auslenkung</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Vorführung</translation>
+    </message>
+    <message>
+        <source>Deposit</source>
+        <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>Deposit while held down</source>
+        <translation>Gibt ab, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Depositing</source>
+        <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>Tiefenanschlag</translation>
+    </message>
+    <message>
+        <source>Device lost, pipette held: plug it in or choose another hand</source>
+        <translation>Gerät verloren, Pipette gehalten: stecken Sie es ein oder wählen Sie eine andere Hand</translation>
+    </message>
+    <message>
+        <source>Diagonals (X)</source>
+        <translation>Diagonalen (X)</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Difference (µN)</source>
+        <translation>Differenz (µN)</translation>
+    </message>
+    <message>
+        <source>Difference of the forces</source>
+        <translation>Differenz der Kräfte</translation>
+    </message>
+    <message>
+        <source>Disengaged</source>
+        <translation>Gelöst</translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Displacement (µm)</source>
+        <translation>Verschiebung (µm)</translation>
+    </message>
+    <message>
+        <source>Done; a new cell follows</source>
+        <translation>Fertig; eine neue Zelle folgt</translation>
+    </message>
+    <message>
+        <source>Doubt, low confidence</source>
+        <translation>Zweifel, geringe Sicherheit</translation>
+    </message>
+    <message>
+        <source>Drag: needle</source>
+        <translation>Ziehen: Nadel</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png)</source>
+        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drop one file or one folder of this computer.</source>
+        <translation>Ziehen Sie eine Datei oder einen Ordner dieses Rechners hierher.</translation>
+    </message>
+    <message>
+        <source>Drop the hints</source>
+        <translation>Hinweise verwerfen</translation>
+    </message>
+    <message>
+        <source>ENERGY</source>
+        <translation>ENERGIE</translation>
+    </message>
+    <message>
+        <source>Edge of a pixel</source>
+        <translation>Kantenlänge eines Pixels</translation>
+    </message>
+    <message>
+        <source>Emergency stop: pipette held</source>
+        <translation>Nothalt: Pipette gehalten</translation>
+    </message>
+    <message>
+        <source>End recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Engaged</source>
+        <translation>Gekuppelt</translation>
+    </message>
+    <message>
+        <source>Event before</source>
+        <translation>Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Events and doubts</source>
+        <translation>Ereignisse und Zweifel</translation>
+    </message>
+    <message>
+        <source>Export ▾</source>
+        <translation>Export ▾</translation>
+    </message>
+    <message>
+        <source>FASTEST NODE</source>
+        <translation>SCHNELLSTER KNOTEN</translation>
+    </message>
+    <message>
+        <source>FORCE</source>
+        <translation>KRAFT</translation>
+    </message>
+    <message>
+        <source>FORCE OF THE NEEDLE</source>
+        <translation>KRAFT DER NADEL</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Fibre</source>
+        <translation>Faser</translation>
+    </message>
+    <message>
+        <source>File ...</source>
+        <translation>Datei ...</translation>
+    </message>
+    <message>
+        <source>File or folder</source>
+        <translation>Datei oder Ordner</translation>
+    </message>
+    <message>
+        <source>Fine 500:1</source>
+        <translation>Fein 500:1</translation>
+    </message>
+    <message>
+        <source>Finest 2000:1</source>
+        <translation>Feinst 2000:1</translation>
+    </message>
+    <message>
+        <source>Finite elements of the aspirated zona …</source>
+        <translation>Finite Elemente der angesaugten Zona …</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>Folder ...</source>
+        <translation>Ordner ...</translation>
+    </message>
+    <message>
+        <source>Folder for the tables</source>
+        <translation>Ordner für die Tabellen</translation>
+    </message>
+    <message>
+        <source>For the last row</source>
+        <translation>Für die letzte Reihe</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Force (µN)</source>
+        <translation>Kraft (µN)</translation>
+    </message>
+    <message>
+        <source>Force in doubt: </source>
+        <translation>Kraft zweifelhaft: </translation>
+    </message>
+    <message>
+        <source>Force of the needle on the cell against that at which this kind of cell gives way. Light band: the whole 95 % interval; dark band: what the picture leaves open.</source>
+        <translation>Kraft der Nadel auf die Zelle, gemessen an jener, bei der diese Zellart nachgibt. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt.</translation>
+    </message>
+    <message>
+        <source>Force of the needle on the cell against the largest that the hand is let exert. Light band: the whole 95 % interval; dark band: what the picture leaves open. Fine mark: where this kind of cell gives way.</source>
+        <translation>Kraft der Nadel auf die Zelle, gemessen an der größten, die der Hand erlaubt ist. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt. Feine Marke: wo diese Zellart nachgibt.</translation>
+    </message>
+    <message>
+        <source>Force of the needle on the cell, along the needle, with its 95 % interval: the whole.
+Picture: what depth, sizes and model leave open (standard deviation); it is all there is between two forces on one cell.
+</source>
+        <translation>Kraft der Nadel auf die Zelle, längs der Nadel, mit ihrem ganzen 95-%-Intervall.
+Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zwei Kräften an derselben Zelle zählt nur dies.
+</translation>
+    </message>
+    <message>
+        <source>Force on the hand; full: the largest force of the device</source>
+        <translation>Kraft auf die Hand; voll: die größte Kraft des Geräts</translation>
+    </message>
+    <message>
+        <source>Force over depth</source>
+        <translation>Kraft über der Tiefe</translation>
+    </message>
+    <message>
+        <source>Force over indentation</source>
+        <translation>Kraft über der Eindellung</translation>
+    </message>
+    <message>
+        <source>Force over indentation as SVG, PDF or PNG</source>
+        <translation>Kraft über der Eindellung als SVG, PDF oder PNG</translation>
+    </message>
+    <message>
+        <source>Force over time</source>
+        <translation>Kraft über der Zeit</translation>
+    </message>
+    <message>
+        <source>Force over time as SVG, PDF or PNG</source>
+        <translation>Kraft über der Zeit als SVG, PDF oder PNG</translation>
+    </message>
+    <message>
+        <source>Force too old: released</source>
+        <translation>Kraft zu alt: freigegeben</translation>
+    </message>
+    <message>
+        <source>Force, µN</source>
+        <translation>Kraft, µN</translation>
+    </message>
+    <message>
+        <source>Forces in 3-D</source>
+        <translation>Kräfte in 3-D</translation>
+    </message>
+    <message>
+        <source>Forget this cell's own scale: for another cell</source>
+        <translation>Vergisst die eigene Skala dieser Zelle: für eine andere Zelle</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame age </source>
+        <translation>Bildalter </translation>
+    </message>
+    <message>
+        <source>Frame age 0000 ms</source>
+        <translation>Bildalter 0000 ms</translation>
+    </message>
+    <message>
+        <source>Frame age –</source>
+        <translation>Bildalter –</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Frames/s: </source>
+        <translation>Bilder/s: </translation>
+    </message>
+    <message>
+        <source>Frames/s: 000.0 measured, 000.0 drawn</source>
+        <translation>Bilder/s: 000.0 gemessen, 000.0 gezeichnet</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Free, </source>
+        <translation>Frei, </translation>
+    </message>
+    <message>
+        <source>From the end on from the beginning</source>
+        <translation>Vom Ende wieder an den Anfang</translation>
+    </message>
+    <message>
+        <source>From the tip to the plan's target, along the planned way, with the 95 % interval of the tip. The mark is the target, the fine one beyond it the depth stop.</source>
+        <translation>Von der Spitze zum Ziel des Plans, längs des geplanten Wegs, mit dem 95-%-Intervall der Spitze. Die Marke ist das Ziel, die feine dahinter der Tiefenanschlag.</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Give of the hand</source>
+        <translation>Nachgiebigkeit der Hand</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>Guided</source>
+        <translation>Geführt</translation>
+    </message>
+    <message>
+        <source>HAND</source>
+        <translation>HAND</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Gehalten</translation>
+    </message>
+    <message>
+        <source>Here is the tip</source>
+        <translation>Hier ist die Spitze</translation>
+    </message>
+    <message>
+        <source>Hide below</source>
+        <translation>Ausblenden unter</translation>
+    </message>
+    <message>
+        <source>Hinges</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Hint ▾</source>
+        <translation>Hinweis ▾</translation>
+    </message>
+    <message>
+        <source>Hint: </source>
+        <translation>Hinweis: </translation>
+    </message>
+    <message>
+        <source>Hold for a second to release the emergency stop</source>
+        <translation>Eine Sekunde halten, um den Nothalt zu lösen</translation>
+    </message>
+    <message>
+        <source>Hold the left button to move the needle</source>
+        <translation>Linke Taste halten, um die Nadel zu bewegen</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Haltepipette</translation>
+    </message>
+    <message>
+        <source>Holding pipette</source>
+        <translation>Haltepipette</translation>
+    </message>
+    <message>
+        <source>How eq. (2) is stepped through time</source>
+        <translation>Wie Gl. (2) durch die Zeit geführt wird</translation>
+    </message>
+    <message>
+        <source>How far the tip stays behind the hand for each µN</source>
+        <translation>Wie weit die Spitze je µN hinter der Hand bleibt</translation>
+    </message>
+    <message>
+        <source>How the forces on the membrane are drawn</source>
+        <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>IN DOUBT</source>
+        <translation>ZWEIFELHAFT</translation>
+    </message>
+    <message>
+        <source>INDENTATION</source>
+        <translation>EINDELLUNG</translation>
+    </message>
+    <message>
+        <source>Implicit Euler</source>
+        <translation>Implizites Euler-Verfahren</translation>
+    </message>
+    <message>
+        <source>In contact</source>
+        <translation>In Kontakt</translation>
+    </message>
+    <message>
+        <source>In the virtual microscope: scenario %1</source>
+        <translation>Im virtuellen Mikroskop: Szenario %1</translation>
+    </message>
+    <message>
+        <source>Indentation</source>
+        <translation>Eindellung</translation>
+    </message>
+    <message>
+        <source>Indentation (µm)</source>
+        <translation>Eindellung (µm)</translation>
+    </message>
+    <message>
+        <source>Indentation of the cell</source>
+        <translation>Eindellung der Zelle</translation>
+    </message>
+    <message>
+        <source>Indentation of the cell with its 95 % interval; once the membrane gave way, how far the tip is beyond the entry. The mark is the nearer of the hand's limit and the plan's depth stop.</source>
+        <translation>Eindellung der Zelle mit ihrem 95-%-Intervall; sobald die Membran nachgab: wie weit die Spitze hinter dem Eintritt ist. Die Marke ist die nähere von Grenze der Hand und Tiefenanschlag des Plans.</translation>
+    </message>
+    <message>
+        <source>Inertia, −m a</source>
+        <translation>Trägheit, −m a</translation>
+    </message>
+    <message>
+        <source>Inner membrane</source>
+        <translation>Innere Membran</translation>
+    </message>
+    <message>
+        <source>Inner radius of the mouth</source>
+        <translation>Innenradius der Mündung</translation>
+    </message>
+    <message>
+        <source>Inserting</source>
+        <translation>Einführen</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrator</translation>
+    </message>
+    <message>
+        <source>Invalid readings from the device: pipette held</source>
+        <translation>Ungültige Messwerte des Geräts: Pipette gehalten</translation>
+    </message>
+    <message>
+        <source>Keep the newest frame on screen</source>
+        <translation>Hält das neueste Bild fest</translation>
+    </message>
+    <message>
+        <source>Keep the tip on the planned line, in and out</source>
+        <translation>Hält die Spitze auf der geplanten Linie, hinein und hinaus</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Kind of cell </source>
+        <translation>Zellart </translation>
+    </message>
+    <message>
+        <source>Kind of cell: how single cells of this kind differ in stiffness, one factor on all forces of this cell. Measuring its scale reduces it.</source>
+        <translation>Zellart: wie verschieden steif einzelne Zellen dieser Art sind, ein gemeinsamer Faktor aller Kräfte dieser Zelle. Das Messen ihrer Skala verringert es.</translation>
+    </message>
+    <message>
+        <source>Language of the system</source>
+        <translation>Sprache des Systems</translation>
+    </message>
+    <message>
+        <source>Large letters</source>
+        <translation>Große Schrift</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Lengths by the logarithm</source>
+        <translation>Längen logarithmisch</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Light theme</source>
+        <translation>Helles Farbschema</translation>
+    </message>
+    <message>
+        <source>Limit: </source>
+        <translation>Grenze: </translation>
+    </message>
+    <message>
+        <source>Linear acceleration (Newmark)</source>
+        <translation>Lineare Beschleunigung (Newmark)</translation>
+    </message>
+    <message>
+        <source>Liquid keeps its volume</source>
+        <translation>Flüssigkeit behält ihr Volumen</translation>
+    </message>
+    <message>
+        <source>Look ▾</source>
+        <translation>Ansicht ▾</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Hinsehen</translation>
+    </message>
+    <message>
+        <source>Looking at it ...</source>
+        <translation>Wird angesehen ...</translation>
+    </message>
+    <message>
+        <source>Looking for sessions ...</source>
+        <translation>Sitzungen werden gesucht ...</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>Magnification from the specimen to the camera, the adapter's included</source>
+        <translation>Vergrößerung vom Präparat zur Kamera, die des Adapters eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Manipulator lost: check its cable and power</source>
+        <translation>Manipulator verloren: prüfen Sie Kabel und Stromversorgung</translation>
+    </message>
+    <message>
+        <source>Mass of a node</source>
+        <translation>Masse eines Knotens</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Measure how stiff this cell is, so that the forces are its own</source>
+        <translation>Misst, wie steif diese Zelle ist, sodass die Kräfte ihre eigenen sind</translation>
+    </message>
+    <message>
+        <source>Measures the session once more with these hints, into a new session, and opens it</source>
+        <translation>Misst die Sitzung mit diesen Hinweisen noch einmal, in eine neue Sitzung, und öffnet diese</translation>
+    </message>
+    <message>
+        <source>Measuring again</source>
+        <translation>Wird neu gemessen</translation>
+    </message>
+    <message>
+        <source>Membranes found in the image</source>
+        <translation>Im Bild gefundene Membranen</translation>
+    </message>
+    <message>
+        <source>Meridian springs</source>
+        <translation>Meridianfedern</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Microscope</source>
+        <translation>Mikroskop</translation>
+    </message>
+    <message>
+        <source>Microscope image as PNG</source>
+        <translation>Mikroskopbild als PNG</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Model section</source>
+        <translation>Modellschnitt</translation>
+    </message>
+    <message>
+        <source>Most arrows</source>
+        <translation>Höchstens Pfeile</translation>
+    </message>
+    <message>
+        <source>Motion of the tip: 100:1 is 100 µm for 10 mm of the hand</source>
+        <translation>Bewegung der Spitze: 100:1 heißt 100 µm je 10 mm der Hand</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>NEEDLE NOT SEEN</source>
+        <translation>NADEL NICHT ZU SEHEN</translation>
+    </message>
+    <message>
+        <source>NO FORCE</source>
+        <translation>KEINE KRAFT</translation>
+    </message>
+    <message>
+        <source>Needle</source>
+        <translation>Nadel</translation>
+    </message>
+    <message>
+        <source>Needle </source>
+        <translation>Nadel </translation>
+    </message>
+    <message>
+        <source>Needle and holding pipette</source>
+        <translation>Nadel und Haltepipette</translation>
+    </message>
+    <message>
+        <source>New cell</source>
+        <translation>Neue Zelle</translation>
+    </message>
+    <message>
+        <source>New note at </source>
+        <translation>Neue Notiz: </translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>No camera</source>
+        <translation>Keine Kamera</translation>
+    </message>
+    <message>
+        <source>No camera can be used: </source>
+        <translation>Keine Kamera verwendbar: </translation>
+    </message>
+    <message>
+        <source>No cell</source>
+        <translation>Keine Zelle</translation>
+    </message>
+    <message>
+        <source>No cell in sight</source>
+        <translation>Keine Zelle in Sicht</translation>
+    </message>
+    <message>
+        <source>No force at the same place in both</source>
+        <translation>Keine Kraft an gleicher Stelle in beiden</translation>
+    </message>
+    <message>
+        <source>No force feedback</source>
+        <translation>Keine Kraftrückgabe</translation>
+    </message>
+    <message>
+        <source>No force in this session</source>
+        <translation>Keine Kraft in dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>No force measured yet</source>
+        <translation>Noch keine Kraft gemessen</translation>
+    </message>
+    <message>
+        <source>No force measured: released</source>
+        <translation>Keine Kraft gemessen: freigegeben</translation>
+    </message>
+    <message>
+        <source>No force: </source>
+        <translation>Keine Kraft: </translation>
+    </message>
+    <message>
+        <source>No frame at the same place</source>
+        <translation>Kein Bild an gleicher Stelle</translation>
+    </message>
+    <message>
+        <source>No frame yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>No image of this frame</source>
+        <translation>Kein Mikroskopbild zu diesem Bild</translation>
+    </message>
+    <message>
+        <source>No meridian: this frame has no surface with its rest directions</source>
+        <translation>Kein Meridian: diesem Bild fehlt die Oberfläche mit ihren Ruherichtungen</translation>
+    </message>
+    <message>
+        <source>No node</source>
+        <translation>Kein Knoten</translation>
+    </message>
+    <message>
+        <source>No surface at the same place</source>
+        <translation>Keine Oberfläche an gleicher Stelle</translation>
+    </message>
+    <message>
+        <source>No surface of this frame</source>
+        <translation>Keine Oberfläche zu diesem Bild</translation>
+    </message>
+    <message>
+        <source>No surface: the contour can't be revolved</source>
+        <translation>Keine Oberfläche: die Kontur lässt sich nicht rotieren</translation>
+    </message>
+    <message>
+        <source>No. </source>
+        <translation>Nein. </translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>Node %1. z: the needle's axis, outwards. The residual is the error of the time step.</source>
+        <translation>Knoten %1. z: die Achse der Nadel, nach außen. Der Rest ist der Fehler des Zeitschritts.</translation>
+    </message>
+    <message>
+        <source>Node force (µN)</source>
+        <translation>Knotenkraft (µN)</translation>
+    </message>
+    <message>
+        <source>Node forces</source>
+        <translation>Knotenkräfte</translation>
+    </message>
+    <message>
+        <source>Nodes of the network; the profile's constants hold for its own mesh of 812</source>
+        <translation>Knoten des Netzes; die Konstanten des Profils gelten für sein eigenes Netz mit 812</translation>
+    </message>
+    <message>
+        <source>None yet: what you record is kept in </source>
+        <translation>Noch keine: was Sie aufnehmen, wird abgelegt in </translation>
+    </message>
+    <message>
+        <source>None: I type the pixel size</source>
+        <translation>Keines: ich gebe die Pixelgröße ein</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>Nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>Keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note at </source>
+        <translation>Notiz: </translation>
+    </message>
+    <message>
+        <source>Note changed</source>
+        <translation>Notiz geändert</translation>
+    </message>
+    <message>
+        <source>Note deleted; Ctrl+Z brings it back</source>
+        <translation>Notiz gelöscht; Strg+Z holt sie zurück</translation>
+    </message>
+    <message>
+        <source>Note kept</source>
+        <translation>Notiz behalten</translation>
+    </message>
+    <message>
+        <source>Note written into the recording</source>
+        <translation>Notiz in die Aufnahme geschrieben</translation>
+    </message>
+    <message>
+        <source>Note ▾</source>
+        <translation>Notiz ▾</translation>
+    </message>
+    <message>
+        <source>Nothing is recording: the note goes into the next recording</source>
+        <translation>Es läuft keine Aufnahme: die Notiz kommt in die nächste</translation>
+    </message>
+    <message>
+        <source>OBSERVE</source>
+        <translation>BEOBACHTUNG</translation>
+    </message>
+    <message>
+        <source>OLD: </source>
+        <translation>ALT: </translation>
+    </message>
+    <message>
+        <source>Objective</source>
+        <translation>Objektiv</translation>
+    </message>
+    <message>
+        <source>Of the integrator</source>
+        <translation>Des Integrators</translation>
+    </message>
+    <message>
+        <source>Of the zona; scales every force and no shape</source>
+        <translation>Der Zona; skaliert jede Kraft und keine Form</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>Oolemma</source>
+        <translation>Oolemm</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a recording or a video</source>
+        <translation>Aufzeichnung oder Video öffnen</translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open another session</source>
+        <translation>Eine andere Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Opening </source>
+        <translation>Wird geöffnet: </translation>
+    </message>
+    <message>
+        <source>Outer membrane</source>
+        <translation>Äußere Membran</translation>
+    </message>
+    <message>
+        <source>Over the session's time, or along the node's meridian in this frame</source>
+        <translation>Über der Zeit der Sitzung oder längs des Meridians des Knotens in diesem Bild</translation>
+    </message>
+    <message>
+        <source>PAST THE DEPTH STOP</source>
+        <translation>HINTER DEM TIEFENANSCHLAG</translation>
+    </message>
+    <message>
+        <source>PRESSURE</source>
+        <translation>DRUCK</translation>
+    </message>
+    <message>
+        <source>PUNCTURE</source>
+        <translation>DURCHSTICH</translation>
+    </message>
+    <message>
+        <source>PUNCTURE LIKELY</source>
+        <translation>DURCHSTICH WAHRSCHEINLICH</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Seite (*.html)</translation>
+    </message>
+    <message>
+        <source>Parallel springs</source>
+        <translation>Parallelkreisfedern</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Pellucida - </source>
+        <translation>Pellucida - </translation>
+    </message>
+    <message>
+        <source>Pellucida - Review</source>
+        <translation>Pellucida - Auswertung</translation>
+    </message>
+    <message>
+        <source>Pellucida - Review of </source>
+        <translation>Pellucida - Auswertung von </translation>
+    </message>
+    <message>
+        <source>Pellucida - Start</source>
+        <translation>Pellucida - Start</translation>
+    </message>
+    <message>
+        <source>Pellucida, teach</source>
+        <translation>Pellucida, Lehre</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Pictures, charts, tables and the report of this session</source>
+        <translation>Bilder, Diagramme, Tabellen und der Bericht dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>Pixel in the specimen</source>
+        <translation>Pixel im Präparat</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Play backwards</source>
+        <translation>Rückwärts abspielen</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Point at what the tracking took for something else: it goes on from there</source>
+        <translation>Zeigen Sie, was die Bildverfolgung verwechselt hat: sie macht von dort weiter</translation>
+    </message>
+    <message>
+        <source>Press %1 to choose this card</source>
+        <translation>Drücken Sie %1, um diese Karte zu wählen</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Profile of the cell</source>
+        <translation>Profil der Zelle</translation>
+    </message>
+    <message>
+        <source>Pull of a connector (µN)</source>
+        <translation>Zug einer Verbindung (µN)</translation>
+    </message>
+    <message>
+        <source>Punctured</source>
+        <translation>Durchstochen</translation>
+    </message>
+    <message>
+        <source>Punctured, </source>
+        <translation>Durchstochen, </translation>
+    </message>
+    <message>
+        <source>Punctured, 000 ms old</source>
+        <translation>Durchstochen, 000 ms alt</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Stoß</translation>
+    </message>
+    <message>
+        <source>QUESTION</source>
+        <translation>FRAGE</translation>
+    </message>
+    <message>
+        <source>Reading the session</source>
+        <translation>Die Sitzung wird gelesen</translation>
+    </message>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recorded in </source>
+        <translation>Aufgezeichnet in </translation>
+    </message>
+    <message>
+        <source>Recording paused, </source>
+        <translation>Aufnahme angehalten, </translation>
+    </message>
+    <message>
+        <source>Recording to </source>
+        <translation>Aufnahme nach </translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Release
+(hold)</source>
+        <translation>Lösen
+(halten)</translation>
+    </message>
+    <message>
+        <source>Remark for the session's events:</source>
+        <translation>Bemerkung zu den Ereignissen der Sitzung:</translation>
+    </message>
+    <message>
+        <source>Replace?</source>
+        <translation>Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Report written: </source>
+        <translation>Bericht geschrieben: </translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Reset</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Retract</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>Review a recorded session</source>
+        <translation>Aufgezeichnete Sitzung auswerten</translation>
+    </message>
+    <message>
+        <source>Review the session of </source>
+        <translation>Auswertung der Sitzung vom </translation>
+    </message>
+    <message>
+        <source>Right drag: turn</source>
+        <translation>Rechts ziehen: drehen</translation>
+    </message>
+    <message>
+        <source>Right. </source>
+        <translation>Richtig. </translation>
+    </message>
+    <message>
+        <source>SCALE</source>
+        <translation>SKALA</translation>
+    </message>
+    <message>
+        <source>SPEED</source>
+        <translation>TEMPO</translation>
+    </message>
+    <message>
+        <source>STEPS, PACE</source>
+        <translation>SCHRITTE, TEMPO</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <translation>GESTOPPT</translation>
+    </message>
+    <message>
+        <source>Save the difference as SVG, PDF or PNG</source>
+        <translation>Die Differenz als SVG, PDF oder PNG speichern</translation>
+    </message>
+    <message>
+        <source>Save the difference as a table</source>
+        <translation>Die Differenz als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Save the window as a picture</source>
+        <translation>Speichert das Fenster als Bild</translation>
+    </message>
+    <message>
+        <source>Saved </source>
+        <translation>Gespeichert: </translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Scale of this cell</source>
+        <translation>Skala dieser Zelle</translation>
+    </message>
+    <message>
+        <source>Scale: </source>
+        <translation>Skala: </translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Screenshot</source>
+        <translation>Bildschirmfoto</translation>
+    </message>
+    <message>
+        <source>Screenshot saved: </source>
+        <translation>Bildschirmfoto gespeichert: </translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>Erneut suchen</translation>
+    </message>
+    <message>
+        <source>Section through the mechanical model</source>
+        <translation>Schnitt durch das mechanische Modell</translation>
+    </message>
+    <message>
+        <source>Set up again</source>
+        <translation>Neu aufbauen</translation>
+    </message>
+    <message>
+        <source>Show node forces</source>
+        <translation>Knotenkräfte zeigen</translation>
+    </message>
+    <message>
+        <source>Show the events and doubts beside the views</source>
+        <translation>Zeigt Ereignisse und Zweifel neben den Ansichten</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>Sigma</translation>
+    </message>
+    <message>
+        <source>Simulated seconds a second, at most: slow motion</source>
+        <translation>Simulierte Sekunden je Sekunde, höchstens: Zeitlupe</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a node</source>
+        <translation>Leertaste spielt ab, Pfeiltasten gehen Bild für Bild, ein Druck auf die Zeitleiste oder auf die Kraft über der Zeit springt dorthin, ein Klick auf die Membran wählt einen Knoten</translation>
+    </message>
+    <message>
+        <source>Speed of the tip, as its manipulator reports it, else as it is seen. The mark is the largest speed of the hand: in contact, that of the push.</source>
+        <translation>Geschwindigkeit der Spitze, wie ihr Manipulator sie meldet, sonst wie sie zu sehen ist. Die Marke ist die größte Geschwindigkeit der Hand: in Kontakt die des Stoßes.</translation>
+    </message>
+    <message>
+        <source>Speed: times the session's own</source>
+        <translation>Tempo: Vielfaches der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Federn</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Start the source again from its first frame</source>
+        <translation>Beginnt die Quelle wieder bei ihrem ersten Bild</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Stiffness of the fibre</source>
+        <translation>Steifigkeit der Faser</translation>
+    </message>
+    <message>
+        <source>Stop the pipette and release the force on the hand at once</source>
+        <translation>Hält die Pipette sofort an und nimmt die Kraft von der Hand</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Suction</source>
+        <translation>Sog</translation>
+    </message>
+    <message>
+        <source>Sum: residual</source>
+        <translation>Summe: Rest</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surface: %1 ▾</source>
+        <translation>Oberfläche: %1 ▾</translation>
+    </message>
+    <message>
+        <source>Surface: plain ▾</source>
+        <translation>Oberfläche: einfarbig ▾</translation>
+    </message>
+    <message>
+        <source>Symplectic Euler, eq. (4)</source>
+        <translation>Symplektisches Euler-Verfahren, Gl. (4)</translation>
+    </message>
+    <message>
+        <source>TO TARGET</source>
+        <translation>ZUM ZIEL</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Tables as CSV</source>
+        <translation>Tabellen als CSV</translation>
+    </message>
+    <message>
+        <source>Take a shorter step than </source>
+        <translation>Wählen Sie einen kürzeren Schritt als </translation>
+    </message>
+    <message>
+        <source>Take back the last hint</source>
+        <translation>Letzten Hinweis zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take the needle out, then replace the cell by an intact one</source>
+        <translation>Nimmt die Nadel heraus und ersetzt die Zelle durch eine unversehrte</translation>
+    </message>
+    <message>
+        <source>Take the pipette out along its axis while held down</source>
+        <translation>Zieht die Pipette längs ihrer Achse heraus, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Taking the needle out</source>
+        <translation>Herausziehen der Nadel</translation>
+    </message>
+    <message>
+        <source>Target set</source>
+        <translation>Ziel gesetzt</translation>
+    </message>
+    <message>
+        <source>Target: </source>
+        <translation>Ziel: </translation>
+    </message>
+    <message>
+        <source>Teach</source>
+        <translation>Lehre</translation>
+    </message>
+    <message>
+        <source>Ten frames back</source>
+        <translation>Zehn Bilder zurück</translation>
+    </message>
+    <message>
+        <source>Ten frames forward</source>
+        <translation>Zehn Bilder weiter</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Tension (µN/µm)</source>
+        <translation>Spannung (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The cell at rest</source>
+        <translation>Die Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>The cell's own mass would be 10⁻¹² kg a node</source>
+        <translation>Die eigene Masse der Zelle wären 10⁻¹² kg je Knoten</translation>
+    </message>
+    <message>
+        <source>The file does not state its frame rate: type it, such as 30.</source>
+        <translation>Die Datei gibt ihre Bildrate nicht an: geben Sie sie ein, etwa 30.</translation>
+    </message>
+    <message>
+        <source>The file does not state the size of a pixel: type it in µm, such as 0.825.</source>
+        <translation>Die Datei gibt die Größe eines Pixels nicht an: geben Sie sie in µm ein, etwa 0.825.</translation>
+    </message>
+    <message>
+        <source>The force could not be computed: no force on the hand</source>
+        <translation>Die Kraft ließ sich nicht berechnen: keine Kraft auf die Hand</translation>
+    </message>
+    <message>
+        <source>The holding pipette draws a tongue of the zona into its mouth under a known suction. Finite elements of the aspirated shell give its modulus; that takes some seconds.</source>
+        <translation>Die Haltepipette saugt mit bekanntem Sog eine Zunge der Zona in ihre Mündung. Finite Elemente der angesaugten Schale geben den Modul; das dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>The kind's scale again</source>
+        <translation>Wieder die Skala der Zellart</translation>
+    </message>
+    <message>
+        <source>The last puncture: largest force before it, depth and work of the needle up to it. Stays until the next cell.</source>
+        <translation>Der letzte Durchstich: größte Kraft davor, Tiefe und Arbeit der Nadel bis dahin. Bleibt bis zur nächsten Zelle.</translation>
+    </message>
+    <message>
+        <source>The lesson's parameters, and the cell at rest</source>
+        <translation>Die Parameter der Lektion, und die Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>The live image of your microscope's camera, measured as it comes.</source>
+        <translation>Das Bild Ihrer Mikroskopkamera, gemessen, wie es kommt.</translation>
+    </message>
+    <message>
+        <source>The membrane</source>
+        <translation>Die Membran</translation>
+    </message>
+    <message>
+        <source>The needle moves as the scenario describes, again and again.</source>
+        <translation>Die Nadel bewegt sich, wie es das Szenario beschreibt, immer wieder.</translation>
+    </message>
+    <message>
+        <source>The needle out of the cell</source>
+        <translation>Die Nadel aus der Zelle</translation>
+    </message>
+    <message>
+        <source>The needle pushes this cell, and another instrument gives the force (or leave it 0 and give the stiffness, the rise of the force with depth).</source>
+        <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
+    </message>
+    <message>
+        <source>The next window has it</source>
+        <translation>Gilt ab dem nächsten Fenster</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>Die andere</translation>
+    </message>
+    <message>
+        <source>The picture shows shapes, not how stiff this cell is. One measurement makes all forces its own. Several add up.</source>
+        <translation>Das Bild zeigt Formen, nicht wie steif diese Zelle ist. Eine Messung macht alle Kräfte zu ihren eigenen. Mehrere ergänzen sich.</translation>
+    </message>
+    <message>
+        <source>The recording was interrupted, or is still being written</source>
+        <translation>Die Aufnahme wurde unterbrochen oder läuft noch</translation>
+    </message>
+    <message>
+        <source>The scenario's own motion</source>
+        <translation>Eigene Bewegung des Szenarios</translation>
+    </message>
+    <message>
+        <source>The screenshot can't be written: </source>
+        <translation>Das Bildschirmfoto lässt sich nicht schreiben: </translation>
+    </message>
+    <message>
+        <source>The session does not hold this profile</source>
+        <translation>Die Sitzung enthält dieses Profil nicht</translation>
+    </message>
+    <message>
+        <source>The session holds no such array of this node</source>
+        <translation>Die Sitzung enthält diese Größe für den Knoten nicht</translation>
+    </message>
+    <message>
+        <source>The source has ended</source>
+        <translation>Die Quelle ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The time step, </source>
+        <translation>Der Zeitschritt, </translation>
+    </message>
+    <message>
+        <source>The tip goes no deeper than this beyond the entry</source>
+        <translation>Die Spitze geht nicht tiefer als so weit hinter den Eintritt</translation>
+    </message>
+    <message>
+        <source>The whole image instead of the cell</source>
+        <translation>Das ganze Bild statt der Zelle</translation>
+    </message>
+    <message>
+        <source>Theme and language</source>
+        <translation>Farbschema und Sprache</translation>
+    </message>
+    <message>
+        <source>There is no camera to start: connect one, then press Search again.</source>
+        <translation>Keine Kamera zum Starten: schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
+    </message>
+    <message>
+        <source>There is no hint to take back</source>
+        <translation>Es gibt keinen Hinweis zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation>Es gibt nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation>Es gibt nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>These files exist. Replace them?
+
+</source>
+        <translation>Diese Dateien gibt es schon. Ersetzen?
+
+</translation>
+    </message>
+    <message>
+        <source>Thickness of the zona</source>
+        <translation>Dicke der Zona</translation>
+    </message>
+    <message>
+        <source>This cell is </source>
+        <translation>Diese Zelle ist </translation>
+    </message>
+    <message>
+        <source>This cell: what is left of its unknown stiffness after its scale was measured.</source>
+        <translation>Diese Zelle: was nach dem Messen ihrer Skala von ihrer unbekannten Steifigkeit bleibt.</translation>
+    </message>
+    <message>
+        <source>This is no cell</source>
+        <translation>Das ist keine Zelle</translation>
+    </message>
+    <message>
+        <source>This is the cell</source>
+        <translation>Das ist die Zelle</translation>
+    </message>
+    <message>
+        <source>This session</source>
+        <translation>Diese Sitzung</translation>
+    </message>
+    <message>
+        <source>This session's annotations can't be read: mend or remove annotations.csv first</source>
+        <translation>Die Anmerkungen dieser Sitzung sind nicht lesbar: berichtigen oder entfernen Sie zuerst annotations.csv</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Zeit (s)</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Tongue, mouth to apex</source>
+        <translation>Zunge, Mündung bis Scheitel</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Try the virtual microscope</source>
+        <translation>Virtuelles Mikroskop ausprobieren</translation>
+    </message>
+    <message>
+        <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
+        <translation>Geben Sie die Kantenlänge eines Kamerapixels in µm ein; sie steht im Datenblatt.</translation>
+    </message>
+    <message>
+        <source>Type the size of a pixel in µm, or choose the objective.</source>
+        <translation>Geben Sie die Größe eines Pixels in µm ein, oder wählen Sie das Objektiv.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo panning and zooming</source>
+        <translation>Macht Verschieben und Vergrößern rückgängig</translation>
+    </message>
+    <message>
+        <source>Use this measurement</source>
+        <translation>Diese Messung verwenden</translation>
+    </message>
+    <message>
+        <source>VOLUME</source>
+        <translation>VOLUMEN</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>Video (*.mp4);;Lossless video (*.avi)</source>
+        <translation>Video (*.mp4);;Verlustfreies Video (*.avi)</translation>
+    </message>
+    <message>
+        <source>Video of the views</source>
+        <translation>Video der Ansichten</translation>
+    </message>
+    <message>
+        <source>View as PNG</source>
+        <translation>Ansicht als PNG</translation>
+    </message>
+    <message>
+        <source>Wait for the export that is running, or cancel it</source>
+        <translation>Warten Sie auf den laufenden Export, oder brechen Sie ihn ab</translation>
+    </message>
+    <message>
+        <source>Wait: a session is being opened</source>
+        <translation>Warten Sie: eine Sitzung wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Wait: the session is being measured again</source>
+        <translation>Warten Sie: die Sitzung wird neu gemessen</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Waiting for a cell</source>
+        <translation>Warten auf eine Zelle</translation>
+    </message>
+    <message>
+        <source>Waiting for the first frame</source>
+        <translation>Warten auf das erste Bild</translation>
+    </message>
+    <message>
+        <source>What is drawn of the node</source>
+        <translation>Was vom Knoten gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>What is shown of the other session</source>
+        <translation>Was von der anderen Sitzung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What moves the needle</source>
+        <translation>Was die Nadel bewegt</translation>
+    </message>
+    <message>
+        <source>What moves the pipette</source>
+        <translation>Was die Pipette bewegt</translation>
+    </message>
+    <message>
+        <source>What the colour of the outer membrane shows</source>
+        <translation>Was die Farbe der äußeren Membran zeigt</translation>
+    </message>
+    <message>
+        <source>Which frames of both sessions belong together</source>
+        <translation>Welche Bilder beider Sitzungen zusammengehören</translation>
+    </message>
+    <message>
+        <source>Which kinds are listed</source>
+        <translation>Welche Arten aufgeführt sind</translation>
+    </message>
+    <message>
+        <source>Whole frame</source>
+        <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Window as PNG</source>
+        <translation>Fenster als PNG</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Herausziehen</translation>
+    </message>
+    <message>
+        <source>Without it the liquid leaves freely, and there is no pressure</source>
+        <translation>Ohne dies entweicht die Flüssigkeit ungehindert, und es gibt keinen Druck</translation>
+    </message>
+    <message>
+        <source>Write a note into the session: at this time, on a node or at a place in the image</source>
+        <translation>Schreibt eine Notiz in die Sitzung: zu diesem Zeitpunkt, an einem Knoten oder an einer Stelle im Bild</translation>
+    </message>
+    <message>
+        <source>Write frames, shapes and forces to a session folder</source>
+        <translation>Schreibt Bilder, Formen und Kräfte in einen Sitzungsordner</translation>
+    </message>
+    <message>
+        <source>Writing tables</source>
+        <translation>Tabellen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Der Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>You move the needle yourself.</source>
+        <translation>Sie bewegen die Nadel selbst.</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Your note; Enter keeps it</source>
+        <translation>Ihre Notiz; die Eingabetaste behält sie</translation>
+    </message>
+    <message>
+        <source>a number grew beyond all bounds</source>
+        <translation>eine Zahl wuchs über alle Grenzen</translation>
+    </message>
+    <message>
+        <source>along the meridian</source>
+        <translation>längs des Meridians</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>at rest: </source>
+        <translation>in Ruhe: </translation>
+    </message>
+    <message>
+        <source>at rest: 00.00 µN</source>
+        <translation>in Ruhe: 00.00 µN</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>beyond the target</source>
+        <translation>hinter dem Ziel</translation>
+    </message>
+    <message>
+        <source>by the manipulator</source>
+        <translation>laut Manipulator</translation>
+    </message>
+    <message>
+        <source>camera pixel</source>
+        <translation>Kamerapixel</translation>
+    </message>
+    <message>
+        <source>can't be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>complete</source>
+        <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>confidence below 50 % in </source>
+        <translation>Sicherheit unter 50 % in </translation>
+    </message>
+    <message>
+        <source>contact without a force in </source>
+        <translation>Kontakt ohne Kraft in </translation>
+    </message>
+    <message>
+        <source>damped for stability</source>
+        <translation>gedämpft, damit es stabil bleibt</translation>
+    </message>
+    <message>
+        <source>depth limit</source>
+        <translation>Tiefengrenze</translation>
+    </message>
+    <message>
+        <source>depth stop</source>
+        <translation>Tiefenanschlag</translation>
+    </message>
+    <message>
+        <source>depth stop </source>
+        <translation>Tiefenanschlag </translation>
+    </message>
+    <message>
+        <source>drop one on this window</source>
+        <translation>hierher ziehen</translation>
+    </message>
+    <message>
+        <source>end of travel</source>
+        <translation>Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>force on the cell at its limit</source>
+        <translation>Kraft auf die Zelle an der Grenze</translation>
+    </message>
+    <message>
+        <source>forces in 3-D</source>
+        <translation>Kräfte in 3-D</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation>Bilder/s</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>aus der Datei</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>indentation ±</source>
+        <translation>Eindellung ±</translation>
+    </message>
+    <message>
+        <source>inner membrane</source>
+        <translation>innere Membran</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>kind of cell </source>
+        <translation>Zellart </translation>
+    </message>
+    <message>
+        <source>largest force of the device</source>
+        <translation>größte Kraft des Geräts</translation>
+    </message>
+    <message>
+        <source>lessons</source>
+        <translation>lessons/de</translation>
+    </message>
+    <message>
+        <source>limit </source>
+        <translation>Grenze </translation>
+    </message>
+    <message>
+        <source>lost by the source</source>
+        <translation>von der Quelle verloren</translation>
+    </message>
+    <message>
+        <source>magnification</source>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>no cell</source>
+        <translation>keine Zelle</translation>
+    </message>
+    <message>
+        <source>no deeper while the force is unknown</source>
+        <translation>nicht tiefer, solange die Kraft unbekannt ist</translation>
+    </message>
+    <message>
+        <source>no force, see below</source>
+        <translation>keine Kraft, siehe unten</translation>
+    </message>
+    <message>
+        <source>no hand, no limit</source>
+        <translation>keine Hand, keine Grenze</translation>
+    </message>
+    <message>
+        <source>no interval</source>
+        <translation>kein Intervall</translation>
+    </message>
+    <message>
+        <source>no needle in sight</source>
+        <translation>keine Nadel in Sicht</translation>
+    </message>
+    <message>
+        <source>no plan without a hand</source>
+        <translation>kein Plan ohne Hand</translation>
+    </message>
+    <message>
+        <source>no plan yet</source>
+        <translation>noch kein Plan</translation>
+    </message>
+    <message>
+        <source>no surface with this node</source>
+        <translation>keine Oberfläche mit diesem Knoten</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not touched</source>
+        <translation>nicht berührt</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>oolemma</source>
+        <translation>Oolemm</translation>
+    </message>
+    <message>
+        <source>or stiffness</source>
+        <translation>oder Steifigkeit</translation>
+    </message>
+    <message>
+        <source>other touches</source>
+        <translation>andere Berührungen</translation>
+    </message>
+    <message>
+        <source>outer membrane</source>
+        <translation>äußere Membran</translation>
+    </message>
+    <message>
+        <source>over time</source>
+        <translation>über der Zeit</translation>
+    </message>
+    <message>
+        <source>picture </source>
+        <translation>Bild </translation>
+    </message>
+    <message>
+        <source>picture ±00 %, kind of cell ±00 %</source>
+        <translation>Bild ±00 %, diese Zelle ±00 %</translation>
+    </message>
+    <message>
+        <source>pixel size</source>
+        <translation>Pixelgröße</translation>
+    </message>
+    <message>
+        <source>puncture </source>
+        <translation>Durchstich </translation>
+    </message>
+    <message>
+        <source>quasi-static</source>
+        <translation>quasistatisch</translation>
+    </message>
+    <message>
+        <source>quasi-static: </source>
+        <translation>quasistatisch: </translation>
+    </message>
+    <message>
+        <source>quasi-static: is computed</source>
+        <translation>quasistatisch: wird berechnet</translation>
+    </message>
+    <message>
+        <source>recorded without their image</source>
+        <translation>ohne Bild aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>recorded without their surface</source>
+        <translation>ohne Oberfläche aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>same indentation</source>
+        <translation>gleiche Eindellung</translation>
+    </message>
+    <message>
+        <source>same time</source>
+        <translation>gleiche Zeit</translation>
+    </message>
+    <message>
+        <source>session.json was changed after it was written: don't trust calibration and profile</source>
+        <translation>session.json wurde nach dem Schreiben geändert: trauen Sie Kalibrierung und Profil nicht</translation>
+    </message>
+    <message>
+        <source>speed limit of the pipette</source>
+        <translation>Geschwindigkeitsgrenze der Pipette</translation>
+    </message>
+    <message>
+        <source>stable above </source>
+        <translation>stabil über </translation>
+    </message>
+    <message>
+        <source>stable at any step</source>
+        <translation>stabil bei jedem Schritt</translation>
+    </message>
+    <message>
+        <source>stable below </source>
+        <translation>stabil unter </translation>
+    </message>
+    <message>
+        <source>stiffer than the device can render</source>
+        <translation>steifer, als das Gerät darstellen kann</translation>
+    </message>
+    <message>
+        <source>such as 0.825</source>
+        <translation>etwa 0.825</translation>
+    </message>
+    <message>
+        <source>such as 3.45</source>
+        <translation>etwa 3.45</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>zurückgenommen</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>the computer was late</source>
+        <translation>der Rechner war zu spät</translation>
+    </message>
+    <message>
+        <source>the equations of an implicit step were not solved</source>
+        <translation>die Gleichungen eines impliziten Schritts wurden nicht gelöst</translation>
+    </message>
+    <message>
+        <source>the frame rate</source>
+        <translation>die Bildrate</translation>
+    </message>
+    <message>
+        <source>the hand</source>
+        <translation>die Hand</translation>
+    </message>
+    <message>
+        <source>the hand's reading jumped</source>
+        <translation>der Messwert der Hand sprang</translation>
+    </message>
+    <message>
+        <source>the nodes move with </source>
+        <translation>die Knoten bewegen sich mit </translation>
+    </message>
+    <message>
+        <source>the pipette lags behind the hand</source>
+        <translation>die Pipette hinkt der Hand nach</translation>
+    </message>
+    <message>
+        <source>the pipette's report jumped</source>
+        <translation>die Meldung der Pipette sprang</translation>
+    </message>
+    <message>
+        <source>the pixel size</source>
+        <translation>die Pixelgröße</translation>
+    </message>
+    <message>
+        <source>the profile</source>
+        <translation>das Profil</translation>
+    </message>
+    <message>
+        <source>the window is not drawn by an X server</source>
+        <translation>das Fenster wird nicht von einem X-Server gezeichnet</translation>
+    </message>
+    <message>
+        <source>this cell </source>
+        <translation>diese Zelle </translation>
+    </message>
+    <message>
+        <source>time since contact</source>
+        <translation>Zeit seit dem Kontakt</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>fach</translation>
+    </message>
+    <message>
+        <source>tip</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>tip beyond the entry</source>
+        <translation>Spitze hinter dem Eintritt</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>unknown membrane</source>
+        <translation>unbekannte Membran</translation>
+    </message>
+    <message>
+        <source>σ of that</source>
+        <translation>σ davon</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,282 @@
+#include "GuideWindow.h"
+
+#include <QShortcut>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "HandControl.h"
+#include "HintControl.h"
+#include "RunControl.h"
+#include "Words.h"
+#include "pellucida/operation/ProfileStrength.h"
+#include "presenters/ReadoutPresenter.h"
+#include "presenters/ScalePresenter.h"
+#include "presenters/SourcePresenter.h"
+#include "widgets/FactLine.h"
+#include "widgets/FeedPanel.h"
+#include "widgets/ForceCharts.h"
+#include "widgets/GaugeBar.h"
+#include "widgets/HandBar.h"
+#include "widgets/Icons.h"
+#include "widgets/MembranePanel.h"
+#include "widgets/StatusLine.h"
+#include "widgets/TopBar.h"
+#include "widgets/ViewWidget.h"
+
+namespace pellucida {
+namespace {
+
+constexpr int kTick_ms = 33;
+constexpr double kStatusPeriod_s = 0.1;
+constexpr double kNotice_s = 6.0;
+// A window lower than this has smaller gauges.
+constexpr int kLow_px = 780;
+// A mark of a hint: the needle it points at moves on.
+constexpr double kHintMark_s = 2.0;
+
+QString text_of(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+}  // namespace
+
+GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
+    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
+  feed_.set_caption(source_caption(run_->source_info()));
+  control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
+                                          [this](const QString& text, bool problem) { notify(text, problem); });
+  build();
+  clock_.start();
+  facts_->show_texts(readout_texts(nullptr, run_->profile()));
+  facts_->show_scale(scale_texts(nullptr, run_->profile()));
+  show_gauges();
+  show_status();
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
+  timer_.start(0);
+  run_->start();
+  if (console_ && options_.hand >= 0) console_->choose(options_.hand);
+  // What is on screen may lag behind by a tick: all parts once more before the picture.
+  screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
+    scenes_.poll();
+    show_scene();
+    show_status();
+  });
+}
+
+void GuideWindow::end_run() {
+  stop_run();
+  run_->rethrow_recording_fault();
+}
+
+// The hand first: its last ticks belong to the recording.
+void GuideWindow::stop_run() {
+  timer_.stop();
+  hand_.reset();
+  console_.reset();
+  run_->stop();
+}
+
+GuideWindow::~GuideWindow() {
+  stop_run();
+  // The widgets show the views: they go first.
+  delete takeCentralWidget();
+}
+
+void GuideWindow::build() {
+  setWindowTitle(text_of(window_title(run_->source_info())));
+  setWindowIcon(make_icon(Pictogram::kProgram));
+  resize(options_.width_px, options_.height_px);
+  setMinimumSize(1000, 640);
+  connect(new QShortcut(QKeySequence::Quit, this), &QShortcut::activated, this, [this] { close(); });
+
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(top_bar_ = build_top_bar());
+  column->addWidget(gauges_ = new GaugeBar(page));
+  column->addWidget(facts_ = new FactLine(page));
+  QSplitter* views = build_views();
+  if (console_) {
+    hand_ = std::make_unique<HandControl>(*console_, feed_, feed_panel_->view(), *this,
+                                          [this](const QString& text, bool problem) { notify(text, problem); });
+    column->addWidget(hand_->bar());
+  }
+  hints_ = new HintControl(
+      feed_, *feed_panel_,
+      [this](PersonHint::Kind kind, const Eigen::Vector2d& place_um) { give_hint(kind, place_um); },
+      [this] { control_->take_back_hint(); });
+
+  // Views above, charts below; every border can be dragged.
+  charts_ = new ForceCharts(nullptr);
+  auto* all = rows_ = new QSplitter(Qt::Vertical);
+  all->setHandleWidth(4);
+  all->setChildrenCollapsible(false);
+  all->addWidget(views);
+  all->addWidget(charts_);
+  // The upright borders are aligned, and stay so.
+  for (QSplitter* one : {views, static_cast<QSplitter*>(charts_)}) {
+    one->setStretchFactor(0, 1);
+    one->setStretchFactor(1, 1);
+    one->setSizes({10000, 10000});
+  }
+  connect(views, &QSplitter::splitterMoved, charts_, [this, views] { charts_->setSizes(views->sizes()); });
+  connect(charts_, &QSplitter::splitterMoved, views, [this, views] { views->setSizes(charts_->sizes()); });
+  all->setStretchFactor(0, 3);
+  all->setStretchFactor(1, 1);
+  all->setSizes({520, 250});
+  column->addSpacing(4);
+  column->addWidget(all, 1);
+  column->addWidget(status_line_ = new StatusLine(page));
+  setCentralWidget(page);
+  resizeEvent(nullptr);
+}
+
+// A low window has smaller gauges and charts, so that the image keeps its room; what a person has dragged stays.
+void GuideWindow::resizeEvent(QResizeEvent*) {
+  const bool is_low = height() < kLow_px;
+  if (!rows_ || is_low == is_low_) return;
+  is_low_ = is_low;
+  gauges_->set_low(is_low);
+  charts_->set_low(is_low);
+  rows_->setSizes(is_low ? QList<int>{700, 100} : QList<int>{520, 250});
+}
+
+TopBar* GuideWindow::build_top_bar() {
+  // What a button changed is shown at once.
+  const auto shown = [this](void (RunControl::*act)()) {
+    return [this, act] {
+      (control_.get()->*act)();
+      show_status();
+    };
+  };
+  TopBar::Actions actions;
+  actions.record = shown(&RunControl::toggle_recording);
+  actions.pause = shown(&RunControl::toggle_pause);
+  if (run_->can_restart()) actions.restart = shown(&RunControl::restart);
+  actions.note = [this] { control_->ask_for_note(); };
+  actions.scale = [this] { control_->ask_for_scale(scenes_.measured()); };
+  actions.picture = [this] { control_->save_picture(); };
+  return new TopBar(text_of(source_label(run_->source_info())), text_of(run_->source_info().name), std::move(actions),
+                    nullptr);
+}
+
+QSplitter* GuideWindow::build_views() {
+  auto* views = new QSplitter(Qt::Horizontal);
+  views->setHandleWidth(4);
+  views->setChildrenCollapsible(false);
+  views->addWidget(feed_panel_ = new FeedPanel(feed_, nullptr));
+  views->addWidget(membrane_panel_ = new MembranePanel(membranes_, nullptr));
+  return views;
+}
+
+double GuideWindow::now_s() const {
+  return 1e-3 * static_cast<double>(clock_.elapsed());
+}
+
+void GuideWindow::tick() {
+  QElapsedTimer spent;
+  spent.start();
+  const double begin_s = now_s();
+  const bool plan_changed = hand_ && hand_->tick();
+  if (scenes_.poll()) {
+    show_scene();
+  } else if (plan_changed) {
+    feed_panel_->view().render();
+  }
+  take_events();
+  if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
+    show_gauges();
+    show_status();
+    status_shown_s_ = begin_s;
+  }
+  // A slow renderer must leave time for the mouse and the other threads.
+  const int spent_ms = static_cast<int>(spent.elapsed());
+  timer_.start(std::max(kTick_ms - spent_ms, spent_ms / 3));
+}
+
+// All of the window that shows a scene, in one go.
+void GuideWindow::show_scene() {
+  facts_->show_texts(readout_texts(scenes_.measured(), run_->profile()));
+  facts_->show_scale(scale_texts(scenes_.measured(), run_->profile()));
+  if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
+  show_gauges();
+  feed_.refresh();
+  membranes_.refresh();
+  charts_->append(scenes_.new_rows());
+  feed_panel_->view().render();
+  membrane_panel_->view().render();
+  charts_->render();
+  ++drawn_count_;
+}
+
+void GuideWindow::show_gauges() {
+  const LiveStatus status = run_->status();
+  GaugeInput input;
+  input.scene = scenes_.measured();
+  input.strength = strength_of(run_->profile());
+  input.limits = limits_of(input.strength);
+  input.frame_age_s = 1e-3 * status.frame_age_ms;
+  input.is_still = run_->paused() || status.finished;
+  input.speed_um_per_s = seen_speed_um_per_s_;
+  if (console_) {
+    input.has_hand = true;
+    input.strength = console_->strength();
+    input.limits = console_->limits();
+    input.depth_stop_um = console_->depth_stop_um();
+    if (console_->plan()) input.plan = &*console_->plan();
+    const PipetteState pipette = console_->status().pipette;
+    if (pipette.known) {
+      input.tip_um = pipette.tip_um.eigen();
+      const Eigen::Vector3d velocity = pipette.velocity_um_per_s.eigen();
+      const double along = input.plan ? velocity.dot(input.plan->axis.eigen()) : 1.0;
+      input.speed_um_per_s = std::copysign(velocity.norm(), along);
+    }
+  }
+  feed_.set_reported_tip(input.tip_um ? std::optional<Eigen::Vector2d>(input.tip_um->head<2>()) : std::nullopt);
+  gauges_->show_gauges(make_gauges(input));
+}
+
+// What happened since the last tick: a puncture to keep on screen, what came of a hint.
+void GuideWindow::take_events() {
+  const std::vector<Event> events = run_->events_since(event_count_);
+  event_count_ += events.size();
+  if (!events.empty()) {
+    puncture_.take(events);
+    facts_->show_puncture(text_of(puncture_.text()));
+  }
+  for (const Event& event : events) {
+    if (event.kind == event_kind::kHint) notify(words("Hint: ") + text_of(event.detail), false);
+  }
+  if (hint_until_s_ > 0.0 && now_s() > hint_until_s_) {
+    hint_until_s_ = 0.0;
+    feed_.set_hints({});
+  }
+}
+
+void GuideWindow::give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um) {
+  control_->give_hint(kind, place_um);
+  feed_.set_hints({{place_um, hint_words(kind)}});
+  hint_until_s_ = now_s() + kHintMark_s;
+  feed_panel_->view().render();
+}
+
+void GuideWindow::show_status() {
+  const LiveStatus status = run_->status();
+  if (options_.repeat) control_->repeat_when_ended(status, now_s());
+  const StatusTexts texts = status_.update(status, scenes_.measured(), run_->paused(), drawn_count_, now_s());
+  status_line_->show_texts(texts);
+  if (now_s() >= notice_until_s_ || status.fault) status_line_->show_notice(texts.notice);
+  if (hand_) hand_->show_status();
+  top_bar_->show_state(status.recording, run_->paused());
+}
+
+void GuideWindow::notify(const QString& text, bool problem) {
+  status_line_->show_notice({text.toStdString(), problem ? current_theme().record : current_theme().accent});
+  notice_until_s_ = now_s() + kNotice_s;
+}
+
+}  // namespace pellucida

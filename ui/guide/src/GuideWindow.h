@@ -1,0 +1,102 @@
+#pragma once
+#include <vtkNew.h>
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+#include <cstdint>
+#include <memory>
+
+#include "TimedScreenshot.h"
+#include "pellucida/core_vtk/StageSource.h"
+#include "pellucida/guide/Guide.h"
+#include "pellucida/visualization_vtk/FeedView.h"
+#include "pellucida/visualization_vtk/MembraneView.h"
+#include "presenters/GaugePresenter.h"
+#include "presenters/PunctureMemory.h"
+#include "presenters/SceneFeed.h"
+#include "presenters/StatusPresenter.h"
+
+class QSplitter;
+
+namespace pellucida {
+
+class FeedPanel;
+class ForceCharts;
+class FactLine;
+class GaugeBar;
+class HandControl;
+class HintControl;
+class MembranePanel;
+class RunControl;
+class StatusLine;
+class TopBar;
+
+/// The workstation's window in Guide mode: feed and 3-D membranes side by side, force curves below, the gauges on top.
+/// One timer polls the run. A tick with a new scene shows that scene everywhere, and nothing newer anywhere.
+class GuideWindow : public QMainWindow {
+ public:
+  /// `console`: the hand on that run; nullptr: none.
+  GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options);
+  ~GuideWindow() override;
+
+  const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
+
+  /// Ends the run for good, once the window is closed. Throws OutputError where its recording could not be closed
+  /// whole.
+  void end_run();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void stop_run();
+  void build();
+  TopBar* build_top_bar();
+  QSplitter* build_views();
+
+  void tick();
+  void show_scene();
+  void show_gauges();
+  void take_events();
+  void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
+  void show_status();
+  void notify(const QString& text, bool problem);
+  double now_s() const;
+
+  std::unique_ptr<LiveRun> run_;
+  std::unique_ptr<OperatorConsole> console_;
+  GuideOptions options_;
+  vtkNew<StageSource> source_;
+  SceneFeed scenes_;
+  FeedView feed_{source_};
+  MembraneView membranes_{source_};
+  StatusPresenter status_;
+
+  std::unique_ptr<RunControl> control_;
+  std::unique_ptr<HandControl> hand_;
+  TopBar* top_bar_ = nullptr;
+  GaugeBar* gauges_ = nullptr;
+  FactLine* facts_ = nullptr;
+  HintControl* hints_ = nullptr;  // the feed panel's
+  FeedPanel* feed_panel_ = nullptr;
+  MembranePanel* membrane_panel_ = nullptr;
+  ForceCharts* charts_ = nullptr;
+  StatusLine* status_line_ = nullptr;
+  QSplitter* rows_ = nullptr;
+  bool is_low_ = false;
+
+  QTimer timer_;
+  QElapsedTimer clock_;
+  TipSpeed tip_speed_;
+  std::optional<double> seen_speed_um_per_s_;
+  PunctureMemory puncture_;
+  std::size_t event_count_ = 0;  // of the run's, taken so far
+  double hint_until_s_ = 0.0;    // a mark on the image
+  double status_shown_s_ = -1.0;
+  double notice_until_s_ = 0.0;
+  std::uint64_t drawn_count_ = 0;
+  std::unique_ptr<TimedScreenshot> screenshot_;
+};
+
+}  // namespace pellucida

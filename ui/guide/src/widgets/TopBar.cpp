@@ -1,0 +1,43 @@
+#include "widgets/TopBar.h"
+
+#include <QKeySequence>
+#include <QPushButton>
+
+#include "Words.h"
+#include "widgets/Icons.h"
+
+namespace pellucida {
+
+TopBar::TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent) : TitleBar(parent) {
+  record_ = add_button(words("Record"), Qt::Key_R, words("Write frames, shapes and forces to a session folder"),
+                       std::move(actions.record));
+  record_->setObjectName("record");
+  record_->setCheckable(true);
+  pause_ =
+      add_button(words("Pause"), Qt::Key_Space, words("Keep the newest frame on screen"), std::move(actions.pause));
+  if (actions.restart) {
+    add_button(words("Restart"), Qt::Key_Home, words("Start the source again from its first frame"),
+               std::move(actions.restart))
+        ->setIcon(make_icon(Pictogram::kRestart));
+  }
+  add_button(words("Note"), Qt::Key_N, words("Add a remark to the session's events"), std::move(actions.note))
+      ->setIcon(make_icon(Pictogram::kNote));
+  add_button(words("Scale"), Qt::Key_S, words("Measure how stiff this cell is, so that the forces are its own"),
+             std::move(actions.scale))
+      ->setIcon(make_icon(Pictogram::kScale));
+  add_button(words("Screenshot"), QKeySequence::Save, words("Save the window as a picture"), std::move(actions.picture))
+      ->setIcon(make_icon(Pictogram::kCamera));
+  add_look_menu();
+  add_name(source, source_tip);
+  show_state(false, false);
+}
+
+void TopBar::show_state(bool recording, bool paused) {
+  record_->setChecked(recording);
+  record_->setText(recording ? words("End recording") : words("Record"));
+  record_->setIcon(make_icon(recording ? Pictogram::kStop : Pictogram::kRecord));
+  pause_->setText(paused ? words("Resume") : words("Pause"));
+  pause_->setIcon(make_icon(paused ? Pictogram::kPlay : Pictogram::kPause));
+}
+
+}  // namespace pellucida

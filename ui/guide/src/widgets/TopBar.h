@@ -1,0 +1,29 @@
+#pragma once
+#include <functional>
+
+#include "widgets/TitleBar.h"
+
+namespace pellucida {
+
+/// The line at the window's top: name, the run's buttons, the source.
+class TopBar : public TitleBar {
+ public:
+  struct Actions {
+    std::function<void()> record;
+    std::function<void()> pause;
+    std::function<void()> restart;  ///< empty: the source can't, and there is no button
+    std::function<void()> note;
+    std::function<void()> scale;
+    std::function<void()> picture;
+  };
+
+  TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent);
+
+  void show_state(bool recording, bool paused);
+
+ private:
+  QPushButton* record_;
+  QPushButton* pause_;
+};
+
+}  // namespace pellucida
