@@ -38,6 +38,19 @@ TEST(RecordingSummary, NumbersAreThoseOfTheSession) {
   EXPECT_EQ(s.warnings, "mismatch 1; slip 2");
 }
 
+TEST(RecordingSummary, ARevokedPunctureIsNone) {
+  const TemporaryFolder folder;
+  const std::vector<double> forces{0.0, 1.0, 3.0, 3.5, 0.0};
+  test::write_session(folder / "s", forces,
+                      {{0.2, event_kind::kPuncture, "at 3.00 uN and 4.0 um"}, {0.3, event_kind::kRevoked, ""}});
+  EXPECT_TRUE(std::isnan(summarize_recording(folder / "s").puncture_time_s));
+  test::write_session(folder / "later", forces,
+                      {{0.2, event_kind::kPuncture, "at 3.00 uN and 4.0 um"},
+                       {0.3, event_kind::kRevoked, ""},
+                       {0.4, event_kind::kPuncture, "at 3.50 uN and 5.0 um"}});
+  EXPECT_NEAR(summarize_recording(folder / "later").puncture_time_s, 0.4, 1e-12);
+}
+
 TEST(RecordingSummary, WhatWasNotMeasuredIsNoNumber) {
   const TemporaryFolder folder;
   test::write_session(folder / "s", {kNoForce, 0.0});

@@ -122,6 +122,29 @@ TEST(CellPassport, APunctureNoticedLateKeepsItsForce) {
   EXPECT_NEAR(contact.puncture_depth_um, 40.0, 1e-12);
 }
 
+TEST(CellPassport, ARevokedPunctureIsNone) {
+  SyntheticRows rows;
+  rows.approach();
+  rows.push(0.5, 20.0, linear);
+  rows.punctured(3, 20.0);
+  rows.event(event_kind::kRevoked, "membrane and tip are together again at 20.5 um");
+  rows.push(20.5, 40.0, linear);
+  SyntheticRows whole = rows;
+  whole.approach();
+  const auto contact = only_contact(whole);
+  EXPECT_EQ(contact.outcome, "retracted");
+  EXPECT_TRUE(std::isnan(contact.puncture_s));
+  EXPECT_NEAR(contact.peak_force_uN, 4.0, 1e-12);
+  EXPECT_TRUE(mentions(contact.doubt_list, "was revoked"));
+  EXPECT_FALSE(mentions(contact.doubt_list, "punctures in one contact"));
+
+  rows.punctured(10, 45.0);
+  const auto pierced = only_contact(rows);
+  EXPECT_EQ(pierced.outcome, "punctured");
+  EXPECT_NEAR(pierced.puncture_force_uN, 4.0, 1e-12);
+  EXPECT_FALSE(mentions(pierced.doubt_list, "punctures in one contact"));
+}
+
 TEST(CellPassport, APunctureWithoutAForceJustBeforeHasNone) {
   SyntheticRows rows;
   rows.approach();

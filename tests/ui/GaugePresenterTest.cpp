@@ -201,6 +201,9 @@ TEST(PunctureMemory, StaysUntilTheNextCell) {
   EXPECT_EQ(memory.text(), "7.27 µN · 43.6 µm · 62.4 pJ");
   memory.take({{{6.0, event_kind::kNote, "new cell"}}});
   EXPECT_EQ(memory.text(), "");
+  // It was none.
+  memory.take({{puncture, {6.5, event_kind::kRevoked, ""}}});
+  EXPECT_EQ(memory.text(), "");
   // A real cell: another one was found, and is touched.
   memory.take({{puncture, {7.0, event_kind::kLost, ""}, {8.0, event_kind::kFound, ""}}});
   EXPECT_NE(memory.text(), "");

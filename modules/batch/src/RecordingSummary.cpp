@@ -83,12 +83,14 @@ RecordingSummary summarize_recording(const std::filesystem::path& session) {
   }
 
   std::map<std::string, int> warnings;
-  for (const Event& event : reader.events()) {
+  const std::vector<Event> events = reader.events();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const Event& event = events[i];
     if (event.kind == event_kind::kWarning) {
       ++summary.warning_count;
       for (const std::string& kind : kinds_of(event.detail)) ++warnings[kind];
     }
-    if (event.kind != event_kind::kPuncture || !std::isnan(summary.puncture_time_s)) continue;
+    if (event.kind != event_kind::kPuncture || !std::isnan(summary.puncture_time_s) || is_revoked(events, i)) continue;
     summary.puncture_time_s = event.time_s;
     const Measurement* before = peak_until(rows, event.time_s);
     if (!before) continue;

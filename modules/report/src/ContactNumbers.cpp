@@ -13,6 +13,8 @@ namespace {
 constexpr double kNone = ContactPassport::kNone;
 /// The force at a puncture is the largest of this time before it: a puncture may be noticed a frame or two late.
 constexpr double kBeforePuncture_s = 0.25;
+/// Events carry their frame's time, rounded as the tables write it.
+constexpr double kSameFrame_s = 1e-5;
 /// How long before the touch the needle's approach is looked at.
 constexpr double kApproach_s = 0.5;
 /// A removal curve that ends deeper than this, in shares of the largest depth, is cut off.
@@ -54,10 +56,24 @@ class ContactReader {
  private:
   const Measurement& row(std::size_t i) const { return input_.rows[i]; }
 
+  // The first that was not revoked: rows in that state before a revocation belong to the contact.
   void find_puncture() {
-    for (std::size_t i = span_.rows.begin; i < span_.rows.end && !puncture_row_; ++i) {
-      if (row(i).state == CellState::kPunctured) puncture_row_ = i;
+    std::optional<std::size_t> latest;
+    for (std::size_t i = span_.rows.begin; i < span_.rows.end; ++i) {
+      if (row(i).state == CellState::kPunctured) {
+        if (!latest) latest = i;
+        if (!puncture_row_) puncture_row_ = latest;
+      } else if (row(i).state) {
+        if (puncture_row_ == latest && is_revoked_at(row(i).time_s)) puncture_row_.reset();
+        latest.reset();
+      }
     }
+  }
+
+  bool is_revoked_at(double time_s) const {
+    return std::any_of(input_.events.begin(), input_.events.end(), [&](const Event& event) {
+      return event.kind == event_kind::kRevoked && std::abs(event.time_s - time_s) < kSameFrame_s;
+    });
   }
 
   const char* outcome() const {

@@ -43,6 +43,10 @@ void add_events(const PassportInput& input, double begin_s, double end_s, std::v
       doubts.push_back(sentence("at %.2f s: ", event.time_s) + warning_words(event, input.profile));
     } else if (event.kind == event_kind::kGap) {
       doubts.push_back(sentence("at %.2f s the source lost frames: ", event.time_s) + event.detail);
+    } else if (event.kind == event_kind::kRevoked) {
+      doubts.push_back(
+          sentence("at %.2f s the puncture reported before was revoked; until then the force is 0: ", event.time_s) +
+          event.detail);
     } else if (event.kind == event_kind::kNote && event.detail.starts_with(kNoForce)) {
       doubts.push_back(sentence("at %.2f s ", event.time_s) + event.detail);
     }
@@ -50,7 +54,11 @@ void add_events(const PassportInput& input, double begin_s, double end_s, std::v
 }
 
 void add_rows(const PassportInput& input, const ContactPassport& contact, std::vector<std::string>& doubts) {
-  int forceless = 0, force_count = 0, punctures = 0;
+  int forceless = 0, force_count = 0;
+  auto punctures = -std::count_if(input.events.begin(), input.events.end(), [&](const Event& event) {
+    return event.kind == event_kind::kRevoked && event.time_s >= contact.touch_s &&
+           event.time_s <= input.rows[contact.rows.end - 1].time_s;
+  });
   bool is_through = false;
   double lost_s = 0.0;
   const Measurement* before = nullptr;
@@ -71,7 +79,8 @@ void add_rows(const PassportInput& input, const ContactPassport& contact, std::v
     doubts.push_back(sentence("only %d frames in contact have a force", force_count));
   if (lost_s > 0.0) doubts.push_back(sentence("the cell was lost for %.2f s of the contact", lost_s));
   if (punctures > 1)
-    doubts.push_back(sentence("%d punctures in one contact; the numbers are the first one's", punctures));
+    doubts.push_back(
+        sentence("%d punctures in one contact; the numbers are the first one's", static_cast<int>(punctures)));
 }
 
 }  // namespace

@@ -235,8 +235,7 @@ class MechanicsStep::Impl {
     }
     if (e.puncture_revoked && reported_puncture_) {
       out.events.push_back(
-          {o.time_s, event_kind::kNote,
-           format("puncture revoked: membrane and tip are together again at %.1f um", o.indentation_um)});
+          {o.time_s, event_kind::kRevoked, format("membrane and tip are together again at %.1f um", o.indentation_um)});
     }
     if (!e.punctured) reported_puncture_ = false;
 

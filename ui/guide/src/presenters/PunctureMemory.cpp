@@ -18,7 +18,8 @@ void PunctureMemory::take(std::span<const Event> events) {
         last_ = now;
         found_anew_ = false;
       }
-    } else if (begins_new_cell(event) || (event.kind == event_kind::kContact && found_anew_)) {
+    } else if (begins_new_cell(event) || event.kind == event_kind::kRevoked ||
+               (event.kind == event_kind::kContact && found_anew_)) {
       last_.reset();
       found_anew_ = false;
     } else if (event.kind == event_kind::kFound) {

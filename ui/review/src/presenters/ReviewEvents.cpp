@@ -86,7 +86,8 @@ Color event_color(const ReviewEvent& event) {
   if (event.kind == event_kind::kPuncture) return state_color(CellState::kPunctured);
   if (event.kind == event_kind::kLost) return state_color(CellState::kLost);
   if (event.kind == event_kind::kLimit || event.kind == event_kind::kGap || event.kind == event_kind::kDropped ||
-      event.kind == event_kind::kThinned || event.kind == event_kind::kUnmeasured) {
+      event.kind == event_kind::kThinned || event.kind == event_kind::kUnmeasured ||
+      event.kind == event_kind::kRevoked) {
     return current_theme().warning;
   }
   if (event.kind == event_kind::kNote || event.kind == kAnnotationKind) return current_theme().plan;

@@ -108,7 +108,8 @@ void TimelineBar::draw_spans(QPainter& painter) const {
 
 void TimelineBar::draw_events(QPainter& painter) const {
   painter.setPen(Qt::NoPen);
-  for (const ReviewEvent& event : timeline_.events) {
+  for (std::size_t i = 0; i < timeline_.events.size(); ++i) {
+    const ReviewEvent& event = timeline_.events[i];
     const double x = x_of(event.time_s);
     const QColor color = to_qt(event_color(event));
     if (event.is_doubt) {
@@ -117,7 +118,7 @@ void TimelineBar::draw_events(QPainter& painter) const {
     if (event.kind == kDoubtKind) continue;
     painter.setBrush(color);
     painter.drawPolygon(QPolygonF({{x - 4.0, kMarksTop_px}, {x + 4.0, kMarksTop_px}, {x, kMarksTop_px + 8.0}}));
-    if (event.kind == event_kind::kPuncture) {
+    if (event.kind == event_kind::kPuncture && !is_revoked(timeline_.events, i)) {
       painter.fillRect(QRectF(x - 1.0, kMarksTop_px, 2.0, kBarTop_px + kBarHeight_px - kMarksTop_px),
                        to_qt(current_theme().text));
     }

@@ -1,5 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -17,6 +20,7 @@ namespace event_kind {
 inline constexpr const char* kContact = "contact";
 inline constexpr const char* kRelease = "release";
 inline constexpr const char* kPuncture = "puncture";
+inline constexpr const char* kRevoked = "revoked";
 inline constexpr const char* kLost = "lost";
 inline constexpr const char* kFound = "found";
 inline constexpr const char* kWarning = "warning";
@@ -47,6 +51,10 @@ inline constexpr std::array kEventKinds{
     EventKindInfo{event_kind::kPuncture,
                   "the membrane gave way; detail: the largest force before, the depth at it, the work of the needle on "
                   "the cell in uN um (1e-12 J)"},
+    EventKindInfo{
+        event_kind::kRevoked,
+        "the puncture reported last was none, the contact goes on; detail: where membrane and tip are together "
+        "again"},
     EventKindInfo{event_kind::kLost, "the cell, or its surface, can't be seen any more; detail: the reason"},
     EventKindInfo{event_kind::kFound, "the cell is seen, for the first time or again"},
     EventKindInfo{event_kind::kWarning,
@@ -80,5 +88,15 @@ inline constexpr std::array kEventKinds{
     EventKindInfo{event_kind::kStarted, "the recording began"},
     EventKindInfo{event_kind::kStopped, "the recording ended"},
 };
+
+/// Whether the `puncture` at place `index` of a session's events (any range of what has a `kind`, in the order of time)
+/// was revoked before the next one.
+template <class Events>
+bool is_revoked(const Events& events, std::size_t index) {
+  const auto next = std::find_if(
+      std::begin(events) + static_cast<std::ptrdiff_t>(index) + 1, std::end(events),
+      [](const auto& event) { return event.kind == event_kind::kPuncture || event.kind == event_kind::kRevoked; });
+  return next != std::end(events) && next->kind == event_kind::kRevoked;
+}
 
 }  // namespace pellucida
