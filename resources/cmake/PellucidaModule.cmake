@@ -46,18 +46,12 @@ function(pellucida_see_private_parts NAME)
   endforeach()
 endfunction()
 
-# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [TIMEOUT s] [WHOLE] [LONG])
+# pellucida_add_test(NAME SOURCES ... [LIBRARIES ...] LABELS ... [WHOLE] [LONG])
 # A GoogleTest program; each test case becomes a CTest test with the labels given. The targets tests_threads and tests_memory
 # build the programs labelled so: the thread and the address sanitizer run them on every change. WHOLE: the program is one CTest test,
-# for cases that share an expensive preparation. LONG: the same, and it runs only with `ctest -C long`.
+# for cases that share an expensive preparation. LONG: the same, and it runs only with `ctest -C long`. A limit of time is there against hangs alone, the same for all: CMakePresets.json.
 function(pellucida_add_test NAME)
-  cmake_parse_arguments(ARG "WHOLE;LONG" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
-  if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 120)
-  endif()
-  if(PELLUCIDA_SANITIZE)
-    math(EXPR ARG_TIMEOUT "5 * ${ARG_TIMEOUT}")
-  endif()
+  cmake_parse_arguments(ARG "WHOLE;LONG" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options GTest::gtest_main Threads::Threads)
   target_precompile_headers(${NAME} REUSE_FROM pellucida_headers_tests)
@@ -72,7 +66,7 @@ function(pellucida_add_test NAME)
   # Several labels become one, "unit+threads": the discovery takes its properties as one flat list, and `ctest -L` matches
   # parts of a label.
   string(REPLACE ";" "+" label "${ARG_LABELS}")
-  set(properties LABELS ${label} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "VTK_SMP_BACKEND_IN_USE=Sequential")
+  set(properties LABELS ${label} ENVIRONMENT "VTK_SMP_BACKEND_IN_USE=Sequential")
   # Programs that draw: Mesa's renderer is unloaded before leaks are counted, so that its own have no name to go by.
   if(PELLUCIDA_SANITIZE MATCHES "address" AND label MATCHES "gui|integration")
     list(APPEND properties ENVIRONMENT_MODIFICATION ASAN_OPTIONS=set:detect_leaks=0)

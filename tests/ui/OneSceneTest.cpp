@@ -71,12 +71,12 @@ class OneScene : public test::DisplayTest {
     return found ? found->text().toStdString() : std::string("no label ") + label;
   }
 
-  // Calls `look` between the window's events until it says so, or a minute has gone.
+  // Calls `look` between the window's events until it says so, or five minutes have gone.
   template <class Look>
   static bool watch(Look look) {
     QElapsedTimer clock;
     clock.start();
-    while (clock.elapsed() < 60000) {
+    while (clock.elapsed() < 300000) {
       QApplication::processEvents(QEventLoop::AllEvents, 5);
       if (look()) return true;
     }
