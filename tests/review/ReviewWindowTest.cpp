@@ -32,6 +32,8 @@ TEST_F(ReviewWindowTest, OpensASessionAndShowsItsFacts) {
   EXPECT_EQ(text("sourceName"), "S");
   EXPECT_EQ(window_->findChild<QTreeWidget*>("events")->topLevelItemCount(), 2);
   EXPECT_EQ(text("profile"), "mouse-oocyte");
+  const auto* profile = window_->findChild<QLabel*>("profile");
+  EXPECT_GE(profile->width(), profile->sizeHint().width()) << "cut off";
 }
 
 TEST_F(ReviewWindowTest, KeysStepThroughTheRecordedRows) {

@@ -62,7 +62,7 @@ std::vector<ChartMark> moments(const CellPassport& cell) {
 
 Chart force_over_time(const PassportInput& input, const CellPassport& cell, const RowRange& range) {
   Chart chart;
-  chart.title = "Force over time, with its 95 % intervals: picture (dark), and the whole (light)";
+  chart.title = "Force over time";
   chart.x_label = "time (s)";
   chart.y_label = "force (" + unit_text("uN") + ")";
   const auto force_uN = [&](std::size_t i) { return input.rows[i].contact_force_uN; };

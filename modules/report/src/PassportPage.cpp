@@ -285,7 +285,8 @@ std::string glossary() {
 constexpr const char* kReadingHelp =
     "Each number comes with its 95 % interval, where the session has one. It is the whole: what the picture leaves "
     "open (depth, shape, model, sizes) and what the scale does (how single cells of one kind differ, less once this "
-    "cell's scale was measured). Both are given for the peak force, as standard deviations: numbers of one cell differ "
+    "cell's scale was measured). In the charts the dark band is the picture's part, the light one the whole. Both are "
+    "given for the peak force, as standard deviations: numbers of one cell differ "
     "by the picture's part alone, since the scale is one factor on all of them. Sessions of earlier versions give one "
     "interval, which does not contain how cells differ. Work and stiffness take the force's interval with them. A "
     "puncture's force after the event is 0 by definition, not measured.";

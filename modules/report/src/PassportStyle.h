@@ -19,7 +19,7 @@ h3 { margin: 0 0 2px; font-size: 12px; color: var(--dim); font-weight: 600; }
 .kind { margin: 0; white-space: nowrap; color: var(--dim); font-size: 13px; }
 .facts { display: grid; grid-template-columns: repeat(3, 1fr); gap: 8px 20px; margin: 14px 0 0; padding: 10px 0;
   border-top: 2px solid var(--ink); border-bottom: 1px solid var(--rule); }
-.facts .wide { grid-column: span 2; }
+.facts .wide { grid-column: span 2; margin-top: 0; }
 .facts dt { color: var(--dim); font-size: 12px; }
 .facts dd { margin: 0; overflow-wrap: anywhere; }
 table { border-collapse: collapse; width: 100%; }
@@ -74,10 +74,10 @@ svg .thin { stroke-width: 1.4; }
 svg .removal { stroke: var(--removal); stroke-dasharray: 6 3; }
 svg .dot { fill: var(--page); stroke: var(--curve); stroke-width: 2; }
 @media (max-width: 640px) { .facts, .headline { grid-template-columns: 1fr 1fr; } .charts { grid-template-columns: 1fr; } .numbers { columns: 1; } }
-@page { size: A4; margin: 12mm 13mm; }
+@page { size: A4; margin: 10mm 13mm; }
 @media print { body { max-width: none; padding: 0; font-size: 9.5pt; } .glossary { display: none; }
-  h1 { font-size: 15pt; } .facts { margin-top: 6px; padding: 5px 0; gap: 4px 20px; } .numbers { margin-top: 2px; } .numbers table { font-size: 8pt; line-height: 1.25; }
-  .numbers th, .numbers td { padding: 1px 6px 1px 0; } .numbers h3 { font-size: 8pt; } .numbers section { margin-bottom: 5px; } .charts { margin: 4px 0; gap: 2px 14px; }
+  h1 { font-size: 15pt; } .facts { margin-top: 6px; padding: 5px 0; gap: 4px 20px; } .numbers { margin-top: 2px; } .numbers table { font-size: 8pt; line-height: 1.15; }
+  .numbers th, .numbers td { padding: 0.4px 6px 0.4px 0; } .numbers h3 { font-size: 8pt; break-after: avoid; } .numbers section { margin-bottom: 4px; break-inside: auto; } .charts { margin: 4px 0; gap: 0 14px; } svg.chart { width: 88%; }
   .headline { margin: 6px 0 4px; } .headline div { padding: 4px 10px; } .headline dd { font-size: 13pt; line-height: 1.25; }
   .facts dt, .headline dt, thead th, .small { font-size: 8pt; } footer { margin-top: 6px; padding-top: 5px; font-size: 7pt; line-height: 1.3; } footer p { margin-bottom: 2px; }
   .cell { break-before: page; margin-top: 0; } .cell.first { break-before: auto; margin-top: 8px; padding-top: 8px; } .cell.brief { break-before: auto; margin-top: 12px; }

@@ -94,6 +94,8 @@ void ReadoutBar::show_texts(const ReadoutTexts& texts) {
   show_phrase(*confidence_.value, texts.confidence);
   show_phrase(*profile_.value, texts.profile);
   profile_.value->setToolTip(QString::fromStdString(texts.profile_tip));
+  // A request for room that came while the bar was being shown is lost otherwise.
+  layout()->activate();
 }
 
 }  // namespace pellucida
