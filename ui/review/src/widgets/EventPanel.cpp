@@ -1,6 +1,7 @@
 #include "widgets/EventPanel.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QSignalBlocker>
