@@ -82,7 +82,6 @@ bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, dou
 }
 
 bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image) {
-  doubted_.reset();
   if (!valid_) return false;
   double share = 1.0;
   const std::optional<TipReading> seen = best_reading(network, image, share);
@@ -90,20 +89,11 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
-  if (back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px && ++sprung_readings_ < kSprungReadings) {
-    doubted_ = *seen;
+  if (back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px && ++sprung_readings_ < kSprungReadings)
     return false;
-  }
   sprung_readings_ = 0;
   take(*seen, share);
   return true;
-}
-
-void NeedleTracker::believe_reading() {
-  if (!valid_ || !doubted_) return;
-  sprung_readings_ = 0;
-  take(*doubted_, 1.0);
-  doubted_.reset();
 }
 
 bool NeedleTracker::take_bevel(TipNetwork& network, const FrameSampler& image) {

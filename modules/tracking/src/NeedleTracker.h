@@ -69,10 +69,8 @@ class NeedleTracker {
   bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
 
   /// The same for a needle in contact, whose tip a membrane that springs back seems to take along: where the shaft has
-  /// not gone back with it, such a reading is doubted until it lasts.
+  /// not gone back with it, such a reading is believed only once it lasts.
   bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image);
-  /// Takes this frame's doubted reading after all: the membrane has not sprung back. Nothing happens without one.
-  void believe_reading();
 
   /// Where a network reads the tip at the side of the needle's end, as a bevel's is, it is taken over. For needles that
   /// are followed by lines, while nothing hides the tip. False, and nothing happens, where it is not so.
@@ -134,7 +132,6 @@ class NeedleTracker {
   double end_bias_ = 0.0;         // px: the tip lies so much further ahead than its edges end
   int frames_since_learning_ = 0;
   int sprung_readings_ = 0;  // in a row, not believed
-  std::optional<TipReading> doubted_;
   bool clear_seen_ = false;
   bool valid_ = false;
 };
