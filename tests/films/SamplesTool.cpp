@@ -1,10 +1,11 @@
 // A developer's tool, not installed and no test: labelled pictures to train a segmenter on, one of each random film of
 // the families of tuning.
-//   film_samples --out FOLDER [--count N] [--first SEED]
+//   film_samples --out FOLDER [--count N] [--first SEED] [--plain yes]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file, outer or
 // inner, then x and y of the boundary's points, px); NNNNN is the film's seed. Several of them may run at once with
-// other seeds. Truth may lie outside the picture. Empty where there is no cell.
+// other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual microscope's plain
+// drawing instead of a look.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -69,6 +70,7 @@ void write(std::ofstream& csv, const char* stem, const char* which, const Contou
 int main(int count, char** arguments) {
   std::filesystem::path out;
   std::uint64_t first = 1, wanted = 100;
+  bool is_plain = false;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = arguments[i], value = arguments[i + 1];
     if (word == "--out")
@@ -77,6 +79,8 @@ int main(int count, char** arguments) {
       wanted = std::stoull(value);
     else if (word == "--first")
       first = std::stoull(value);
+    else if (word == "--plain")
+      is_plain = value == "yes";
     else
       return std::fprintf(stderr, "film_samples: unknown argument %s\n", word.c_str()), 2;
   }
@@ -84,14 +88,15 @@ int main(int count, char** arguments) {
   std::filesystem::create_directories(out);
   cv::setNumThreads(1);
   std::ofstream csv(out / ("samples_" + std::to_string(first) + ".csv"));
-  csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,center_x_px,center_y_px,outer_radius_px,contrast,family,"
-         "frame\n";
+  csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,tip_radius_px,center_x_px,center_y_px,outer_radius_px,contrast,"
+         "family,frame\n";
   std::ofstream contours(out / ("contours_" + std::to_string(first) + ".csv"));
   contours << std::fixed << std::setprecision(3);
   for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
     try {
       const test::RandomFilm film = test::draw_film(test::Split::kTuning, seed, kWidest_px);
-      VirtualMicroscope microscope(film.scenario, film.look);
+      VirtualMicroscope microscope =
+          is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.
       const long wanted_frame =
           static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(*microscope.info().frame_count));
@@ -109,7 +114,8 @@ int main(int count, char** arguments) {
       cv::imwrite((out / (std::string(stem) + "_label.png")).string(), label_of(film.scenario, seen), quick);
       const double pixel_um = view.pixel_size_um;
       csv << stem << ".png," << seen.needle->tip_um.x() / pixel_um << ',' << seen.needle->tip_um.y() / pixel_um << ','
-          << seen.needle->direction.x() << ',' << seen.needle->direction.y() << ',';
+          << seen.needle->direction.x() << ',' << seen.needle->direction.y() << ','
+          << seen.needle->tip_radius_um / pixel_um << ',';
       if (seen.outer)
         csv << seen.center_um.x() / pixel_um << ',' << seen.center_um.y() / pixel_um << ','
             << seen.rest_outer_radius_um / pixel_um << ',';

@@ -71,6 +71,18 @@ TEST(PunctureVerdict, DrawingBackIsNoPuncture) {
   EXPECT_NEAR(verdict.work_uN_um(), 0.5 * 0.1 * 2.0 * 2.0, 1e-9);
 }
 
+// The depths of a retraction on a relief picture: the contour stays in the dimple while the needle is drawn out of it.
+TEST(PunctureVerdict, AContourLeftInTheDimpleThatComesBackToTheTipIsNoPuncture) {
+  PunctureVerdict verdict = pushed(30.0, 0.1);
+  for (double tip = 27.0; tip > 12.0; tip -= 3.0) {
+    EXPECT_FALSE(verdict.judge(sight(tip, 0.4, 29.5, 0.5))) << tip;
+    verdict.add(tip, 0.1 * tip);
+  }
+  EXPECT_FALSE(verdict.judge(sight(12.0, 0.4, 11.0, 0.5)));
+  verdict.add(12.0, 1.2);
+  EXPECT_FALSE(verdict.judge(sight(9.0, 0.4, 9.0, 0.5)));
+}
+
 TEST(PunctureVerdict, ALagOfTheMembraneWithinItsNoiseIsNoPuncture) {
   PunctureVerdict verdict = pushed(20.0, 0.1);
   EXPECT_FALSE(verdict.judge(sight(20.5, 0.5, 19.0, 0.8)));

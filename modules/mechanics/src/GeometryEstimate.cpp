@@ -26,16 +26,20 @@ constexpr double kWholeSpread = 0.5;
 
 }  // namespace
 
-void GeometryEstimate::Seen::add(double length_um) {
+void GeometryEstimate::Seen::add(double length_um, double log_sigma) {
   if (!std::isfinite(length_um) || !(length_um > 0.0)) return;
   count = std::min(count + 1, kMostFrames);
   log_um += (std::log(length_um) - log_um) / count;
+  sigma += (log_sigma - sigma) / count;
 }
 
 void GeometryEstimate::update(const Observation& o) {
   const bool clear = o.state == CellState::kFree;
-  if (o.needle && (clear || tip_.count == 0)) tip_.add(o.needle->tip_radius_um);
-  if (o.holder && (clear || holder_.count == 0)) holder_.add(o.holder->outer_radius_um);
+  const auto sigma_or = [](double sigma, double usual) { return sigma > 0.0 ? sigma : usual; };
+  if (o.needle && (clear || tip_.count == 0))
+    tip_.add(o.needle->tip_radius_um, sigma_or(o.needle->tip_radius_sigma, kSeenTip_ratio));
+  if (o.holder && (clear || holder_.count == 0))
+    holder_.add(o.holder->outer_radius_um, sigma_or(o.holder->outer_radius_sigma, kSeenHolder_ratio));
 
   seen_thickness_um_ = o.rest_outer_radius_um - o.rest_inner_radius_um;
   thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um &&
@@ -46,15 +50,24 @@ void GeometryEstimate::update(const Observation& o) {
   geometry_.mid_radius_um = o.rest_outer_radius_um - 0.5 * geometry_.thickness_um;
 
   // No wider than a tool on this cell can be.
-  const auto length_um = [](const Seen& seen, double otherwise_um, double most_um) {
-    return std::min(seen.count > 0 ? std::exp(seen.log_um) : otherwise_um, most_um);
-  };
   const double radius_um = geometry_.mid_radius_um;
-  geometry_.tip_radius_um = length_um(tip_, profile_->tip_radius_um, 0.45 * radius_um);
-  geometry_.holder_radius_um =
-      length_um(holder_, profile_->holder_ring_um + profile_->holder_half_width_um, 0.9 * radius_um);
-  tip_sigma_ = tip_.count > 0 ? kSeenTip_ratio : kBenchTip_ratio;
-  holder_sigma_ = holder_.count > 0 ? kSeenHolder_ratio : kBenchHolder_ratio;
+  const Length tip = known(tip_, {profile_->tip_radius_um, kBenchTip_ratio}, kSeenTip_ratio);
+  const Length holder = known(holder_, {profile_->holder_ring_um + profile_->holder_half_width_um, kBenchHolder_ratio},
+                              kSeenHolder_ratio);
+  geometry_.tip_radius_um = std::min(tip.length_um, 0.45 * radius_um);
+  geometry_.holder_radius_um = std::min(holder.length_um, 0.9 * radius_um);
+  tip_sigma_ = tip.sigma;
+  holder_sigma_ = holder.sigma;
+}
+
+// A length seen less surely than edges show it is drawn towards the bench's usual one: by Bayes' rule, for that part of
+// its variance that comes on top.
+GeometryEstimate::Length GeometryEstimate::known(const Seen& seen, const Length& usual, double surest) {
+  if (seen.count == 0) return usual;
+  const double excess = std::max(0.0, seen.sigma * seen.sigma - surest * surest), own = usual.sigma * usual.sigma;
+  const double share = own / (own + excess);
+  return {std::exp(share * seen.log_um + (1.0 - share) * std::log(usual.length_um)),
+          std::hypot(std::min(seen.sigma, surest), std::sqrt(share * excess))};
 }
 
 double GeometryEstimate::force_sigma_ratio() const noexcept {

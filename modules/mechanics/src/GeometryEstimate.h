@@ -23,12 +23,18 @@ class GeometryEstimate {
   double force_sigma_ratio() const noexcept;
 
  private:
-  /// The mean of the logarithm of a length over the frames that show it.
+  /// The mean of the logarithm of a length over the frames that show it, and that of its standard deviation.
   struct Seen {
-    double log_um = 0.0;
+    double log_um = 0.0, sigma = 0.0;
     int count = 0;
-    void add(double length_um);
+    void add(double length_um, double log_sigma);
   };
+  /// With the standard deviation of its logarithm.
+  struct Length {
+    double length_um = 0.0, sigma = 0.0;
+  };
+  static Length known(const Seen& seen, const Length& usual, double surest);
+
   const CellProfile* profile_;
   MembraneGeometry geometry_;
   double seen_thickness_um_ = 0.0, thickness_sigma_um_ = 0.0, tip_sigma_ = 0.0, holder_sigma_ = 0.0;

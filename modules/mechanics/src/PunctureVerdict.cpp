@@ -118,8 +118,16 @@ bool PunctureVerdict::has_flank() const noexcept {
   return flank_um_ > std::max(kShallowestFlank_um, kFlankOverNoise * flank_noise_um());
 }
 
+// A contour that lags in the dimple while the needle is drawn back shows a membrane where nothing pushes it: when it
+// comes back to the tip, that is no recoil.
+bool PunctureVerdict::lies_beyond_tip(const Sight& now) noexcept {
+  const double sigma_um = std::hypot(now.tip_sigma_um, now.membrane_sigma_um);
+  return now.membrane_um - now.tip_um > std::max(kUsual_um, kSigmas * sigma_um);
+}
+
 void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
-  if (!is_doubted_ && !std::isnan(now.flank_um)) {
+  const bool is_pushed = !lies_beyond_tip(now);
+  if (is_pushed && !is_doubted_ && !std::isnan(now.flank_um)) {
     // Half of a squared difference is the variance of one.
     if (!std::isnan(last_flank_um_))
       flank_variance_um2_ += kNewest_ratio * (0.5 * std::pow(now.flank_um - last_flank_um_, 2) - flank_variance_um2_);
@@ -130,6 +138,7 @@ void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
     deepest_um_ *= kFade;
     flank_um_ *= kFade;
   }
+  if (!is_pushed) return;
   if (now.flank_um > flank_um_) flank_um_ = now.flank_um;
   if (now.membrane_um < deepest_um_) return;
   deepest_um_ = now.membrane_um;

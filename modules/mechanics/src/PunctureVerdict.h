@@ -75,6 +75,7 @@ class PunctureVerdict {
   double flank_noise_um() const noexcept;
   /// Flanks deep enough to say something.
   bool has_flank() const noexcept;
+  static bool lies_beyond_tip(const Sight& now) noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
   PunctureOdds odds_;

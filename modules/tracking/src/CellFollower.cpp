@@ -301,6 +301,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   membrane_depth_ = measure_membrane_depth();
   take_dimple();
   follow_flanks();
+  if (!are_flanks_back()) needle_.believe_reading();
   const bool was_free = contact_.state() == CellState::kFree;
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
                    needle_.valid() ? needle_.estimate().tip_sigma : 0.0});

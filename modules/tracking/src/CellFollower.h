@@ -30,6 +30,7 @@ struct FrameInput {
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
   const SceneReading* scene = nullptr;              ///< what the network shows of it; null: it wasn't asked
   SceneReader* reader = nullptr;                    ///< to read membranes and tip by; null: their lines are known
+  SceneReader* widths = nullptr;                    ///< to read the width of a needle's tip by; null: its edges say it
 };
 
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together
@@ -89,6 +90,7 @@ class CellFollower {
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
+  void read_tip_width(const FrameInput& frame, bool is_clear);
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);

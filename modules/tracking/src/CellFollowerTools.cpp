@@ -24,6 +24,12 @@ constexpr double kHaloLines = 4.0;
 // The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
 constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 
+// A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
+// logarithms are; how well the scene shows a width, likewise.
+constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kSceneWidthSigma = 0.2;
+// Frames between two readings of the tip's width.
+constexpr int kWidth_frames = 8;
+
 // The whole image in floating point: for searches, not for following.
 GrayImage gray(const ImageView& view) {
   GrayImage whole;
@@ -43,6 +49,17 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
   return holders;
 }
 
+// Its edges may be those of a halo: where the scene shows a holder of quite another width, that is its width.
+void check_width(HolderFit& holder, const SceneReading& scene) {
+  for (const SceneTool& seen : scene.holders) {
+    if (-holder.direction.dot(seen.direction) < kAlongHolder || !(seen.half_width_px > 0.0)) continue;
+    if (std::abs(std::log(holder.half_width / seen.half_width_px)) < kSameHolderWidth) return;
+    holder.half_width = seen.half_width_px;
+    holder.half_width_sigma = kSceneWidthSigma;
+    return;
+  }
+}
+
 }  // namespace
 
 NeedleZone CellFollower::zone() const {
@@ -59,7 +76,9 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
   motion_ = {};
   holder_ = find_holder(frame.image, frame.scene ? holders_among(tools, *frame.scene) : tools, circle, frame.noise);
+  if (holder_ && frame.scene) check_width(*holder_, *frame.scene);
   find_needle(frame, circle, tools);
+  read_tip_width(frame, true);
 }
 
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
@@ -129,10 +148,18 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
         needle_.read_tip_in_contact(frame.reader->tips(), frame.image);
       }
     }
+    read_tip_width(frame, contact_.state() == CellState::kFree);
   } else if (frame.reader != nullptr ? frame.scene != nullptr : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
   }
+}
+
+// Where the membrane does not lie about the tip; in contact only if it was never read before.
+void CellFollower::read_tip_width(const FrameInput& frame, bool is_clear) {
+  const bool is_first = needle_.valid() && !needle_.is_width_read();
+  if (frame.widths != nullptr && (is_first || (is_clear && frames_followed_ % kWidth_frames == 0)))
+    needle_.read_width(frame.widths->tip_widths(), frame.image);
 }
 
 // Through a needle that is a mere shade the membrane is seen, and its apex rests on the tip.

@@ -28,6 +28,7 @@ class MembraneTracker::Impl {
     const ImageView whole = fields_.process(view, noise);
     FrameInput frame{whole, FrameSampler(whole), noise, {}, &timings_};
     if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
+    if (options_.detection != Detection::kLines) frame.widths = &reader_;
     if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
     // Another size is another camera setting: nothing that was followed is where it was.
@@ -108,7 +109,6 @@ class MembraneTracker::Impl {
   }
 
   const std::string& hint_outcome() const noexcept { return hint_outcome_; }
-
   const TrackerOptions& options() const noexcept { return options_; }
   const TrackerTimings& timings() const noexcept { return timings_; }
 

@@ -21,6 +21,12 @@ constexpr int kSprungReadings = 4;
 // A bevel's tip lies so far beside the middle of the needle's end, px and in half widths of it; and no further.
 constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidths = 1.4;
 
+// So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
+// the edges followed differ from it by less than this, or than its standard deviation, they are the outline, as surely
+// as plain drawings have shown (docs/method.md, 4.4).
+constexpr int kMostWidthReadings = 12;
+constexpr double kSurestWidth = 0.08, kSameWidth = 0.12, kEdgesSigma = 0.15;
+
 }  // namespace
 
 double NeedleTracker::width_behind(const FrameSampler& image) const {
@@ -70,6 +76,7 @@ void NeedleTracker::take(const TipReading& seen, double share) {
   now_.tip = tip();
   now_.tip_sigma = seen.along_sigma_px;
   now_.tip_half_width = model_.cone.tip_radius();
+  take_width();
 }
 
 bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share) {
@@ -82,6 +89,7 @@ bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, dou
 }
 
 bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image) {
+  doubted_.reset();
   if (!valid_) return false;
   double share = 1.0;
   const std::optional<TipReading> seen = best_reading(network, image, share);
@@ -89,11 +97,20 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
-  if (back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px && ++sprung_readings_ < kSprungReadings)
+  if (back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px && ++sprung_readings_ < kSprungReadings) {
+    doubted_ = *seen;
     return false;
+  }
   sprung_readings_ = 0;
   take(*seen, share);
   return true;
+}
+
+void NeedleTracker::believe_reading() {
+  if (!valid_ || !doubted_) return;
+  sprung_readings_ = 0;
+  take(*doubted_, 1.0);
+  doubted_.reset();
 }
 
 bool NeedleTracker::take_bevel(TipNetwork& network, const FrameSampler& image) {
@@ -109,6 +126,28 @@ bool NeedleTracker::take_bevel(TipNetwork& network, const FrameSampler& image) {
   if (!is_at_side) return false;
   take(*seen, share);
   return true;
+}
+
+void NeedleTracker::read_width(TipWidthNetwork& network, const FrameSampler& image) {
+  if (!valid_ || width_readings_ >= kMostWidthReadings) return;
+  const TipWidthReading seen =
+      network.read(image, {tip(), axis_.direction}, is_read() ? read_half_width_ : width_behind(image));
+  const double information = 1.0 / (seen.sigma * seen.sigma + kSurestWidth * kSurestWidth);
+  width_information_ += information;
+  width_log_sum_ += information * std::log(seen.radius_px);
+  ++width_readings_;
+  take_width();
+}
+
+void NeedleTracker::take_width() {
+  now_.tip_radius = now_.tip_half_width;
+  now_.tip_radius_sigma = 0.0;
+  if (width_readings_ == 0) return;
+  const double log_px = width_log_sum_ / width_information_, sigma = std::sqrt(width_readings_ / width_information_);
+  const double apart = std::abs(std::log(now_.tip_half_width) - log_px);
+  const bool agree = !is_read() && apart < std::max(kSameWidth, sigma);
+  if (!agree) now_.tip_radius = std::exp(log_px);
+  now_.tip_radius_sigma = agree ? kEdgesSigma : sigma;
 }
 
 bool NeedleTracker::start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis,
@@ -140,6 +179,7 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   now_.tip = seen.tip;
   now_.direction = axis_.direction;
   now_.tip_half_width = kTipOfWidth * read_half_width_;
+  take_width();
   now_.edge_blur = kReadBlur_px;
   now_.tip_sigma = seen.along_sigma_px;
   now_.confidence = seen.share;

@@ -222,6 +222,7 @@ void NeedleTracker::rest_on(const Eigen::Vector2d& apex, double sigma_px) {
   covariance_(0, 1) = covariance_(1, 0) = 0.0;
   now_.tip = tip();
   now_.tip_half_width = model_.cone.tip_radius();
+  take_width();
   now_.tip_sigma = sigma_px;
   now_.evidence = now_.evidence | kDimple;
 }
@@ -329,6 +330,7 @@ void NeedleTracker::fill(double noise, const ShaftResult& shaft) {
   now_.tip = tip();
   now_.direction = axis_.direction;
   now_.tip_half_width = model_.cone.tip_radius();
+  take_width();
   const double far = std::min(60.0 * model_.unit_px, shaft_.behind_px());
   now_.widening = std::max(0.0, (model_.cone.half_width(far) - now_.tip_half_width) / far);
   now_.edge_blur = shaft_.blur_px();

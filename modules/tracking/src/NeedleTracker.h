@@ -10,6 +10,7 @@
 #include "ShaftFit.h"
 #include "TipFinder.h"
 #include "TipNetwork.h"
+#include "TipWidthNetwork.h"
 #include "ToolFinder.h"
 #include "pellucida/core/Observation.h"
 
@@ -19,8 +20,10 @@ namespace pellucida {
 struct NeedleEstimate {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
-  double tip_half_width = 2.0;
-  double widening = 0.0;   ///< half width gained per px behind the tip
+  double tip_half_width = 2.0;    ///< as its edges are followed, for what has to keep away from them
+  double tip_radius = 2.0;        ///< half its width at the tip, as geometry
+  double tip_radius_sigma = 0.0;  ///< standard deviation of its logarithm; 0: unknown
+  double widening = 0.0;          ///< half width gained per px behind the tip
   double edge_blur = 0.0;  ///< px, standard deviation: how far its edges' own darkness reaches beyond its outline
   double confidence = 0.0;
   double tip_sigma = 0.0;  ///< px along the direction
@@ -69,8 +72,10 @@ class NeedleTracker {
   bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
 
   /// The same for a needle in contact, whose tip a membrane that springs back seems to take along: where the shaft has
-  /// not gone back with it, such a reading is believed only once it lasts.
+  /// not gone back with it, such a reading is doubted until it lasts.
   bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image);
+  /// Takes this frame's doubted reading after all: the membrane has not sprung back. Nothing happens without one.
+  void believe_reading();
 
   /// Where a network reads the tip at the side of the needle's end, as a bevel's is, it is taken over. For needles that
   /// are followed by lines, while nothing hides the tip. False, and nothing happens, where it is not so.
@@ -79,6 +84,11 @@ class NeedleTracker {
   /// Where a network reads the tip of a needle whose shaft is followed; nothing where it isn't sure, and nothing else
   /// happens.
   std::optional<Eigen::Vector2d> tip_read(TipNetwork& network, const FrameSampler& image) const;
+
+  /// Reads how wide the needle is at its tip: the mean of the first readings, which all share what a look makes wrong.
+  /// Where the edges followed agree with it they are the more precise. Nothing happens once it was read often enough.
+  void read_width(TipWidthNetwork& network, const FrameSampler& image);
+  bool is_width_read() const noexcept { return width_readings_ > 0; }
 
   /// Begins with a needle whose shaft can't be followed, by its tip alone: about `axis`, `half_width_px` wide some way
   /// behind the tip. False where the network isn't sure.
@@ -108,6 +118,7 @@ class NeedleTracker {
   Eigen::Vector2d tip() const;
   double again_px() const;
   double width_behind(const FrameSampler& image) const;
+  void take_width();
   ShaftResult align(const FrameSampler& image, double noise, int rounds);
   Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px,
                  const NeedleCue& cue);
@@ -131,7 +142,11 @@ class NeedleTracker {
   double read_half_width_ = 0.0;  // px; above 0: no shaft is followed
   double end_bias_ = 0.0;         // px: the tip lies so much further ahead than its edges end
   int frames_since_learning_ = 0;
+  // Of the readings of its width: sums of 1 / sigma^2 and of logarithm / sigma^2, and how many.
+  double width_information_ = 0.0, width_log_sum_ = 0.0;
+  int width_readings_ = 0;
   int sprung_readings_ = 0;  // in a row, not believed
+  std::optional<TipReading> doubted_;
   bool clear_seen_ = false;
   bool valid_ = false;
 };

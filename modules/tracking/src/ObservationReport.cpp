@@ -80,6 +80,7 @@ void fill_holder(const CellFollower& cell, Observation& out, double pixel_size_u
   const Eigen::Vector2d back = mouth + 1.5 * cell.rest().outer_radius * pose.direction;
   pose.mouth_um = mouth * pixel_size_um;
   pose.outer_radius_um = found.half_width * pixel_size_um;
+  pose.outer_radius_sigma = found.half_width_sigma;
   pose.confidence = found.confidence;
   Eigen::Matrix<double, 2, 4> outline;
   outline << back + side, mouth + side, mouth - side, back - side;
@@ -93,7 +94,8 @@ NeedlePose needle_pose(const NeedleEstimate& n, double pixel_size_um) {
   NeedlePose pose;
   pose.tip_um = n.tip * pixel_size_um;
   pose.direction = n.direction;
-  pose.tip_radius_um = n.tip_half_width * pixel_size_um;
+  pose.tip_radius_um = n.tip_radius * pixel_size_um;
+  pose.tip_radius_sigma = n.tip_radius_sigma;
   pose.confidence = n.confidence;
   pose.tip_sigma_um = n.tip_sigma * pixel_size_um;
   pose.evidence = n.evidence;

@@ -67,6 +67,11 @@ TipNetwork& SceneReader::tips() {
   return *tips_;
 }
 
+TipWidthNetwork& SceneReader::tip_widths() {
+  if (!tip_widths_) tip_widths_ = std::make_unique<TipWidthNetwork>();
+  return *tip_widths_;
+}
+
 SceneReading SceneReader::read(const GrayImage& image) {
   const double scale = std::clamp(kOverviewWidth / image.width, kCoarsest, kFinest);
   const SceneWindow whole{

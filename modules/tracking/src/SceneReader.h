@@ -6,6 +6,7 @@
 #include "NeedleStart.h"
 #include "SceneReading.h"
 #include "TipNetwork.h"
+#include "TipWidthNetwork.h"
 #include "ToolFinder.h"
 
 namespace pellucida {
@@ -17,9 +18,10 @@ class SceneReader {
   /// frame.
   SceneReading read(const GrayImage& image);
 
-  /// To read the boundaries of a cell that is followed, and the tip of a needle.
+  /// To read the boundaries of a cell that is followed, the tip of a needle, and its width there.
   BoundaryNetwork& boundaries();
   TipNetwork& tips();
+  TipWidthNetwork& tip_widths();
 
  private:
   SceneNetwork& network();
@@ -28,6 +30,7 @@ class SceneReader {
   std::unique_ptr<SceneNetwork> network_;
   std::unique_ptr<BoundaryNetwork> boundaries_;
   std::unique_ptr<TipNetwork> tips_;
+  std::unique_ptr<TipWidthNetwork> tip_widths_;
 };
 
 /// A cell of the scene as a detection of edges of no known kind.

@@ -1,0 +1,128 @@
+#!/usr/bin/python3
+"""Trains the tip width network, which reads the patch of an image about a needle's tip, laid along the needle, and says how
+wide the needle is there, in any contrast, and how surely.
+
+    build/release/bin/film_samples --count 3600 --first 80041 --out samples     (a test program of this project draws them)
+    build/release/bin/film_samples --count 800 --first 90001 --plain yes --out samples
+    python3 train_tip_width.py samples tip_width.onnx --minutes 25
+
+Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only.
+The patch has WIDTH samples along the needle, the tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of them are
+the needle's half width some way behind, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
+planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes. The answer: the logarithm of half
+the width at the tip in samples, and that of its standard deviation.
+"""
+import os
+
+import cv2
+import numpy as np
+import torch
+from torch import nn
+
+from training import Block, arguments_of, draw_batch, export, normalised, rows_of, sampled, spacing_of, train, varied
+
+WIDTH, HEIGHT, AHEAD_OF = 80, 48, 56
+WIDTH_SAMPLES, LEAST_PX, MOST_PX = 7.0, 0.4, 3.0
+HELD_OUT = 12   # every so manieth picture only checks
+
+
+class WidthNetwork(nn.Module):
+    """Input (n, 2, HEIGHT, WIDTH), output (n, 2): mean and logarithm of the standard deviation."""
+
+    def __init__(self):
+        super().__init__()
+        self.look = nn.Sequential(Block(2, 16, stride=2, size=5), Block(16, 24), Block(24, 32, stride=2), Block(32, 32),
+                                  Block(32, 48, stride=2), Block(48, 48), nn.Conv2d(48, 16, 1), nn.ReLU())
+        self.judge = nn.Sequential(nn.Linear(16 * (HEIGHT // 8) * (WIDTH // 8), 48), nn.ReLU(), nn.Linear(48, 2))
+
+    def forward(self, x):
+        return self.judge(self.look(x).flatten(1))
+
+
+class Samples:
+    """Pictures of a folder that show a needle's tip; `load` takes in what has been added since."""
+
+    def __init__(self, folder):
+        self.folder, self.items, self.held_out, self.known = folder, [], [], set()
+        self.load()
+
+    def load(self):
+        for row in rows_of(self.folder):
+            if row["file"] not in self.known:
+                self.known.add(row["file"])
+                self.read(row)
+
+    def read(self, row):
+        tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
+                    (("tip_x_px", "tip_y_px"), ("direction_x", "direction_y")))
+        path = os.path.join(self.folder, row["file"])
+        image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+        if image is None or label is None or np.any(tip < 2) or np.any(tip > np.array(image.shape[::-1]) - 3):
+            return
+        way = way / np.hypot(*way)
+        across = np.array([-way[1], way[0]])
+        behind = tip - 0.05 * max(image.shape) * way
+        line = behind + np.arange(-60, 60.5, 0.5)[:, None] * across
+        x, y = np.round(line).astype(int).T
+        inside = (x >= 0) & (y >= 0) & (x < image.shape[1]) & (y < image.shape[0])
+        half = 0.25 * np.count_nonzero(label[y[inside], x[inside]] == 3)
+        if half >= 0.5:
+            items = self.held_out if len(self.known) % HELD_OUT == 0 else self.items
+            items.append((image, tip, way, half, float(row["tip_radius_px"])))
+
+    def draw(self, items, random):
+        image, tip, way, half, radius = items[random.integers(len(items))]
+        if random.random() < 0.5:
+            image, width = image[:, ::-1], image.shape[1]
+            tip, way = np.array([width - 1 - tip[0], tip[1]]), way * (-1, 1)
+        spacing = float(np.clip(half * np.exp(random.normal(0, 0.25)) / WIDTH_SAMPLES, LEAST_PX, MOST_PX))
+        angle = np.arctan2(way[1], way[0]) + random.normal(0, 0.015)
+        way = np.array([np.cos(angle), np.sin(angle)])
+        across = np.array([-way[1], way[0]])
+        wild = 4.0 if random.random() < 0.15 else 1.0
+        error = np.array([random.normal(0, 1.3 * wild), random.normal(0, 0.6 * wild)])
+        at = tip + spacing * (error[0] * way + error[1] * across)
+        reach = int(np.ceil(spacing * np.hypot(WIDTH, HEIGHT))) + 8
+        low = np.maximum(np.floor(at).astype(int) - reach, 0)
+        high = np.minimum(np.ceil(at).astype(int) + reach, image.shape[::-1])
+        if np.any(high - low < 8):
+            return None
+        part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
+        u, v = np.meshgrid(np.arange(WIDTH) - AHEAD_OF, np.arange(HEIGHT) - (HEIGHT - 1) / 2)
+        x, y = ((at - low)[k] + spacing * (u * way[k] + v * across[k]) for k in (0, 1))
+        grey = normalised(sampled(part, x, y))
+        planes = np.stack([grey, np.full_like(grey, spacing_of(spacing))]).astype(np.float32)
+        return planes, np.float32(np.log(radius / spacing))
+
+
+def loss_of(answer, truth):
+    sigma_log = answer[:, 1].clamp(-3.5, 1.0)
+    off = (answer[:, 0] - truth).abs() * torch.exp(-sigma_log)
+    # Normal near by, and no single picture decides: beyond two standard deviations it grows in proportion.
+    return (torch.where(off < 2, 0.5 * off ** 2, 2 * off - 2) + sigma_log).mean()
+
+
+def main():
+    options = arguments_of(__doc__, 25)
+    random = np.random.default_rng(1)
+    samples = Samples(options.samples)
+    network = WidthNetwork()
+
+    def loss_of_batch():
+        patches, truth = draw_batch(lambda: samples.draw(samples.items, random), lambda one: True, 24)
+        answer = network(patches)
+        return loss_of(answer, truth), (answer[:, 0] - truth).abs().median().item()
+
+    train(network, options, samples, loss_of_batch)
+    with torch.no_grad():
+        patches, truth = draw_batch(lambda: samples.draw(samples.held_out, random), lambda one: True, 2000)
+        answer = network(patches)
+        off = (answer[:, 0] - truth).numpy()
+        sigma = torch.exp(answer[:, 1].clamp(-3.5, 1.0)).numpy()
+    print(f"held out: off {np.mean(off):.3f} +- {np.std(off):.3f}, median {np.median(np.abs(off)):.3f}; over its own "
+          f"sigma (median {np.median(sigma):.3f}): {np.std(off / sigma):.2f}")
+    export(network, options.output, (1, 2, HEIGHT, WIDTH), "patch", "width")
+
+
+if __name__ == "__main__":
+    main()
