@@ -121,7 +121,7 @@ def main():
         sigma = torch.exp(answer[:, 1].clamp(-3.5, 1.0)).numpy()
     print(f"held out: off {np.mean(off):.3f} +- {np.std(off):.3f}, median {np.median(np.abs(off)):.3f}; over its own "
           f"sigma (median {np.median(sigma):.3f}): {np.std(off / sigma):.2f}")
-    export(network, options.output, (1, 2, HEIGHT, WIDTH), "patch", "width")
+    export(network, options.output, (2, 2, HEIGHT, WIDTH), "patch", "width")
 
 
 if __name__ == "__main__":

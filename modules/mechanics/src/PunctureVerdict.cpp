@@ -30,6 +30,8 @@ constexpr double kAtRest_ratio = 0.5;
 constexpr double kSprungBack_ratio = 0.8, kSprungSigma_ratio = 0.1;
 /// How the depth of late fades, per frame: a pipette drawn back slowly punctures nothing.
 constexpr double kFade = 0.9;
+/// A frame seen worse than this sets no depth to come back from.
+constexpr double kLeastSeen = 0.3;
 /// A shape that leaves the model's by this from one frame to the next, and is so many times what is usual, has sprung.
 constexpr double kSpring_um = 1.0;
 constexpr double kUnusual = 2.5;
@@ -126,7 +128,7 @@ bool PunctureVerdict::lies_beyond_tip(const Sight& now) noexcept {
 }
 
 void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
-  const bool is_pushed = !lies_beyond_tip(now);
+  const bool is_pushed = !lies_beyond_tip(now) && now.confidence >= kLeastSeen;
   if (is_pushed && !is_doubted_ && !std::isnan(now.flank_um)) {
     // Half of a squared difference is the variance of one.
     if (!std::isnan(last_flank_um_))

@@ -30,7 +30,7 @@ struct FrameInput {
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
   const SceneReading* scene = nullptr;              ///< what the network shows of it; null: it wasn't asked
   SceneReader* reader = nullptr;                    ///< to read membranes and tip by; null: their lines are known
-  SceneReader* widths = nullptr;                    ///< to read the width of a needle's tip by; null: its edges say it
+  SceneReader* networks = nullptr;                  ///< to ask for what lines alone don't say; null: not to be asked
 };
 
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together
@@ -76,6 +76,8 @@ class CellFollower {
 
   /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
   double new_dent_ratio() const noexcept { return dent_ - least_dent_; }
+  /// By more than noise and a cell's own motion make.
+  bool is_dented() const noexcept { return new_dent_ratio() > kDented_ratio; }
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
@@ -85,16 +87,21 @@ class CellFollower {
   bool is_doubtful() const noexcept { return is_doubtful_; }
 
  private:
+  static constexpr double kDented_ratio = 0.08;  // of the radius
+  // A needle seen worse than this may be elsewhere, and with it what the frame says of the contact.
+  static constexpr double kPoorNeedle = 0.5;
   NeedleZone zone() const;
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
+  bool is_before(const Eigen::Vector2d& center, double most_px) const;
   void read_tip_width(const FrameInput& frame, bool is_clear);
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
   void read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
+  void read_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void take_dimple();
@@ -113,7 +120,7 @@ class CellFollower {
   double quality_now() const;
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
-  Eigen::Vector2d far_side_center() const;
+  Eigen::Vector2d seat_center() const;
 
   TrackerOptions options_;
   MembraneSnakes snakes_;
@@ -122,7 +129,7 @@ class CellFollower {
   GlobalShiftEstimator scene_;
   RigidMotion rigid_;
   RigidMove motion_;
-  Eigen::Vector2d far_side_ = Eigen::Vector2d::Zero();  // centre of the circle through the side away from the needle
+  Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;
   ContactLogic contact_;
   std::optional<HolderFit> holder_;

@@ -11,9 +11,6 @@ namespace {
 // The most confidence in what one way of seeing has shown: nothing independent confirms where the boundaries lie.
 constexpr double kMostOfOneWay = 0.75;
 
-// A needle seen worse than this may be elsewhere, and with it what the frame says of the contact.
-constexpr double kPoorNeedle = 0.5;
-
 // Flanks of a dimple: so far beside the needle's line through the centre, of the radius; shallower ones say nothing,
 // px; how their depth of late fades, per frame; what share of it is back; what the tip must have kept of its depth
 // meanwhile.
@@ -21,8 +18,10 @@ constexpr double kFlankFrom_ratio = 0.2, kFlankTo_ratio = 0.65;
 constexpr double kLeastFlank_px = 2.0, kFlankFade = 0.95, kFlankBack_ratio = 0.6, kTipStays_ratio = 0.85;
 
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
-// not seen undisturbed; of the shift known from the far side of the cell alone.
-constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kFarSideSigma_px = 0.1;
+// not seen undisturbed; of the shift known from the whole outline while nothing pushes it, and from the cell's seat
+// alone (docs/method.md, 4.4), where no holder says where that is, of the depth as well.
+constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5;
+constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45, kNoHolderSigma_ratio = 0.05;
 
 }  // namespace
 
@@ -97,8 +96,9 @@ double CellFollower::membrane_sigma() const {
 
 double CellFollower::rest_sigma() const {
   const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
-  const double rigid = rigid_.valid() ? rigid_.sigma_px(needle_.estimate().direction) : kFarSideSigma_px;
-  return std::hypot(rest, rigid);
+  if (rigid_.valid()) return std::hypot(rest, rigid_.sigma_px(needle_.estimate().direction));
+  if (contact_.state() == CellState::kFree) return std::hypot(rest, kOutlineSigma_px);
+  return std::hypot(rest, kSeatSigma_px, holder_ ? 0.0 : kNoHolderSigma_ratio * std::max(0.0, membrane_depth_));
 }
 
 double CellFollower::depth_sigma() const {

@@ -13,7 +13,7 @@ namespace {
 
 // Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
 constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15;
-// Of the radius, beyond the centre: a needle is not taken up with its tip further through the cell.
+// Of the radius, beyond the centre: a needle does not lie with its tip further through the cell.
 constexpr double kThrough_ratio = 0.9;
 // An edge that many times as blurred as the membrane's line is wide can't be taken for one.
 constexpr double kShade_ratio = 2.0;
@@ -27,6 +27,8 @@ constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 // A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
 // logarithms are; how well the scene shows a width, likewise.
 constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kSceneWidthSigma = 0.2;
+// An end found by lines that moves so differently from the frame before is read by the network too.
+constexpr double kCheckedLeap_px = 3.0;
 // Frames between two readings of the tip's width.
 constexpr int kWidth_frames = 8;
 
@@ -85,31 +87,37 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
 void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
                                const std::vector<FoundTool>& tools) {
   const auto is_plausible = [&] {
-    const NeedleEstimate& n = needle_.estimate();
-    const double beyond = (n.tip - circle.center).dot(n.direction);
-    return n.tip_half_width < kBroadTip_ratio * circle.radius && beyond < kThrough_ratio * circle.radius;
+    return needle_.estimate().tip_half_width < kBroadTip_ratio * circle.radius &&
+           is_before(circle.center, kThrough_ratio * circle.radius);
   };
-  const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected) {
+  const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
     if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
     if (!needle_.start(frame.image, tool, frame.noise, expected)) return false;
-    if (frame.reader) needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
+    needle_.expect_half_width(scene_half_width_px);
+    if (frame.scene && frame.networks) needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
     return is_plausible();
   };
   if (frame.scene == nullptr) {
     for (const FoundTool& tool : tools)
-      if (!(holder_ && tool.direction.dot(holder_direction()) > 0.8) && is_needle(tool, nullptr)) return;
+      if (!(holder_ && tool.direction.dot(holder_direction()) > 0.8) && is_needle(tool, nullptr, 0.0)) return;
   } else {
     for (const SceneTool& seen : frame.scene->needles) {
       const ExpectedTip expected = expected_tip(seen);
       for (const FoundTool& tool : tools)
-        if (is_same(tool, seen) && is_needle(tool, &expected)) return;
-      if (is_needle(found_tool(seen), &expected)) return;
-      if (frame.reader == nullptr) continue;
+        if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px)) return;
+      if (is_needle(found_tool(seen), &expected, seen.half_width_px)) return;
+      if (frame.networks == nullptr) continue;
       const NeedleAxis axis{seen.tip, seen.direction};
-      if (needle_.start_read(frame.reader->tips(), frame.image, axis, seen.half_width_px) && is_plausible()) return;
+      if (needle_.start_read(frame.networks->tips(), frame.image, axis, seen.half_width_px) && is_plausible()) return;
     }
   }
   needle_.reset();
+}
+
+// No needle goes on through the whole cell.
+bool CellFollower::is_before(const Eigen::Vector2d& center, double most_px) const {
+  const NeedleEstimate& n = needle_.estimate();
+  return (n.tip - center).dot(n.direction) < most_px;
 }
 
 bool CellFollower::expect_needle(const FrameInput& frame, const Eigen::Vector2d& tip) {
@@ -138,18 +146,25 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
     NeedleCue cue{34.0, clear, frame.needle_motion_px, jump, std::nullopt};
     if (zone().is_shade) cue.body = reach_of_cell();
-    const bool seen = needle_.is_read() ? needle_.follow_read(frame.reader->tips(), frame.image, cue)
-                                        : needle_.track(frame.image, frame.noise, cue);
+    const Eigen::Vector2d before = needle_.motion();
+    bool seen = needle_.is_read() ? needle_.follow_read(frame.networks->tips(), frame.image, cue)
+                                  : needle_.track(frame.image, frame.noise, cue);
+    // Lines whose end leaps, or is seen poorly, may have lost it.
+    const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle ||
+                         (needle_.motion() - before).norm() > kCheckedLeap_px + 0.5 * before.norm();
+    const bool is_asked = frame.networks && (is_read_ || is_doubtful_ || is_poor);
+    if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
+    if (!is_before(center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
-    if (is_read_ && !needle_.is_read()) {
+    if (is_asked && !needle_.is_read()) {
       if (contact_.state() == CellState::kFree) {
-        needle_.read_tip(frame.reader->tips(), frame.image, 1.0);
+        needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
       } else {
-        needle_.read_tip_in_contact(frame.reader->tips(), frame.image);
+        needle_.read_tip_in_contact(frame.networks->tips(), frame.image);
       }
     }
     read_tip_width(frame, contact_.state() == CellState::kFree);
-  } else if (frame.reader != nullptr ? frame.scene != nullptr : frames_followed_ % 3 == 0 || frames_followed_ < 10) {
+  } else if (frame.scene || (frame.reader == nullptr && (frames_followed_ % 3 == 0 || frames_followed_ < 10))) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
   }
@@ -158,8 +173,8 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
 // Where the membrane does not lie about the tip; in contact only if it was never read before.
 void CellFollower::read_tip_width(const FrameInput& frame, bool is_clear) {
   const bool is_first = needle_.valid() && !needle_.is_width_read();
-  if (frame.widths != nullptr && (is_first || (is_clear && frames_followed_ % kWidth_frames == 0)))
-    needle_.read_width(frame.widths->tip_widths(), frame.image);
+  if (frame.networks != nullptr && (is_first || (is_clear && frames_followed_ % kWidth_frames == 0)))
+    needle_.read_width(frame.networks->tip_widths(), frame.image);
 }
 
 // Through a needle that is a mere shade the membrane is seen, and its apex rests on the tip.

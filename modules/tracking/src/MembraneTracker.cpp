@@ -28,7 +28,7 @@ class MembraneTracker::Impl {
     const ImageView whole = fields_.process(view, noise);
     FrameInput frame{whole, FrameSampler(whole), noise, {}, &timings_};
     if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
-    if (options_.detection != Detection::kLines) frame.widths = &reader_;
+    if (options_.detection != Detection::kLines) frame.networks = &reader_;
     if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
     // Another size is another camera setting: nothing that was followed is where it was.
@@ -45,7 +45,7 @@ class MembraneTracker::Impl {
       detect(frame);
       hint_outcome_ = has_cell_ ? "found" : "nothing like a cell was found there";
     } else if (has_cell_) {
-      if (!cell_.needle().valid() && is_needle_search_due()) look(frame);
+      if (needle_search_.is_due(cell_.needle().valid(), frames_since_detection_) && is_needle_missed()) look(frame);
       has_cell_ = cell_.follow(frame) && is_confirmed(frame);
       if (!has_cell_) detect(frame);
     } else if (frames_since_detection_ >= options_.redetect_interval_frames) {
@@ -170,7 +170,7 @@ class MembraneTracker::Impl {
     load(frame.view, whole_);
     if (options_.detection == Detection::kLines) return;
     scene_ = reader_.read(whole_);
-    if (by_scene()) frame.scene = &scene_;
+    frame.scene = &scene_;
   }
 
   // Looks for a cell with no memory of an earlier one; a person's hint serves once.
@@ -296,9 +296,9 @@ class MembraneTracker::Impl {
     return started && cell_.start(frame, found);
   }
 
-  bool is_needle_search_due() const {
-    return by_scene() &&
-           frames_since_detection_ % (frames_since_detection_ < kNewCell_frames ? 3 : kNeedleSearch_frames) == 0;
+  // By lines: where they aren't to be trusted alone, or something pushes and isn't seen.
+  bool is_needle_missed() const {
+    return by_scene() || cell_.is_doubtful() || cell_.state() != CellState::kFree || cell_.is_dented();
   }
 
   bool has_tools() const { return cell_.holder() || cell_.needle().valid(); }
@@ -349,6 +349,7 @@ class MembraneTracker::Impl {
   GrayImage whole_;
   SceneReader reader_;
   SceneReading scene_;
+  NeedleSearch needle_search_;
   std::optional<CellHint> hint_;
   std::optional<Eigen::Vector2d> tip_hint_um_;  // for the next frame
   std::vector<HintInForce> in_force_;           // by a person, in the order given

@@ -1,6 +1,7 @@
 // The needle's tip by a network: beside the followed shaft, or by itself where no shaft can be followed.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "NeedleTracker.h"
 
@@ -14,6 +15,9 @@ constexpr double kWidthBehind = 0.05, kLeastTipShare = 0.5, kReadAgain_px = 3.0;
 // motion, what it goes on with.
 constexpr double kTipOfWidth = 0.5, kReadBlur_px = 1.0, kGoesOn = 0.7;
 
+// Lines may run inside the needle: of its width as the scene shows it, at least and at most that at the tip's patch.
+constexpr double kLeastOfScene = 0.6, kMostOfScene = 1.3;
+
 // In contact: a tip read so far further back, px and in standard deviations, than the shaft has gone has sprung back
 // with the membrane; so many readings in a row of that kind, and it is there.
 constexpr double kSprung_px = 5.0, kSprungSigmas = 3.0;
@@ -21,6 +25,10 @@ constexpr int kSprungReadings = 4;
 // A bevel's tip lies so far beside the middle of the needle's end, px and in half widths of it; and no further.
 constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidths = 1.4;
 
+// A tip known by readings alone that leaps by so much, px and in half widths, from where it is due, in frames once it
+// has been followed for some: so many in a row, and it is there. What the leap adds to its standard deviation.
+constexpr double kLeap_px = 5.0, kLeapHalfWidths = 1.0, kLeapSigma = 0.5;
+constexpr int kLeaps = 2, kSettled_frames = 3;
 // So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
 // the edges followed differ from it by less than this, or than its standard deviation, they are the outline, as surely
 // as plain drawings have shown (docs/method.md, 4.4).
@@ -30,7 +38,9 @@ constexpr double kSurestWidth = 0.08, kSameWidth = 0.12, kEdgesSigma = 0.15;
 }  // namespace
 
 double NeedleTracker::width_behind(const FrameSampler& image) const {
-  return model_.cone.half_width(kWidthBehind * std::max(image.width, image.height));
+  const double by_lines_px = model_.cone.half_width(kWidthBehind * std::max(image.width, image.height));
+  if (!(scene_half_width_ > 0.0)) return by_lines_px;
+  return std::clamp(by_lines_px, kLeastOfScene * scene_half_width_, kMostOfScene * scene_half_width_);
 }
 
 std::optional<Eigen::Vector2d> NeedleTracker::tip_read(TipNetwork& network, const FrameSampler& image) const {
@@ -160,6 +170,16 @@ bool NeedleTracker::start_read(TipNetwork& network, const FrameSampler& image, c
   return valid_;
 }
 
+bool NeedleTracker::go_on_read(TipNetwork& network, const FrameSampler& image) {
+  if (!valid_ || is_read()) return false;
+  NeedleTracker read = *this;
+  read.read_half_width_ = width_behind(image);
+  read.motion_.setZero();
+  if (!read.follow_read(network, image, {})) return false;
+  *this = std::move(read);
+  return true;
+}
+
 bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue) {
   axis_before_ = axis_;
   const Eigen::Vector2d expected = cue.commanded_px.value_or(kGoesOn * motion_) + cue.scene_jump_px;
@@ -174,6 +194,20 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
     motion_.setZero();
     return false;
   }
+  // A leap that no motion of late announces is believed when a second frame shows it.
+  const Eigen::Vector2d due = axis_before_.tip + expected;
+  const double leap_px = (seen.tip - due).norm();
+  const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
+  leaps_ = is_leap ? leaps_ + 1 : 0;
+  if (is_leap && leaps_ < kLeaps && read_frames_ > kSettled_frames) {
+    axis_.tip = due;
+    now_.tip = due;
+    now_.tip_sigma = std::max(now_.tip_sigma, kLeapSigma * leap_px);
+    now_.confidence *= 0.5;
+    motion_ = expected - cue.scene_jump_px;
+    return true;
+  }
+  ++read_frames_;
   axis_.tip = seen.tip;
   motion_ = axis_.tip - axis_before_.tip - cue.scene_jump_px;
   now_.tip = seen.tip;

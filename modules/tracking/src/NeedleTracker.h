@@ -66,6 +66,9 @@ class NeedleTracker {
   /// needle far out of focus is known no better than by what it begins to push.
   void rest_on(const Eigen::Vector2d& apex, double sigma_px);
 
+  /// Half its width as a whole picture shows it, px: what scales the networks' looks at its tip.
+  void expect_half_width(double half_width_px) noexcept { scene_half_width_ = half_width_px; }
+
   /// Reads the tip's place, moves the tip by `share` of the way to it, and learns how far from the tip its edges end,
   /// as a bevel's or a spike's end earlier, and how far beside the axis it lies. False, and nothing happens, where the
   /// network isn't sure.
@@ -95,6 +98,9 @@ class NeedleTracker {
   bool start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis, double half_width_px);
   /// Follows such a needle; its direction stays. False when its tip isn't seen.
   bool follow_read(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue);
+  /// From now on by its tip alone: its shaft can't be followed any more. False, and nothing happens, where the network
+  /// isn't sure.
+  bool go_on_read(TipNetwork& network, const FrameSampler& image);
   /// Whether it is known by its tip alone.
   bool is_read() const noexcept { return read_half_width_ > 0.0; }
 
@@ -136,16 +142,18 @@ class NeedleTracker {
   // Along the needle: place (relative to axis_.tip) and speed (px a frame), and their covariance.
   double ahead_ = 0.0, speed_ = 0.0;
   Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
-  double unrest_ = 1.0;           // px: how much the speed has been changing from frame to frame
-  double anchor_sigma_ = 1.0;     // px: how well the cone's place on the needle is known
-  double beside_ = 0.0;           // px: the tip lies so far beside the axis, as a bevel's does
-  double read_half_width_ = 0.0;  // px; above 0: no shaft is followed
-  double end_bias_ = 0.0;         // px: the tip lies so much further ahead than its edges end
+  double unrest_ = 1.0;            // px: how much the speed has been changing from frame to frame
+  double anchor_sigma_ = 1.0;      // px: how well the cone's place on the needle is known
+  double beside_ = 0.0;            // px: the tip lies so far beside the axis, as a bevel's does
+  double read_half_width_ = 0.0;   // px; above 0: no shaft is followed
+  double scene_half_width_ = 0.0;  // px; 0: no scene was seen
+  double end_bias_ = 0.0;          // px: the tip lies so much further ahead than its edges end
   int frames_since_learning_ = 0;
   // Of the readings of its width: sums of 1 / sigma^2 and of logarithm / sigma^2, and how many.
   double width_information_ = 0.0, width_log_sum_ = 0.0;
   int width_readings_ = 0;
-  int sprung_readings_ = 0;  // in a row, not believed
+  int leaps_ = 0, read_frames_ = 0;  // of a tip known by readings alone: leaps in a row, frames followed
+  int sprung_readings_ = 0;          // in a row, not believed
   std::optional<TipReading> doubted_;
   bool clear_seen_ = false;
   bool valid_ = false;

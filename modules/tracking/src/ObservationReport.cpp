@@ -11,7 +11,6 @@ namespace {
 // The contour rounds a steep dimple a little: what that adds to its sigma at the apex, px.
 constexpr double kRounding_px = 0.3;
 constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
-constexpr double kDented_ratio = 0.08;      // of the radius: more than noise and a cell's own motion make
 constexpr double kMostWhenUnseen = 0.5;     // confidence in a frame that shows a dent and not what makes it
 
 // The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
@@ -144,7 +143,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);
   if (cell.holder()) fill_holder(cell, out, pixel_size_um);
-  if (cell.state() == CellState::kFree && cell.new_dent_ratio() > kDented_ratio) {
+  if (cell.state() == CellState::kFree && cell.is_dented()) {
     // Something pushes, and it isn't where the needle was taken to be, if one was: a contact without a needle.
     out.state = CellState::kContact;
     out.needle.reset();

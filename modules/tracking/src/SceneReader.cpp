@@ -19,7 +19,7 @@ constexpr double kWorthwhile = 1.2, kSameFromNearer = 0.935;
 constexpr double kElsewhere = 0.3;
 constexpr std::size_t kMostCells = 3;
 // A tool found by lines is a needle of the scene when their directions (cosine) and axes (map pixels) are as near.
-constexpr double kSameDirection = 0.985, kSameAxis = 2.5;
+constexpr double kSameDirection = 0.985, kSameShortDirection = 0.93, kSameAxis = 2.5;
 // A needle ends within so many map pixels of where the scene has its tip.
 constexpr double kTipError = 2.5;
 // Of the radius: within this of its circle a point of an outline belongs to the undeformed part.
@@ -118,7 +118,7 @@ ExpectedTip expected_tip(const SceneTool& needle) {
 }
 
 bool is_same(const FoundTool& tool, const SceneTool& needle) {
-  if (-tool.direction.dot(needle.direction) < kSameDirection) return false;
+  if (-tool.direction.dot(needle.direction) < (needle.is_short ? kSameShortDirection : kSameDirection)) return false;
   const Eigen::Vector2d across(-tool.direction.y(), tool.direction.x());
   const double apart = (needle.tip - tool.origin).dot(across) - tool.offset();
   return std::abs(apart) < kSameAxis * needle.pitch_px + needle.half_width_px;

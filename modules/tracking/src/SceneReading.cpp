@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "ContourMath.h"
 
@@ -89,6 +90,18 @@ void read_cells(const SceneMap& map, std::vector<SceneCell>& cells) {
   });
 }
 
+// Middle of the part of an area that lies at the map's border; nothing where none does.
+std::optional<Eigen::Vector2d> middle_of_border(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double total = 0.0;
+  for (const cv::Point& p : area) {
+    if (p.x > 0 && p.y > 0 && p.x < share.cols - 1 && p.y < share.rows - 1) continue;
+    sum += share(p) * Eigen::Vector2d(p.x, p.y);
+    total += share(p);
+  }
+  return total > 0.0 ? std::optional<Eigen::Vector2d>(sum / total) : std::nullopt;
+}
+
 void read_tools(const SceneMap& map, SceneClass which, int image_width, int image_height,
                 std::vector<SceneTool>& tools) {
   const cv::Mat1f share = view(map.share(which)), tips = view(map.tip);
@@ -111,7 +124,13 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
     Eigen::Vector2d direction = axes.eigenvectors().col(1);
     const double length = std::sqrt(12.0 * axes.eigenvalues()[1]), width = std::sqrt(12.0 * axes.eigenvalues()[0]);
-    if (length < kLeastLength || length < kSlender * width) continue;
+    if (length < kLeastLength) continue;
+    const bool is_short = length < kSlender * width;
+    if (is_short) {
+      const std::optional<Eigen::Vector2d> entry = middle_of_border(area, share);
+      if (which != SceneClass::kHolder || !entry || (mean - *entry).norm() < 0.25 * kLeastLength) continue;
+      direction = (mean - *entry).normalized();
+    }
     double from = 0.0, to = 0.0;
     for (const cv::Point& p : area) {
       const double along = (Eigen::Vector2d(p.x, p.y) - mean).dot(direction);
@@ -136,6 +155,7 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     }
     SceneTool tool;
     tool.direction = direction;
+    tool.is_short = is_short;
     tool.length_px = map.pitch_px * (to - from);
     tool.half_width_px = 0.5 * map.pitch_px * static_cast<double>(area.size()) / std::max(to - from, 1.0);
     tool.share = mean_share(share, area);
