@@ -20,7 +20,8 @@ constexpr double kAstray_ratio = 0.08;
 constexpr double kSlid_px = 2.0, kSlid_ratio = 0.03;
 constexpr int kAstrayFrames = 3;
 // Within so much (cosine) of the holder's direction the membrane stays on its mouth: by finite elements within 1 % of
-// the radius at the deepest; opposite the needle it is less sure. Rounds of the fit; its scale at first and last.
+// the radius at the deepest; where the walls don't say how it moves across, or no holder is known, more of it has to
+// do. Rounds of the fit; its scale at first and last.
 constexpr double kSeatCosine = 0.85, kFarCosine = 0.5;
 constexpr int kSeatRounds = 12;
 constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
@@ -136,6 +137,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   if (rest_.inner_radius >= rest_.outer_radius) return false;
   motion_ = {};
   motion_.pivot = rest_.center;
+  walls_slide_ = false;
   scene_.reset();
   scene_.update(frame.image);
   astray_frames_ = 0;
@@ -272,7 +274,7 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
 // Without a holder the cell's seat gives the rigid motion. With one it is a check: the long walls of a pipette fit
 // anywhere along themselves, and a cell may leave its holder; neither must look like an indentation. From one frame to
 // the next the seat moves with the holder, but for a share of the needle's own way; and where they part slowly, the
-// walls have slid: the holder is learnt anew, or, in contact, the seat alone followed.
+// walls have slid: the holder is learnt anew, or, in contact, the seat followed along it.
 void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before) {
   const Eigen::Vector2d far_before = seat_;
   seat_ = seat_center();
@@ -288,16 +290,20 @@ void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vect
     motion_ = rigid_.motion();
     return;
   }
-  const Eigen::Vector2d gap = seat_ - center_now();
-  const bool astray = gap.norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
+  // The walls tell across the pipette, the seat along it.
+  const Eigen::Vector2d gap = seat_ - center_now(), along = gap.dot(holder_direction()) * holder_direction();
+  const bool is_free = contact_.state() == CellState::kFree;
+  const bool astray = (is_free ? gap : along).norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
   astray_frames_ = astray ? astray_frames_ + 1 : 0;
+  const bool pushed = !is_free || (needle_.valid() && tip_depth() > -kAway_px);
+  walls_slide_ = pushed && (walls_slide_ || astray_frames_ >= kAstrayFrames);
+  if (walls_slide_) {
+    rigid_.move_by(along);
+    motion_ = rigid_.motion();
+  }
   if (astray_frames_ < kAstrayFrames) return;
   astray_frames_ = 0;
-  if (contact_.state() != CellState::kFree || (needle_.valid() && tip_depth() > -kAway_px)) {
-    rigid_.reset();
-    motion_.shift += gap;
-    return;
-  }
+  if (pushed) return;
   rest_.center = seat_;
   motion_ = {};
   motion_.pivot = rest_.center;
@@ -358,7 +364,7 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) c
 // fixed: all of it while nothing does; else where the holder seats it, or, without a holder, opposite the needle.
 Eigen::Vector2d CellFollower::seat_center() const {
   const bool pushed = contact_.state() != CellState::kFree;
-  const double least = !pushed ? -1.0 : holder_ ? kSeatCosine : kFarCosine;
+  const double least = !pushed ? -1.0 : rigid_.valid() ? kSeatCosine : kFarCosine;
   const Eigen::Vector2d seat = holder_           ? holder_direction()
                                : needle_.valid() ? needle_.estimate().direction
                                                  : Eigen::Vector2d::Zero();

@@ -28,7 +28,8 @@ struct FrameInput {
   double noise = 0.0;                               ///< standard deviation of a pixel, 0..1 of the range
   std::optional<Eigen::Vector2d> needle_motion_px;  ///< commanded since the frame before
   TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
-  const SceneReading* scene = nullptr;              ///< what the network shows of it; null: it wasn't asked
+  const SceneReading* seen = nullptr;               ///< what the network shows of it; null: it wasn't asked
+  const SceneReading* scene = nullptr;              ///< the same, to find cell and needle by; null: by lines
   SceneReader* reader = nullptr;                    ///< to read membranes and tip by; null: their lines are known
   SceneReader* networks = nullptr;                  ///< to ask for what lines alone don't say; null: not to be asked
 };
@@ -139,7 +140,8 @@ class CellFollower {
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   bool touching_ = false;
   bool is_doubtful_ = false;
-  bool is_read_ = false;  // membranes and tip are read by networks, not followed by what they look like
+  bool walls_slide_ = false;  // the holder's, along themselves
+  bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
 };
 

@@ -26,7 +26,7 @@ constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 
 // A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
 // logarithms are; how well the scene shows a width, likewise.
-constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kSceneWidthSigma = 0.2;
+constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kSceneWidthSigma = 0.35;
 // An end found by lines that moves so differently from the frame before is read by the network too.
 constexpr double kCheckedLeap_px = 3.0;
 // Frames between two readings of the tip's width.
@@ -39,15 +39,22 @@ GrayImage gray(const ImageView& view) {
   return whole;
 }
 
-// The tools that the scene shows as holding pipettes.
-std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const SceneReading& scene) {
+// The tools that the scene shows as holding pipettes; without any, those that it doesn't show as needles.
+std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const SceneReading& scene, bool by_lines) {
   std::vector<FoundTool> holders;
+  const auto keep = [&](const auto& is_kept) {
+    std::copy_if(tools.begin(), tools.end(), std::back_inserter(holders), is_kept);
+  };
   for (const SceneTool& seen : scene.holders) {
     const std::size_t before = holders.size();
-    std::copy_if(tools.begin(), tools.end(), std::back_inserter(holders),
-                 [&](const FoundTool& tool) { return is_same(tool, seen); });
-    if (holders.size() == before) holders.push_back(found_tool(seen));
+    keep([&](const FoundTool& tool) { return is_same(tool, seen); });
+    if (holders.size() == before && !by_lines) holders.push_back(found_tool(seen));
   }
+  if (holders.empty() && by_lines)
+    keep([&](const FoundTool& tool) {
+      return std::none_of(scene.needles.begin(), scene.needles.end(),
+                          [&](const SceneTool& seen) { return is_same(tool, seen); });
+    });
   return holders;
 }
 
@@ -77,8 +84,9 @@ NeedleZone CellFollower::zone() const {
 void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
   const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
   motion_ = {};
-  holder_ = find_holder(frame.image, frame.scene ? holders_among(tools, *frame.scene) : tools, circle, frame.noise);
-  if (holder_ && frame.scene) check_width(*holder_, *frame.scene);
+  holder_ = find_holder(frame.image, frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools, circle,
+                        frame.noise);
+  if (holder_ && frame.seen) check_width(*holder_, *frame.seen);
   find_needle(frame, circle, tools);
   read_tip_width(frame, true);
 }

@@ -170,7 +170,7 @@ class MembraneTracker::Impl {
     load(frame.view, whole_);
     if (options_.detection == Detection::kLines) return;
     scene_ = reader_.read(whole_);
-    frame.scene = &scene_;
+    frame.seen = frame.scene = &scene_;
   }
 
   // Looks for a cell with no memory of an earlier one; a person's hint serves once.

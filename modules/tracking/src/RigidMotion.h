@@ -47,6 +47,9 @@ class RigidMotion {
   /// itself with the last turn.
   void correct(const FrameSampler& image, const Eigen::Vector2d& shift);
 
+  /// The next fit begins so much further; for motions along which the pixels tell nothing.
+  void move_by(const Eigen::Vector2d& way) noexcept { motion_.shift += way; }
+
   const RigidMove& motion() const noexcept { return motion_; }
   /// Standard deviation of the shift along unit `direction`, px.
   double sigma_px(const Eigen::Vector2d& direction) const noexcept;
