@@ -48,7 +48,7 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
   for (const SceneTool& seen : scene.holders) {
     const std::size_t before = holders.size();
     keep([&](const FoundTool& tool) { return is_same(tool, seen); });
-    if (holders.size() == before && !by_lines) holders.push_back(found_tool(seen));
+    if (holders.size() == before && (!by_lines || seen.is_short)) holders.push_back(found_tool(seen));
   }
   if (holders.empty() && by_lines)
     keep([&](const FoundTool& tool) {

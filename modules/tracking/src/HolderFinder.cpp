@@ -9,6 +9,7 @@ namespace pellucida {
 namespace {
 
 constexpr double kLeastWidth = 0.2;  // of the cell's radius
+constexpr double kStraight = 0.4;    // of the cell's radius: how far its axis at the cell and further out may differ
 constexpr double kAlike = 0.6;       // correlation that still is the pipette
 // A wall ends in a rounded rim, and stops looking like a wall half its thickness before that: for the usual walls, a
 // fifth of the half width thick, this share of the half width.
@@ -97,10 +98,14 @@ std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vecto
     double sure = 0.5;
     // Its edges close up; where they can't be followed, the lines voted for have to do.
     const std::optional<NeedleGuess> guess = guess_needle(image, tool, noise);
-    if (guess && guess->axis.direction.dot(tool.direction) < -0.95) {
+    const auto offset_of = [&](const NeedleGuess& one) {
+      return (one.axis.tip - cell.center).dot(Eigen::Vector2d(one.axis.direction.y(), -one.axis.direction.x()));
+    };
+    // A bent one leads elsewhere from where it comes in.
+    if (guess && guess->axis.direction.dot(tool.direction) < -0.95 &&
+        std::abs(offset_of(*guess) - tool.offset()) < kStraight * cell.radius) {
       holder.direction = -guess->axis.direction;
-      const Eigen::Vector2d across(-holder.direction.y(), holder.direction.x());
-      holder.offset = (guess->axis.tip - cell.center).dot(across);
+      holder.offset = offset_of(*guess);
       const double at_cell = (guess->axis.tip - cell.center).dot(holder.direction);
       const double half_width = guess->model.cone.half_width(std::max(0.0, cell.radius - at_cell));
       if (half_width > kLeastWidth * cell.radius &&

@@ -31,7 +31,7 @@ class MembraneTracker::Impl {
     if (options_.detection != Detection::kLines) frame.networks = &reader_;
     if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
-    // Another size is another camera setting: nothing that was followed is where it was.
+    // Another size is another camera setting: nothing is where it was.
     if (view.width_px != width_px_ || view.height_px != height_px_) {
       width_px_ = view.width_px;
       height_px_ = view.height_px;

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -19,7 +20,9 @@ constexpr double kLeastTool = 6.0;     // map pixels: area of a tool
 constexpr double kLeastLength = 4.0;   // map pixels: length of a tool
 constexpr double kLeastCircle = 0.45;  // 4 pi area / perimeter^2 of a cell's outline
 constexpr double kSlender = 1.5;       // length over width of a tool
-constexpr int kTipReach = 3;           // map pixels round a tool's end in which the tip's mark counts
+constexpr double kBent = 1.3;        // as wide as its area spreads, over what its area and length make, of a bent tool
+constexpr double kBentWidths = 2.2;  // widths of such a tool that are taken for straight
+constexpr int kTipReach = 3;         // map pixels round a tool's end in which the tip's mark counts
 
 cv::Mat1f view(const SceneMap::Plane& plane) {
   return {static_cast<int>(plane.rows()), static_cast<int>(plane.cols()), const_cast<float*>(plane.data())};
@@ -90,6 +93,31 @@ void read_cells(const SceneMap& map, std::vector<SceneCell>& cells) {
   });
 }
 
+// The longest axis of an area, each pixel by its probability; length and width of a rectangle that spreads as it does.
+struct LongAxis {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero(), direction = Eigen::Vector2d::UnitX();
+  double length = 0.0, width = 0.0;
+};
+LongAxis long_axis(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
+  LongAxis axis;
+  double total = 0.0;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const cv::Point& p : area) {
+    axis.mean += share(p) * Eigen::Vector2d(p.x, p.y);
+    total += share(p);
+  }
+  axis.mean /= total;
+  for (const cv::Point& p : area) {
+    const Eigen::Vector2d d = Eigen::Vector2d(p.x, p.y) - axis.mean;
+    spread += share(p) / total * d * d.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  axis.direction = axes.eigenvectors().col(1);
+  axis.length = std::sqrt(12.0 * axes.eigenvalues()[1]);
+  axis.width = std::sqrt(12.0 * axes.eigenvalues()[0]);
+  return axis;
+}
+
 // Middle of the part of an area that lies at the map's border; nothing where none does.
 std::optional<Eigen::Vector2d> middle_of_border(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -102,33 +130,42 @@ std::optional<Eigen::Vector2d> middle_of_border(const std::vector<cv::Point>& ar
   return total > 0.0 ? std::optional<Eigen::Vector2d>(sum / total) : std::nullopt;
 }
 
+// Of a bent tool's area the part at its end inside the image, about twice as long as wide; the area itself where it is
+// straight or nowhere at the border.
+std::vector<cv::Point> end_of_bent(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
+  const LongAxis axis = long_axis(area, share);
+  const double width = static_cast<double>(area.size()) / std::max(axis.length, 1.0);
+  const std::optional<Eigen::Vector2d> entry = middle_of_border(area, share);
+  if (!entry || axis.width < kBent * width) return area;
+  const auto way = [](const cv::Point& p, const Eigen::Vector2d& from) {
+    return (Eigen::Vector2d(p.x, p.y) - from).norm();
+  };
+  const cv::Point& last = *std::max_element(
+      area.begin(), area.end(), [&](const auto& a, const auto& b) { return way(a, *entry) < way(b, *entry); });
+  const Eigen::Vector2d end(last.x, last.y);
+  std::vector<cv::Point> part;
+  std::copy_if(area.begin(), area.end(), std::back_inserter(part),
+               [&](const cv::Point& p) { return way(p, end) < std::max(kBentWidths * width, kLeastLength); });
+  return part;
+}
+
 void read_tools(const SceneMap& map, SceneClass which, int image_width, int image_height,
                 std::vector<SceneTool>& tools) {
   const cv::Mat1f share = view(map.share(which)), tips = view(map.tip);
   const Eigen::Vector2d middle(0.5 * (image_width - 1), 0.5 * (image_height - 1));
-  for (const std::vector<cv::Point>& area : areas(share > kCertain)) {
-    if (static_cast<double>(area.size()) < kLeastTool) continue;
-    // Its axis: the longest axis of the area, each pixel by its probability.
-    double total = 0.0;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-    for (const cv::Point& p : area) {
-      mean += share(p) * Eigen::Vector2d(p.x, p.y);
-      total += share(p);
-    }
-    mean /= total;
-    for (const cv::Point& p : area) {
-      const Eigen::Vector2d d = Eigen::Vector2d(p.x, p.y) - mean;
-      spread += share(p) / total * d * d.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
-    Eigen::Vector2d direction = axes.eigenvectors().col(1);
-    const double length = std::sqrt(12.0 * axes.eigenvalues()[1]), width = std::sqrt(12.0 * axes.eigenvalues()[0]);
+  for (const std::vector<cv::Point>& whole : areas(share > kCertain)) {
+    if (static_cast<double>(whole.size()) < kLeastTool) continue;
+    const bool is_holder = which == SceneClass::kHolder;
+    const std::vector<cv::Point> area = is_holder ? end_of_bent(whole, share) : whole;
+    const LongAxis axis = long_axis(area, share);
+    const Eigen::Vector2d mean = axis.mean;
+    const double length = axis.length, width = axis.width;
+    Eigen::Vector2d direction = axis.direction;
     if (length < kLeastLength) continue;
     const bool is_short = length < kSlender * width;
     if (is_short) {
       const std::optional<Eigen::Vector2d> entry = middle_of_border(area, share);
-      if (which != SceneClass::kHolder || !entry || (mean - *entry).norm() < 0.25 * kLeastLength) continue;
+      if (!is_holder || !entry || (mean - *entry).norm() < 0.25 * kLeastLength) continue;
       direction = (mean - *entry).normalized();
     }
     double from = 0.0, to = 0.0;
@@ -155,7 +192,7 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     }
     SceneTool tool;
     tool.direction = direction;
-    tool.is_short = is_short;
+    tool.is_short = is_short || area.size() < whole.size();
     tool.length_px = map.pitch_px * (to - from);
     tool.half_width_px = 0.5 * map.pitch_px * static_cast<double>(area.size()) / std::max(to - from, 1.0);
     tool.share = mean_share(share, area);

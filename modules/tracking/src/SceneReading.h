@@ -28,7 +28,7 @@ struct SceneTool {
   double share = 0.0;      ///< 0..1: mean probability over its area
   double tip_share = 0.0;  ///< 0..1: largest probability of a tip near `tip`
   double pitch_px = 1.0;   ///< of the map it was read from
-  bool is_short = false;   ///< a holding pipette of which little is in view: its direction is good to 20 degrees
+  bool is_short = false;  ///< a holding pipette bent, or with little of it in view: its direction is good to 20 degrees
 };
 
 /// What the map shows, each list with the most convincing one first.
