@@ -2230,6 +2230,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>längs des Meridians</translation>
     </message>
     <message>
+        <source>annotation</source>
+        <translation>Anmerkung</translation>
+    </message>
+    <message>
         <source>at rest</source>
         <translation>in Ruhe</translation>
     </message>
@@ -2292,6 +2296,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>depth stop </source>
         <translation>Tiefenanschlag </translation>
+    </message>
+    <message>
+        <source>doubt</source>
+        <translation>Zweifel</translation>
     </message>
     <message>
         <source>drop one on this window</source>

@@ -11,6 +11,7 @@
 #include "RunControl.h"
 #include "Words.h"
 #include "pellucida/operation/ProfileStrength.h"
+#include "presenters/MessageBook.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
 #include "presenters/SourcePresenter.h"
@@ -249,7 +250,8 @@ void GuideWindow::take_events() {
     facts_->show_puncture(text_of(puncture_.text()));
   }
   for (const Event& event : events) {
-    if (event.kind == event_kind::kHint) notify(words("Hint: ") + text_of(event.detail), false);
+    if (event.kind == event_kind::kHint)
+      notify(words("Hint: ") + text_of(say_event_detail(event.kind, event.detail)), false);
   }
   if (hint_until_s_ > 0.0 && now_s() > hint_until_s_) {
     hint_until_s_ = 0.0;
