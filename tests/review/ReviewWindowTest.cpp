@@ -104,6 +104,8 @@ TEST_F(GermanReviewWindowTest, EventsAndErrorsAreGermanAndTheSessionIsNot) {
   EXPECT_EQ(list->topLevelItem(1)->text(1), "Notiz");
   EXPECT_EQ(list->topLevelItem(1)->text(2), "<b>bold</b>");
   EXPECT_EQ(window_->session()->events.front().kind, "contact");
+  const auto* pill = window_->findChild<QLabel*>("statePill");
+  EXPECT_GE(pill->width(), pill->fontMetrics().horizontalAdvance("Durchstochen") + 20) << "a state's name is cut off";
   dynamic_cast<EventPanel*>(list->parentWidget())->show_kind("contact", false);
   EXPECT_EQ(list->topLevelItemCount(), 1);
 }

@@ -10,6 +10,7 @@
 #include "widgets/Figure.h"
 #include "widgets/PhraseLabel.h"
 #include "widgets/ScaleGauge.h"
+#include "widgets/StatePill.h"
 
 namespace pellucida {
 namespace {
@@ -27,11 +28,7 @@ FactLine::FactLine(QWidget* parent) : QFrame(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 0, 16, 6);
   row->setSpacing(6);
-  state_ = new QLabel(this);
-  state_->setObjectName("statePill");
-  state_->setAlignment(Qt::AlignCenter);
-  state_->setFixedSize(124, 30);
-  row->addWidget(state_);
+  row->addWidget(state_ = new StatePill(this));
   row->addSpacing(8);
   puncture_name_ = new QLabel(words("PUNCTURE"), this);
   puncture_name_->setObjectName("readoutName");
@@ -82,8 +79,7 @@ void FactLine::resizeEvent(QResizeEvent*) {
 }
 
 void FactLine::show_texts(const ReadoutTexts& texts) {
-  state_->setText(QString::fromStdString(texts.state.text));
-  state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
+  state_->show_state(texts.state);
   show_phrase(*parts_, texts.force_parts);
   parts_->setToolTip(QString::fromStdString(texts.force_tip));
   show_phrase(*pressure_, texts.pressure);
