@@ -31,7 +31,7 @@ namespace {
 
 constexpr int kTick_ms = 33;
 constexpr double kStatusPeriod_s = 0.1;
-constexpr double kNotice_s = 6.0;
+constexpr double kNotice_s = 6.0, kProblem_s = 20.0;
 // A window lower than this has smaller gauges.
 constexpr int kLow_px = 780;
 // A mark of a hint: the needle it points at moves on.
@@ -278,7 +278,7 @@ void GuideWindow::show_status() {
 
 void GuideWindow::notify(const QString& text, bool problem) {
   status_line_->show_notice({text.toStdString(), problem ? current_theme().record : current_theme().accent});
-  notice_until_s_ = now_s() + kNotice_s;
+  notice_until_s_ = now_s() + (problem ? kProblem_s : kNotice_s);
 }
 
 }  // namespace pellucida

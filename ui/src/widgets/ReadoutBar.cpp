@@ -35,6 +35,9 @@ ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   force_.note->setContentsMargins(0, 0, 0, 0);  // two lines
   pressure_ = add_figure(*row, *this, "pressure", words("PRESSURE"), words("0000 Pa"));
   confidence_ = add_figure(*row, *this, "confidence", words("CONFIDENCE"), "100 %");
+  indentation_.value->setToolTip(words(kIndentationTip));
+  pressure_.value->setToolTip(words(kPressureTip));
+  confidence_.value->setToolTip(words(kConfidenceTip));
   row->addLayout(build_scale());
   row->addStretch(1);
   profile_ = add_figure(*row, *this, "profile", words("CELL PROFILE"), "");

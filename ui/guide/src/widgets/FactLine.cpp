@@ -47,6 +47,8 @@ FactLine::FactLine(QWidget* parent) : QFrame(parent) {
   row->addStretch(1);
   pressure_ = add_fact("pressure", words("PRESSURE"), words("0000 Pa"));
   confidence_ = add_fact("confidence", words("CONFIDENCE"), "100 %");
+  pressure_->setToolTip(words(kPressureTip));
+  confidence_->setToolTip(words(kConfidenceTip));
   scale_ = add_fact("scale", words("SCALE"), "±00 %");
   row->addWidget(gauge_ = new ScaleGauge(this));
   gauge_->setFixedWidth(96);
@@ -76,6 +78,9 @@ void FactLine::resizeEvent(QResizeEvent*) {
   const bool has_room = width() >= kRoomForPressure_px || puncture_->text().isEmpty();
   pressure_name_->setVisible(has_room);
   pressure_->setVisible(has_room);
+  // Without room for all, the puncture's numbers come before its heading.
+  puncture_name_->setVisible(!puncture_->text().isEmpty());
+  if (layout()->minimumSize().width() > width()) puncture_name_->hide();
 }
 
 void FactLine::show_texts(const ReadoutTexts& texts) {
@@ -97,7 +102,6 @@ void FactLine::show_scale(const ScaleTexts& texts) {
 void FactLine::show_puncture(const QString& text) {
   const bool changed = puncture_->text() != text;
   puncture_->setText(text);
-  puncture_name_->setVisible(!text.isEmpty());
   puncture_->setVisible(!text.isEmpty());
   if (changed) resizeEvent(nullptr);
 }
