@@ -40,13 +40,19 @@ void add_inject_command(CLI::App& app) {
   command->add_option("--output", arguments->output, "folder of the new session")->required();
   command->add_option("--scenario", arguments->operated.scenario, "of the virtual microscope, by name or JSON file")
       ->capture_default_str();
-  const std::map<std::string, Modality> modalities{{"image", Modality::kFlatImage},
+  // The names of `trial`, and those of earlier versions.
+  const std::map<std::string, Modality> modalities{{"2d", Modality::kFlatImage},
+                                                   {"haptics", Modality::kSpaceAndHaptics},
+                                                   {"guide", Modality::kSpaceAndFixture},
+                                                   {"image", Modality::kFlatImage},
                                                    {"3d", Modality::kSpace},
                                                    {"3d+haptics", Modality::kSpaceAndHaptics},
                                                    {"3d+haptics+guide", Modality::kSpaceAndFixture}};
   command
-      ->add_option("--modality", arguments->operated.simulated_operator.modality,
-                   "what the operator sees and feels: image, 3d, 3d+haptics, 3d+haptics+guide (default)")
+      ->add_option(
+          "--modality", arguments->operated.simulated_operator.modality,
+          "what the operator sees and feels: 2d, 3d, haptics or guide (default), as in trial; or by the earlier "
+          "names image, 3d+haptics, 3d+haptics+guide")
       ->transform(CLI::CheckedTransformer(modalities).description(""));
   command->add_option("--seed", arguments->operated.seed, "of the operator")
       ->check(number_in({0.0, kMostSeed}))

@@ -752,6 +752,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ereignisse und Zweifel</translation>
     </message>
     <message>
+        <source>Excess pressure inside the cell, by the model: the push raises it, since the volume stays.</source>
+        <translation>Überdruck in der Zelle nach dem Modell: der Stoß erhöht ihn, weil das Volumen bleibt.</translation>
+    </message>
+    <message>
         <source>Export ▾</source>
         <translation>Export ▾</translation>
     </message>
@@ -988,8 +992,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Wie Gl. (2) durch die Zeit geführt wird</translation>
     </message>
     <message>
+        <source>How far the needle has pushed the outer membrane in, along the needle, from where it was at rest.</source>
+        <translation>Wie weit die Nadel die äußere Membran eingedrückt hat, längs der Nadel, von ihrer Ruhelage aus.</translation>
+    </message>
+    <message>
         <source>How far the tip stays behind the hand for each µN</source>
         <translation>Wie weit die Spitze je µN hinter der Hand bleibt</translation>
+    </message>
+    <message>
+        <source>How sure the tracking is of cell and needle in this frame. Below 50 % look at the image before you use a number.</source>
+        <translation>Wie sicher die Bildverfolgung in diesem Bild bei Zelle und Nadel ist. Unter 50 % sehen Sie sich das Bild an, bevor Sie eine Zahl verwenden.</translation>
     </message>
     <message>
         <source>How the forces on the membrane are drawn</source>
@@ -1659,7 +1671,7 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     </message>
     <message>
         <source>Retract</source>
-        <translation>Zurückziehen</translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Review a recorded session</source>
@@ -2230,6 +2242,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>längs des Meridians</translation>
     </message>
     <message>
+        <source>annotation</source>
+        <translation>Anmerkung</translation>
+    </message>
+    <message>
         <source>at rest</source>
         <translation>in Ruhe</translation>
     </message>
@@ -2292,6 +2308,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>depth stop </source>
         <translation>Tiefenanschlag </translation>
+    </message>
+    <message>
+        <source>doubt</source>
+        <translation>Zweifel</translation>
     </message>
     <message>
         <source>drop one on this window</source>
@@ -2583,7 +2603,7 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     </message>
     <message>
         <source>tip beyond the entry</source>
-        <translation>Spitze hinter dem Eintritt</translation>
+        <translation>ab Eintritt</translation>
     </message>
     <message>
         <source>unknown</source>

@@ -297,6 +297,23 @@ TEST(Commands, TrialTellsOfTheSimulatedOperatorInAllModalities) {
   EXPECT_EQ(text_of("two"), text_of("one"));
 }
 
+TEST(Commands, InjectAndTrialNameModalitiesAlike) {
+  const auto folder = test::fresh_folder("commands_modalities", testing::TempDir());
+  const auto exit_code = [&](const std::string& options) {
+    return test::run_program(options + " --scenario nowhere.json --output '" + (folder / "t").string() + "'", folder)
+        .exit_code;
+  };
+  for (const std::string name : {"2d", "3d", "haptics", "guide"}) {
+    EXPECT_EQ(exit_code("trial --simulated --modality " + name), 3) << name;
+    EXPECT_EQ(exit_code("inject --modality " + name), 3) << name;
+  }
+  // By their earlier names, too.
+  for (const std::string name : {"image", "3d+haptics", "3d+haptics+guide"}) {
+    EXPECT_EQ(exit_code("inject --modality " + name), 3) << name;
+  }
+  EXPECT_EQ(exit_code("inject --modality 4d"), 2);
+}
+
 TEST(Commands, TrialWithoutItsOptionsIsWrongUsage) {
   const auto folder = test::fresh_folder("commands_trial_usage", testing::TempDir());
   const std::string output = "--output '" + (folder / "t").string() + "'";

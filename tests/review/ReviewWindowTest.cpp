@@ -11,6 +11,7 @@
 
 #include "NodeReview.h"
 #include "ReviewViews.h"
+#include "Translation.h"
 #include "pellucida/visualization/Readout.h"
 #include "review/ReviewWindowFixture.h"
 #include "support/Files.h"
@@ -83,6 +84,30 @@ TEST_F(ReviewWindowTest, KindsCanBeLeftOutOfTheList) {
   EXPECT_EQ(list->topLevelItem(0)->toolTip(2).indexOf("<b>"), -1);
   panel->show_kind("contact", true);
   EXPECT_EQ(list->topLevelItemCount(), 2);
+}
+
+struct SpeaksGerman {
+  Translation german{"de"};
+};
+// The language is there before the window.
+class GermanReviewWindowTest : SpeaksGerman, public ReviewWindowTest {};
+
+TEST_F(GermanReviewWindowTest, EventsAndErrorsAreGermanAndTheSessionIsNot) {
+  window_->open("/no/such/folder");
+  EXPECT_TRUE(pass_until([&] {
+    return text("problem") == "/no/such/folder: kein solcher Sitzungsordner; prüfen Sie den Pfad";
+  })) << text("problem");
+  open();
+  auto* list = window_->findChild<QTreeWidget*>("events");
+  ASSERT_EQ(list->topLevelItemCount(), 2);
+  EXPECT_EQ(list->topLevelItem(0)->text(1), "Kontakt");
+  EXPECT_EQ(list->topLevelItem(1)->text(1), "Notiz");
+  EXPECT_EQ(list->topLevelItem(1)->text(2), "<b>bold</b>");
+  EXPECT_EQ(window_->session()->events.front().kind, "contact");
+  const auto* pill = window_->findChild<QLabel*>("statePill");
+  EXPECT_GE(pill->width(), pill->fontMetrics().horizontalAdvance("Durchstochen") + 20) << "a state's name is cut off";
+  dynamic_cast<EventPanel*>(list->parentWidget())->show_kind("contact", false);
+  EXPECT_EQ(list->topLevelItemCount(), 1);
 }
 
 TEST_F(ReviewWindowTest, PlayingFollowsTheClockAndLeavesOutWhatIsOver) {

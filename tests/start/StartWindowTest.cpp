@@ -19,6 +19,7 @@
 #include <random>
 
 #include "Theme.h"
+#include "Translation.h"
 #include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/visualization/Palette.h"
 #include "review/TouchSession.h"
@@ -299,6 +300,22 @@ TEST_F(StartWindowTest, WhyTheLastChoiceFailedIsOnItsCard) {
   // It is filled in again, and looked at again.
   EXPECT_EQ(child<QLineEdit>("path").text().toStdString(), (folder_ / "a.avi").string());
   EXPECT_TRUE(pass_until([&] { return problem_at("path").find("no such file or folder") != std::string::npos; }));
+}
+
+TEST_F(StartWindowTest, ProblemsAreGermanOnAGermanPage) {
+  const Translation german("de");
+  options_.problem = "a.avi: frame rate unknown; give --fps (frames a second)";
+  options_.recording = folder_ / "a.avi";
+  open();
+  std::string shown;
+  for (const auto* label : window_->findChildren<QLabel*>("cardProblem")) {
+    if (label->isVisible()) shown += label->text().toStdString();
+  }
+  EXPECT_EQ(shown, "a.avi: Bildrate unbekannt; geben Sie die Bildrate an (Bilder je Sekunde)");
+  const std::string wanted =
+      "a.avi: keine solche Datei und kein solcher Ordner; prüfen Sie den Pfad – wählen Sie ein Video";
+  EXPECT_TRUE(pass_until([&] { return problem_at("path").find(wanted) != std::string::npos; })) << problem_at("path");
+  window_.reset();
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <QMetaObject>
 #include <utility>
 
+#include "pellucida/core/Words.h"
+
 namespace pellucida {
 namespace {
 
@@ -42,7 +44,7 @@ void BackgroundTask::run(Work work, Progress progress, Failed failed) {
     } catch (const WorkCancelled&) {
       outcome = [] {};
     } catch (const std::exception& error) {
-      outcome = [failed, text = std::string(error.what())] { failed(text); };
+      outcome = [failed, text = say_message(error.what())] { failed(text); };
     }
     post(run, [this, outcome = std::move(outcome)] {
       running_ = false;

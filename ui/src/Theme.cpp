@@ -31,7 +31,7 @@ QToolTip { background: @raised; color: @text; border: 1px solid @border; padding
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
-#statePill { border-radius: 15px; padding: 0px 18px; font-size: 15px; font-weight: 700; color: @window; }
+#statePill { border-radius: 15px; padding: 0px 10px; font-size: 15px; font-weight: 700; color: @window; }
 #nodeFact { font-size: 12px; }
 #pageTitle { font-size: 22px; font-weight: 600; }
 #pageText { color: @dim; font-size: 14px; }

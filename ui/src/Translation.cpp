@@ -4,21 +4,48 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+#include <QXmlStreamReader>
 #include <cstddef>
 
 #include "Words.h"
 #include "pellucida/core/Error.h"
+#include "presenters/MessageBook.h"
 
 namespace pellucida {
 
 // Made by CMake from resources/translations/pellucida_de.ts; empty where lrelease was missing.
 extern const unsigned char kGermanTexts[];
 extern const std::size_t kGermanTextsSize;
+// messages_de.ts itself, and a zero.
+extern const unsigned char kGermanMessages[];
+extern const std::size_t kGermanMessagesSize;
 
 namespace {
 
 std::string translate_with_qt(const char* english) {
   return QCoreApplication::translate("Pellucida", english).toStdString();
+}
+
+MessageBook read_messages() {
+  MessageBook book;
+  QXmlStreamReader file(QByteArray::fromRawData(reinterpret_cast<const char*>(kGermanMessages),
+                                                static_cast<int>(kGermanMessagesSize - 1)));
+  std::string english;
+  while (!file.atEnd()) {
+    if (file.readNext() != QXmlStreamReader::StartElement) continue;
+    if (file.name() == QLatin1String("source")) {
+      english = file.readElementText().toStdString();
+    } else if (file.name() == QLatin1String("translation")) {
+      book.add(english, file.readElementText().toStdString());
+    }
+  }
+  return book;
+}
+
+// Stays to the program's end: a thread may be in it when the window's language ends.
+std::string translate_message(const std::string& english) {
+  static const MessageBook book = read_messages();
+  return book.translate(english);
 }
 
 std::string language_of_system() {
@@ -41,11 +68,11 @@ Translation::Translation(const std::string& language) : language_(language.empty
   if (toolkit_->load("qtbase_de", QLibraryInfo::location(QLibraryInfo::TranslationsPath))) {
     QCoreApplication::installTranslator(toolkit_.get());
   }
-  set_translator(&translate_with_qt);
+  set_translator(&translate_with_qt, &translate_message);
 }
 
 Translation::~Translation() {
-  set_translator(nullptr);
+  set_translator(nullptr, nullptr);
   if (!QCoreApplication::instance()) return;
   for (const auto& texts : {program_.get(), toolkit_.get()}) {
     if (texts) QCoreApplication::removeTranslator(texts);

@@ -27,7 +27,7 @@ void VideoExport::start(const std::filesystem::path& file, std::size_t step_coun
     video_ = std::make_unique<VideoFile>(file, width_px_, height_px_, frame_rate_hz);
   } catch (const Error& error) {
     video_.reset();
-    actions_.notify(error.what(), true);
+    actions_.notify(words_of(error), true);
     return;
   }
   actions_.work(words("Video"), 0, count_);
@@ -56,7 +56,7 @@ void VideoExport::finish() {
     video_->close();
     actions_.notify(words("Saved ") + QString::fromStdString(file_.string()), false);
   } catch (const Error& error) {
-    actions_.notify(error.what(), true);
+    actions_.notify(words_of(error), true);
   }
   video_.reset();
   actions_.work({}, 0, 0);

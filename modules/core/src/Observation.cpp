@@ -3,15 +3,17 @@
 #include <array>
 #include <utility>
 
+#include "pellucida/core/Words.h"
+
 namespace pellucida {
 namespace {
 
 constexpr std::array<std::pair<CellState, std::string_view>, 5> kStateNames{{
-    {CellState::kNoCell, "no_cell"},
-    {CellState::kFree, "free"},
-    {CellState::kContact, "contact"},
-    {CellState::kPunctured, "punctured"},
-    {CellState::kLost, "lost"},
+    {CellState::kNoCell, PELLUCIDA_WORDS("no_cell")},
+    {CellState::kFree, PELLUCIDA_WORDS("free")},
+    {CellState::kContact, PELLUCIDA_WORDS("contact")},
+    {CellState::kPunctured, PELLUCIDA_WORDS("punctured")},
+    {CellState::kLost, PELLUCIDA_WORDS("lost")},
 }};
 
 }  // namespace

@@ -8,24 +8,27 @@
 #include <utility>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Words.h"
 
 namespace pellucida {
 namespace {
 
 using Kind = PersonHint::Kind;
 
-constexpr std::array kHintWords{std::pair{Kind::kCell, "cell at"}, std::pair{Kind::kNeedleTip, "needle tip at"},
-                                std::pair{Kind::kNoCell, "no cell at"}};
-constexpr const char* kTakenBack = "taken back";
+// As they are printed; what is read ends at the first number.
+constexpr std::array kHintFormats{std::pair{Kind::kCell, PELLUCIDA_WORDS("cell at %.3f %.3f um")},
+                                  std::pair{Kind::kNeedleTip, PELLUCIDA_WORDS("needle tip at %.3f %.3f um")},
+                                  std::pair{Kind::kNoCell, PELLUCIDA_WORDS("no cell at %.3f %.3f um")}};
+constexpr const char* kTakenBack = PELLUCIDA_WORDS("taken back");
 constexpr double kDigit_um = 1e-3;
 
 }  // namespace
 
 std::string describe(const PersonHint& hint) {
-  for (const auto& [kind, words] : kHintWords) {
+  for (const auto& [kind, format] : kHintFormats) {
     if (kind != hint.kind) continue;
     std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), "%s %.3f %.3f um", words, hint.x_um, hint.y_um);
+    std::snprintf(text.data(), text.size(), format, hint.x_um, hint.y_um);
     return text.data();
   }
   return kTakenBack;
@@ -39,10 +42,11 @@ std::optional<PersonHint> hint_of(const Event& event) {
     hint.kind = Kind::kTakeBack;
     return hint;
   }
-  for (const auto& [kind, words] : kHintWords) {
+  for (const auto& [kind, format] : kHintFormats) {
+    const std::string_view words(format, std::strcspn(format, "%"));
     if (!event.detail.starts_with(words)) continue;
     hint.kind = kind;
-    const char* numbers = event.detail.c_str() + std::strlen(words);
+    const char* numbers = event.detail.c_str() + words.size();
     if (std::sscanf(numbers, "%lf %lf um", &hint.x_um, &hint.y_um) != 2) return std::nullopt;
     if (!std::isfinite(hint.x_um) || !std::isfinite(hint.y_um)) return std::nullopt;
     return hint;

@@ -6,6 +6,7 @@ namespace pellucida {
 namespace {
 
 std::atomic<Translator> the_translator{nullptr};
+std::atomic<MessageTranslator> the_message_translator{nullptr};
 
 }  // namespace
 
@@ -14,8 +15,14 @@ std::string say(const char* english) {
   return translator ? translator(english) : std::string(english);
 }
 
-void set_translator(Translator translator) noexcept {
+std::string say_message(const std::string& english) {
+  const MessageTranslator translator = the_message_translator.load(std::memory_order_acquire);
+  return translator ? translator(english) : english;
+}
+
+void set_translator(Translator translator, MessageTranslator messages) noexcept {
   the_translator.store(translator, std::memory_order_release);
+  the_message_translator.store(messages, std::memory_order_release);
 }
 
 }  // namespace pellucida

@@ -1,55 +1,57 @@
 #include "pellucida/haptics/LimitEvent.h"
 
+#include "pellucida/core/Words.h"
+
 namespace pellucida {
 
 std::string_view to_string(LimitKind kind) noexcept {
   switch (kind) {
     case LimitKind::kDepth:
-      return "depth";
+      return PELLUCIDA_WORDS("depth");
     case LimitKind::kForce:
-      return "force";
+      return PELLUCIDA_WORDS("force");
     case LimitKind::kSpeed:
-      return "speed";
+      return PELLUCIDA_WORDS("speed");
     case LimitKind::kTravel:
-      return "travel";
+      return PELLUCIDA_WORDS("travel");
     case LimitKind::kFollowing:
-      return "following";
+      return PELLUCIDA_WORDS("following");
     case LimitKind::kHandForce:
-      return "hand force";
+      return PELLUCIDA_WORDS("hand force");
     case LimitKind::kHandStiffness:
-      return "hand stiffness";
+      return PELLUCIDA_WORDS("hand stiffness");
     case LimitKind::kHandSlope:
-      return "hand slope";
+      return PELLUCIDA_WORDS("hand slope");
     case LimitKind::kPassivity:
-      return "passivity";
+      return PELLUCIDA_WORDS("passivity");
     case LimitKind::kPuncture:
-      return "puncture";
+      return PELLUCIDA_WORDS("puncture");
     case LimitKind::kBlind:
-      return "blind";
+      return PELLUCIDA_WORDS("blind");
     case LimitKind::kContactStale:
-      return "contact stale";
+      return PELLUCIDA_WORDS("contact stale");
     case LimitKind::kContactInvalid:
-      return "contact invalid";
+      return PELLUCIDA_WORDS("contact invalid");
     case LimitKind::kHandJump:
-      return "hand jump";
+      return PELLUCIDA_WORDS("hand jump");
     case LimitKind::kHandInvalid:
-      return "hand invalid";
+      return PELLUCIDA_WORDS("hand invalid");
     case LimitKind::kHandLost:
-      return "hand lost";
+      return PELLUCIDA_WORDS("hand lost");
     case LimitKind::kPipetteJump:
-      return "pipette jump";
+      return PELLUCIDA_WORDS("pipette jump");
     case LimitKind::kPipetteLost:
-      return "pipette lost";
+      return PELLUCIDA_WORDS("pipette lost");
     case LimitKind::kLateTick:
-      return "late tick";
+      return PELLUCIDA_WORDS("late tick");
     case LimitKind::kForceNotFinite:
-      return "force not finite";
+      return PELLUCIDA_WORDS("force not finite");
     case LimitKind::kEmergencyStop:
-      return "emergency stop";
+      return PELLUCIDA_WORDS("emergency stop");
     case LimitKind::kCount:
       break;
   }
-  return "unknown";
+  return PELLUCIDA_WORDS("unknown");
 }
 
 }  // namespace pellucida

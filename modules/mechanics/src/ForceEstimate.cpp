@@ -1,5 +1,7 @@
 #include "pellucida/mechanics/ForceEstimate.h"
 
+#include "pellucida/core/Words.h"
+
 namespace pellucida {
 namespace {
 
@@ -12,10 +14,10 @@ void append(std::string& text, const char* separator, const std::string& part) {
 
 std::string to_string(ForceWarning warnings) {
   std::string text;
-  if (warnings & kShapeMismatch) append(text, "+", "mismatch");
-  if (warnings & kNeedleSlip) append(text, "+", "slip");
-  if (warnings & kNotOfRevolution) append(text, "+", "asymmetry");
-  if (warnings & kSeldomBorne) append(text, "+", "profile");
+  if (warnings & kShapeMismatch) append(text, "+", PELLUCIDA_WORDS("mismatch"));
+  if (warnings & kNeedleSlip) append(text, "+", PELLUCIDA_WORDS("slip"));
+  if (warnings & kNotOfRevolution) append(text, "+", PELLUCIDA_WORDS("asymmetry"));
+  if (warnings & kSeldomBorne) append(text, "+", PELLUCIDA_WORDS("profile"));
   return text;
 }
 

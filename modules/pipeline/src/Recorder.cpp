@@ -110,10 +110,11 @@ void Recorder::WriteStep::tell_thinned(const std::optional<FrameStretch>& stretc
 
 void Recorder::WriteStep::tell_gaps(const std::optional<FrameStretch>& stretch) {
   if (!stretch) return;
-  const bool one = stretch->frame_count == 1;
-  std::string detail = std::to_string(stretch->frame_count) + (one ? " frame" : " frames") + " missing from the source";
-  detail += (one ? " before frame " : ", the first before frame ") + std::to_string(stretch->first_frame);
-  if (!one) detail += ", the last before frame " + std::to_string(stretch->last_frame);
+  const std::string first = std::to_string(stretch->first_frame), last = std::to_string(stretch->last_frame);
+  std::string detail = stretch->frame_count == 1 ? "1 frame missing from the source before frame " + first
+                                                 : std::to_string(stretch->frame_count) +
+                                                       " frames missing from the source, the first before frame " +
+                                                       first + ", the last before frame " + last;
   writer.event({stretch->begin_s, event_kind::kGap, std::move(detail)});
 }
 

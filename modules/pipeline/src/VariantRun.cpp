@@ -15,7 +15,6 @@ namespace pellucida {
 namespace {
 
 constexpr double kVariantRiskStep_um = 5.0;
-constexpr std::string_view kNoForceNote = "no force: ";  // a remark of the measurement, not of a person
 
 SessionInfo info_of_variant(const ReplayVariant& variant, const CounterfactualOptions& options,
                             const SessionReader& session, const std::string& session_json_sha256) {

@@ -17,7 +17,6 @@ constexpr double kLowConfidence = 0.5;
 /// Half an interval's width over the force, from which on it is named.
 constexpr double kWide_ratio = 0.4;
 /// How the mechanics' own notes begin: reasons, not an operator's words.
-constexpr const char* kNoForce = "no force: ";
 
 template <class... Numbers>
 std::string sentence(const char* pattern, Numbers... numbers) {
@@ -47,7 +46,7 @@ void add_events(const PassportInput& input, double begin_s, double end_s, std::v
       doubts.push_back(
           sentence("at %.2f s the puncture reported before was revoked; until then the force is 0: ", event.time_s) +
           event.detail);
-    } else if (event.kind == event_kind::kNote && event.detail.starts_with(kNoForce)) {
+    } else if (event.kind == event_kind::kNote && event.detail.starts_with(kNoForceNote)) {
       doubts.push_back(sentence("at %.2f s ", event.time_s) + event.detail);
     }
   }
@@ -134,7 +133,7 @@ std::vector<std::string> cell_doubts(const CellSpan& span, const CellPassport& c
 std::vector<std::string> notes_between(const PassportInput& input, double begin_s, double end_s) {
   std::vector<std::string> notes;
   for (const Event& event : input.events) {
-    if (event.kind != event_kind::kNote || event.detail.starts_with(kNoForce) || event.time_s < begin_s ||
+    if (event.kind != event_kind::kNote || event.detail.starts_with(kNoForceNote) || event.time_s < begin_s ||
         event.time_s > end_s || begins_new_cell(event)) {
       continue;
     }

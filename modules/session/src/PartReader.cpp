@@ -42,8 +42,8 @@ void require_stamp(vtkDataObject* data, const DataName& name) {
                      std::to_string(kSchemaVersion));
   }
   if (stamped_frame_index(data) != name.number) {
-    throw InputError(std::string("stamped as ") + (name.kind == kHandKind ? "block " : "frame ") +
-                     std::to_string(stamped_frame_index(data)));
+    const std::string number = std::to_string(stamped_frame_index(data));
+    throw InputError(name.kind == kHandKind ? "stamped as block " + number : "stamped as frame " + number);
   }
   if (!std::isfinite(stamped_time_s(data))) throw InputError("stamped with an impossible time");
 }

@@ -11,6 +11,7 @@
 #include "RunControl.h"
 #include "Words.h"
 #include "pellucida/operation/ProfileStrength.h"
+#include "presenters/MessageBook.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
 #include "presenters/SourcePresenter.h"
@@ -30,7 +31,7 @@ namespace {
 
 constexpr int kTick_ms = 33;
 constexpr double kStatusPeriod_s = 0.1;
-constexpr double kNotice_s = 6.0;
+constexpr double kNotice_s = 6.0, kProblem_s = 20.0;
 // A window lower than this has smaller gauges.
 constexpr int kLow_px = 780;
 // A mark of a hint: the needle it points at moves on.
@@ -249,7 +250,8 @@ void GuideWindow::take_events() {
     facts_->show_puncture(text_of(puncture_.text()));
   }
   for (const Event& event : events) {
-    if (event.kind == event_kind::kHint) notify(words("Hint: ") + text_of(event.detail), false);
+    if (event.kind == event_kind::kHint)
+      notify(words("Hint: ") + text_of(say_event_detail(event.kind, event.detail)), false);
   }
   if (hint_until_s_ > 0.0 && now_s() > hint_until_s_) {
     hint_until_s_ = 0.0;
@@ -276,7 +278,7 @@ void GuideWindow::show_status() {
 
 void GuideWindow::notify(const QString& text, bool problem) {
   status_line_->show_notice({text.toStdString(), problem ? current_theme().record : current_theme().accent});
-  notice_until_s_ = now_s() + kNotice_s;
+  notice_until_s_ = now_s() + (problem ? kProblem_s : kNotice_s);
 }
 
 }  // namespace pellucida

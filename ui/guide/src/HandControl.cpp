@@ -211,7 +211,7 @@ void HandControl::set_target(const QPointF& place_px) {
   const auto objection = console_.set_target(place_um.x(), place_um.y());
   plan_stale_ = true;
   if (objection) {
-    notify_(words("Target: ") + QString::fromStdString(*objection), true);
+    notify_(words("Target: ") + QString::fromStdString(say_message(*objection)), true);
   } else {
     notify_(words("Target set"), false);
   }

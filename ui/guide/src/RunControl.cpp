@@ -32,7 +32,7 @@ void RunControl::toggle_recording() {
       run_.start_recording(recordings_.next_folder(RecordingPresenter::utc_stamp()));
     }
   } catch (const Error& error) {
-    notify_(error.what(), true);
+    notify_(words_of(error), true);
   }
 }
 

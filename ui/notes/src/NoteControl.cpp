@@ -187,7 +187,7 @@ void NoteControl::attempt(const std::function<void()>& change) {
   try {
     change();
   } catch (const Error& error) {
-    actions_.notify(QString::fromStdString(error.what()), true);
+    actions_.notify(words_of(error), true);
   }
   show_at(shown_s_);
   actions_.changed();

@@ -77,7 +77,7 @@ void ReviewExport::save_chart(const CurveChart& chart, const QString& title, con
     render_charts({&panel, 1}, 1, file, kChartSize);
     notify_(words("Saved ") + shown(file), false);
   } catch (const Error& error) {
-    notify_(error.what(), true);
+    notify_(words_of(error), true);
   }
 }
 
@@ -89,7 +89,7 @@ void ReviewExport::save_table(const QString& title, const std::string& what,
     write(file);
     notify_(words("Saved ") + shown(file), false);
   } catch (const Error& error) {
-    notify_(error.what(), true);
+    notify_(words_of(error), true);
   }
 }
 

@@ -44,8 +44,8 @@ std::string tip_of(const Scene& scene) {
               ? say("This cell: what is left of its unknown stiffness after its scale was measured.")
               : say("Kind of cell: how single cells of this kind differ in stiffness, one factor on all forces of "
                     "this cell. Measuring its scale reduces it."));
-  if (!remarks.reason.empty()) tip += say("\nNo force: ") + remarks.reason + ".";
-  if (!remarks.warning.empty()) tip += say("\nWarning: ") + remarks.warning + ".";
+  if (!remarks.reason.empty()) tip += say("\nNo force: ") + say_message(remarks.reason) + ".";
+  if (!remarks.warning.empty()) tip += say("\nWarning: ") + say_message(remarks.warning) + ".";
   const bool formula = std::isfinite(remarks.point_load_uN), table = std::isfinite(remarks.table_uN);
   if (!formula && !table) return tip;
   tip += say("\nOther models of the same push, no part of the interval:");
@@ -74,15 +74,17 @@ ReadoutTexts readout_texts(const Scene* scene, const CellProfile& profile) {
     texts.confidence.color = m.confidence < kWeakConfidence ? current_theme().warning : current_theme().text;
   }
   texts.profile = {profile.name, current_theme().text};
-  texts.profile_tip =
-      profile.description + say(": all forces are scaled to cells of this kind.\nThe picture can't tell one "
-                                "kind from another of the same size: choose the profile with --profile.");
+  texts.profile_tip = say_message(profile.description) +
+                      say(": all forces are scaled to cells of this kind.\nThe picture can't tell one "
+                          "kind from another of the same size: choose the profile with --profile.");
   return texts;
 }
 
 Phrase force_notice(const Scene& scene) {
-  if (!scene.remarks.reason.empty()) return {say("No force: ") + scene.remarks.reason, current_theme().warning};
-  if (!scene.remarks.warning.empty()) return {say("Force in doubt: ") + scene.remarks.warning, current_theme().warning};
+  if (!scene.remarks.reason.empty())
+    return {say("No force: ") + say_message(scene.remarks.reason), current_theme().warning};
+  if (!scene.remarks.warning.empty())
+    return {say("Force in doubt: ") + say_message(scene.remarks.warning), current_theme().warning};
   return {};
 }
 

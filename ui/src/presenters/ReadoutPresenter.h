@@ -1,11 +1,20 @@
 #pragma once
 #include <string>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/Scene.h"
 #include "pellucida/membrane/CellProfile.h"
 #include "presenters/Phrase.h"
 
 namespace pellucida {
+
+/// What the figures mean that need no other words; said by who shows them.
+inline constexpr const char* kIndentationTip = PELLUCIDA_WORDS(
+    "How far the needle has pushed the outer membrane in, along the needle, from where it was at rest.");
+inline constexpr const char* kPressureTip =
+    PELLUCIDA_WORDS("Excess pressure inside the cell, by the model: the push raises it, since the volume stays.");
+inline constexpr const char* kConfidenceTip = PELLUCIDA_WORDS(
+    "How sure the tracking is of cell and needle in this frame. Below 50 % look at the image before you use a number.");
 
 /// What the readouts say of one scene, UTF-8. A tip is the text shown while the mouse rests on the figure.
 struct ReadoutTexts {

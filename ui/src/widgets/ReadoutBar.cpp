@@ -12,12 +12,13 @@
 #include "presenters/ScalePresenter.h"
 #include "widgets/PhraseLabel.h"
 #include "widgets/ScaleGauge.h"
+#include "widgets/StatePill.h"
 
 namespace pellucida {
 namespace {
 
-// The width from which on there is room for words; and the state's, below it.
-constexpr int kRoomy_px = 1300, kPill_px = 132, kNarrowPill_px = 104;
+// The width from which on there is room for words.
+constexpr int kRoomy_px = 1300;
 
 }  // namespace
 
@@ -28,16 +29,15 @@ ReadoutBar::ReadoutBar(QWidget* parent) : QFrame(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 6, 16, 8);
 
-  state_ = new QLabel(this);
-  state_->setObjectName("statePill");
-  state_->setAlignment(Qt::AlignCenter);
-  state_->setFixedSize(kPill_px, 30);
-  row->addWidget(state_);
+  row->addWidget(state_ = new StatePill(this));
   indentation_ = add_figure(*row, *this, "indentation", words("INDENTATION"), "000.0 µm");
   force_ = add_figure(*row, *this, "force", words("FORCE OF THE NEEDLE"), "0.00 µN", "95 %: 00.00 – 00.00 µN");
   force_.note->setContentsMargins(0, 0, 0, 0);  // two lines
   pressure_ = add_figure(*row, *this, "pressure", words("PRESSURE"), words("0000 Pa"));
   confidence_ = add_figure(*row, *this, "confidence", words("CONFIDENCE"), "100 %");
+  indentation_.value->setToolTip(words(kIndentationTip));
+  pressure_.value->setToolTip(words(kPressureTip));
+  confidence_.value->setToolTip(words(kConfidenceTip));
   row->addLayout(build_scale());
   row->addStretch(1);
   profile_ = add_figure(*row, *this, "profile", words("CELL PROFILE"), "");
@@ -66,7 +66,6 @@ void ReadoutBar::resizeEvent(QResizeEvent*) {
   const bool is_narrow = width() < kRoomy_px;
   layout()->setSpacing(is_narrow ? 9 : 24);
   layout()->setContentsMargins(is_narrow ? 10 : 16, 6, is_narrow ? 10 : 16, 8);
-  state_->setFixedWidth(is_narrow ? kNarrowPill_px : kPill_px);
   gauge_->setFixedWidth(is_narrow ? 96 : 130);
   profile_.value->setProperty("smallFigure", is_narrow);
   profile_.value->style()->polish(profile_.value);
@@ -79,8 +78,7 @@ void ReadoutBar::show_scale(const ScaleTexts& texts) {
 }
 
 void ReadoutBar::show_texts(const ReadoutTexts& texts) {
-  state_->setText(QString::fromStdString(texts.state.text));
-  state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
+  state_->show_state(texts.state);
   show_phrase(*indentation_.value, texts.indentation);
   show_phrase(*force_.value, texts.force);
   // The interval, and below it which of its parts opens it.

@@ -9,6 +9,7 @@ class QVBoxLayout;
 namespace pellucida {
 
 class ScaleGauge;
+class StatePill;
 struct ReadoutTexts;
 struct ScaleTexts;
 
@@ -26,7 +27,7 @@ class ReadoutBar : public QFrame {
  private:
   QVBoxLayout* build_scale();
 
-  QLabel* state_;
+  StatePill* state_;
   Figure indentation_;
   Figure force_;
   Figure pressure_;

@@ -46,7 +46,7 @@ StartWindow::StartWindow(StartOptions options, AskForPath ask)
   build(form, std::move(ask));
   make_current(form.card);
   card(form.card).setFocus(Qt::TabFocusReason);
-  card(form.card).show_problem(in_words_of_page(options_.problem));
+  card(form.card).show_problem(in_words_of_page(say_message(options_.problem)));
   if (!options_.recording.empty()) recording_->take(options_.recording);
   screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [] {});
 }

@@ -334,7 +334,7 @@ void TeachWindow::show_curve(const CellSnapshot& s) {
     chart_.set_reference(words("quasi-static: is computed"), {}, {});
   } else {
     chart_.set_reference(fitting->fault.empty() ? std::string(words("quasi-static"))
-                                                : std::string(words("quasi-static: ")) + fitting->fault,
+                                                : std::string(words("quasi-static: ")) + say_message(fitting->fault),
                          fitting->depth_um, fitting->force_uN);
   }
 }

@@ -99,7 +99,7 @@ std::string limit_words(const HapticRecord& tick) {
 Phrase note_phrase(const HandStatus& status, const std::string& doing_english) {
   const std::string doing = say(doing_english.c_str());
   const HapticRecord& tick = status.tick;
-  if (status.fault) return {*status.fault, current_theme().record};
+  if (status.fault) return {say_message(*status.fault), current_theme().record};
   if (auto lost = loss(tick)) return {std::move(*lost), current_theme().record};
   if (std::string limits = limit_words(tick); !limits.empty())
     return {say("Limit: ") + limits, current_theme().warning};
@@ -110,11 +110,11 @@ Phrase note_phrase(const HandStatus& status, const std::string& doing_english) {
 }
 
 std::string loop_words(const HandStatus& status) {
-  if (status.tick_count == 0U) return status.device;
-  return status.device + say("; 1 kHz: ") + status.real_time + "; " + std::to_string(status.tick_count) +
-         say(" ticks, ") + std::to_string(status.missed_count) + say(" missed, 99 % late by at most ") +
-         readout::number(status.lateness_p99_us, 0) + say(" \u00b5s; energy margin ") +
-         readout::number(1e6 * status.tick.energy_margin_J, 0) + " \u00b5J";
+  if (status.tick_count == 0U) return say_message(status.device);
+  return say_message(status.device) + say("; 1 kHz: ") + say_message(status.real_time) + "; " +
+         std::to_string(status.tick_count) + say(" ticks, ") + std::to_string(status.missed_count) +
+         say(" missed, 99 % late by at most ") + readout::number(status.lateness_p99_us, 0) +
+         say(" \u00b5s; energy margin ") + readout::number(1e6 * status.tick.energy_margin_J, 0) + " \u00b5J";
 }
 
 }  // namespace

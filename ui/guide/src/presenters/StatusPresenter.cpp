@@ -47,7 +47,7 @@ Phrase recording_phrase(const LiveStatus& status, bool paused) {
 }
 
 Phrase notice_phrase(const LiveStatus& status, const Scene* scene, bool paused) {
-  if (status.fault) return {*status.fault, current_theme().record};
+  if (status.fault) return {say_message(*status.fault), current_theme().record};
   if (status.finished) return {say("The source has ended"), current_theme().warning};
   if (paused) return {say("Paused"), current_theme().warning};
   if (status.frame_count == 0) return {say("Waiting for the first frame"), current_theme().text_dim};

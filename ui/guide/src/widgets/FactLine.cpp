@@ -10,6 +10,7 @@
 #include "widgets/Figure.h"
 #include "widgets/PhraseLabel.h"
 #include "widgets/ScaleGauge.h"
+#include "widgets/StatePill.h"
 
 namespace pellucida {
 namespace {
@@ -27,11 +28,7 @@ FactLine::FactLine(QWidget* parent) : QFrame(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 0, 16, 6);
   row->setSpacing(6);
-  state_ = new QLabel(this);
-  state_->setObjectName("statePill");
-  state_->setAlignment(Qt::AlignCenter);
-  state_->setFixedSize(124, 30);
-  row->addWidget(state_);
+  row->addWidget(state_ = new StatePill(this));
   row->addSpacing(8);
   puncture_name_ = new QLabel(words("PUNCTURE"), this);
   puncture_name_->setObjectName("readoutName");
@@ -50,6 +47,8 @@ FactLine::FactLine(QWidget* parent) : QFrame(parent) {
   row->addStretch(1);
   pressure_ = add_fact("pressure", words("PRESSURE"), words("0000 Pa"));
   confidence_ = add_fact("confidence", words("CONFIDENCE"), "100 %");
+  pressure_->setToolTip(words(kPressureTip));
+  confidence_->setToolTip(words(kConfidenceTip));
   scale_ = add_fact("scale", words("SCALE"), "±00 %");
   row->addWidget(gauge_ = new ScaleGauge(this));
   gauge_->setFixedWidth(96);
@@ -79,11 +78,13 @@ void FactLine::resizeEvent(QResizeEvent*) {
   const bool has_room = width() >= kRoomForPressure_px || puncture_->text().isEmpty();
   pressure_name_->setVisible(has_room);
   pressure_->setVisible(has_room);
+  // Without room for all, the puncture's numbers come before its heading.
+  puncture_name_->setVisible(!puncture_->text().isEmpty());
+  if (layout()->minimumSize().width() > width()) puncture_name_->hide();
 }
 
 void FactLine::show_texts(const ReadoutTexts& texts) {
-  state_->setText(QString::fromStdString(texts.state.text));
-  state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
+  state_->show_state(texts.state);
   show_phrase(*parts_, texts.force_parts);
   parts_->setToolTip(QString::fromStdString(texts.force_tip));
   show_phrase(*pressure_, texts.pressure);
@@ -101,7 +102,6 @@ void FactLine::show_scale(const ScaleTexts& texts) {
 void FactLine::show_puncture(const QString& text) {
   const bool changed = puncture_->text() != text;
   puncture_->setText(text);
-  puncture_name_->setVisible(!text.isEmpty());
   puncture_->setVisible(!text.isEmpty());
   if (changed) resizeEvent(nullptr);
 }

@@ -6,6 +6,7 @@ class QLabel;
 namespace pellucida {
 
 class ScaleGauge;
+class StatePill;
 struct ReadoutTexts;
 struct ScaleTexts;
 
@@ -25,7 +26,7 @@ class FactLine : public QFrame {
   /// `widest`: the text it has room for, UTF-8.
   QLabel* add_fact(const char* key, const QString& name, const QString& widest);
 
-  QLabel* state_;
+  StatePill* state_;
   QLabel* parts_;
   QLabel* puncture_name_ = nullptr;
   QLabel* puncture_;

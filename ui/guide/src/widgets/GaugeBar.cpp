@@ -97,6 +97,8 @@ void GaugeBox::show_gauge(const Gauge& gauge) {
   setToolTip(QString::fromStdString(gauge.tip));
   setAccessibleName(QString::fromStdString(gauge.name + " " + gauge.value + " " + gauge.note + " " + gauge.alarm));
   fit_number();
+  // A limit's longer name takes its room at once.
+  layout()->activate();
   update();
 }
 

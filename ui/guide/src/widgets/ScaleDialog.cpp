@@ -128,7 +128,7 @@ void ScaleDialog::measure() {
         },
         {}, [this](const std::string& text) { show_problem(text); });
   } catch (const Error& error) {
-    show_problem(error.what());
+    show_problem(say_message(error.what()));
   }
 }
 
@@ -137,7 +137,7 @@ void ScaleDialog::take(const ScaleMeasurement& measurement) {
     actions_.measured(measurement);
     accept();
   } catch (const Error& error) {
-    show_problem(error.what());
+    show_problem(say_message(error.what()));
   }
 }
 

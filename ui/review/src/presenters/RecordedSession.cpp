@@ -23,7 +23,7 @@ CellProfile profile_of(const SessionInfo& info) {
   try {
     return parse_profile(info.profile_json, "session.json");
   } catch (const Error& error) {
-    unknown.description = error.what();
+    unknown.description = say_message(error.what());
     return unknown;
   }
 }

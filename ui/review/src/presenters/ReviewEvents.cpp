@@ -6,6 +6,7 @@
 
 #include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
+#include "presenters/MessageBook.h"
 
 namespace pellucida {
 namespace {
@@ -48,7 +49,7 @@ std::vector<ReviewEvent> review_events(const RecordedSession& session) {
   std::vector<ReviewEvent> events;
   for (const Event& event : session.events) {
     const bool is_warning = event.kind == event_kind::kWarning;
-    events.push_back({event.time_s, event.kind, event.detail,
+    events.push_back({event.time_s, event.kind, say_event_detail(event.kind, event.detail),
                       is_warning ? contact_end_s(session, event.time_s) : event.time_s, is_warning});
   }
   add_stretches(

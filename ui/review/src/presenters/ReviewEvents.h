@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "pellucida/core/Words.h"
 #include "pellucida/visualization/Palette.h"
 #include "presenters/RecordedSession.h"
 
@@ -17,9 +18,9 @@ struct ReviewEvent {
 };
 
 /// The kind of what the rows say against themselves, beside the kinds of `events.csv`.
-inline constexpr const char* kDoubtKind = "doubt";
+inline constexpr const char* kDoubtKind = PELLUCIDA_WORDS("doubt");
 /// That of a note written afterwards (session/Annotations.h).
-inline constexpr const char* kAnnotationKind = "annotation";
+inline constexpr const char* kAnnotationKind = PELLUCIDA_WORDS("annotation");
 
 /// Below this the confidence of a frame is low: the readouts show it in amber.
 inline constexpr double kLowConfidence_ratio = 0.5;

@@ -1,6 +1,7 @@
 #include "presenters/StepLoader.h"
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/ObservationData.h"
 
 namespace pellucida {
@@ -19,7 +20,7 @@ expected<LoadedStep, StepFailure> StepLoader::ReadStep::process(const std::size_
       }
     }
   } catch (const std::exception& error) {
-    loaded.error = error.what();
+    loaded.error = say_message(error.what());
     loaded.scene = Scene{};
     loaded.scene.measurement = reader.measurements().at(step);
   }

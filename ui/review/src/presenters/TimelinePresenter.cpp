@@ -5,6 +5,7 @@
 
 #include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
+#include "presenters/MessageBook.h"
 
 namespace pellucida {
 namespace {
@@ -70,7 +71,7 @@ std::string timeline_tip(const Timeline& timeline, double time_s, double reach_s
       continue;
     }
     ++lines;
-    tip.append("\n").append(readout::time(event.time_s)).append("  ").append(event.kind);
+    tip.append("\n").append(readout::time(event.time_s)).append("  ").append(say_event_kind(event.kind));
     if (!event.text.empty()) tip.append(": ").append(event.text);
   }
   if (more > 0) tip.append(say("\nand ")).append(std::to_string(more)).append(say(" more"));

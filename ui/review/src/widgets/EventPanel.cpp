@@ -12,6 +12,7 @@
 #include "Theme.h"
 #include "Words.h"
 #include "pellucida/visualization/Readout.h"
+#include "presenters/MessageBook.h"
 
 namespace pellucida {
 namespace {
@@ -59,7 +60,8 @@ void EventPanel::fill_menu() {
   kinds_menu_->clear();
   for (const std::string& kind : kinds_of(events_)) {
     const auto count = std::count_if(events_.begin(), events_.end(), [&](const auto& one) { return one.kind == kind; });
-    QAction* action = kinds_menu_->addAction(QString("%1 (%2)").arg(QString::fromStdString(kind)).arg(count));
+    QAction* action =
+        kinds_menu_->addAction(QString("%1 (%2)").arg(QString::fromStdString(say_event_kind(kind))).arg(count));
     action->setCheckable(true);
     action->setChecked(true);
     action->setData(QString::fromStdString(kind));
@@ -93,8 +95,8 @@ void EventPanel::fill() {
   for (const ReviewEvent& event : events_) {
     if (hidden_.contains(event.kind)) continue;
     const QString text = QString::fromStdString(event.text);
-    auto* item = new QTreeWidgetItem(
-        {QString::fromStdString(readout::time(event.time_s)), QString::fromStdString(event.kind), text});
+    auto* item = new QTreeWidgetItem({QString::fromStdString(readout::time(event.time_s)),
+                                      QString::fromStdString(say_event_kind(event.kind)), text});
     item->setData(kTimeColumn, Qt::UserRole, event.time_s);
     item->setTextAlignment(kTimeColumn, Qt::AlignRight | Qt::AlignVCenter);
     item->setForeground(kKindColumn, to_qt(event_color(event)));

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 PathJudgement neither(const fs::path& path, const std::string& reason) {
   PathJudgement judgement;
   judgement.path = path;
-  judgement.problem = reason + say(" - give a video, a folder of images, or the folder of a session");
+  judgement.problem = say_message(reason) + say(" - give a video, a folder of images, or the folder of a session");
   return judgement;
 }
 

@@ -17,7 +17,8 @@ constexpr const char* kScenarioForHands = "injection";
 
 // "Mouse oocyte, zona pellucida": the kind is what comes before the comma.
 std::string kind_of(const CellProfile& profile) {
-  return profile.description.substr(0, profile.description.find(','));
+  const std::string description = say_message(profile.description);
+  return description.substr(0, description.find(','));
 }
 
 // "44 um, 7.5 uN" as a window writes it.
@@ -31,7 +32,7 @@ std::string with_micro_signs(const std::string& text) {
 std::vector<StartEntry> scenario_entries() {
   std::vector<StartEntry> entries;
   for (const auto& name : scenario_names()) {
-    entries.push_back({name, name, with_micro_signs(load_scenario(name).description)});
+    entries.push_back({name, name, with_micro_signs(say_message(load_scenario(name).description))});
   }
   std::stable_partition(entries.begin(), entries.end(),
                         [](const StartEntry& entry) { return entry.value == kScenarioForHands; });
@@ -49,7 +50,7 @@ std::vector<StartEntry> profile_entries() {
   std::vector<StartEntry> entries;
   for (const auto& name : list_resources("profiles", ".json")) {
     const CellProfile profile = load_profile(name);
-    entries.push_back({name, name + " (" + kind_of(profile) + ")", profile.description});
+    entries.push_back({name, name + " (" + kind_of(profile) + ")", say_message(profile.description)});
   }
   // The oocyte is the program's default.
   const auto usual =
@@ -80,9 +81,9 @@ CameraList camera_list(const std::filesystem::path& listing) {
   for (const auto& report : search_cameras(listing)) {
     if (report.usable) {
       list.cameras.push_back(
-          {report.name, report.detail.empty() ? report.name : report.name + "  " + report.detail, ""});
+          {report.name, report.detail.empty() ? report.name : report.name + "  " + say_message(report.detail), ""});
     } else {
-      reasons += (reasons.empty() ? "" : "\n") + report.detail;
+      reasons += (reasons.empty() ? "" : "\n") + say_message(report.detail);
     }
   }
   if (list.cameras.empty())

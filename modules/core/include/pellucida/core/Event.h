@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "pellucida/core/Words.h"
+
 namespace pellucida {
 
 /// Something that happened in a session: a row of `events.csv` (`time_s,kind,detail`).
@@ -17,27 +19,30 @@ struct Event {
 
 /// The names of the kinds of event (a contract).
 namespace event_kind {
-inline constexpr const char* kContact = "contact";
-inline constexpr const char* kRelease = "release";
-inline constexpr const char* kPuncture = "puncture";
-inline constexpr const char* kRevoked = "revoked";
-inline constexpr const char* kLost = "lost";
-inline constexpr const char* kFound = "found";
-inline constexpr const char* kWarning = "warning";
-inline constexpr const char* kPalpation = "palpation";
-inline constexpr const char* kLimit = "limit";
-inline constexpr const char* kNote = "note";
-inline constexpr const char* kHint = "hint";
-inline constexpr const char* kUnmeasured = "unmeasured";
-inline constexpr const char* kDropped = "dropped";
-inline constexpr const char* kThinned = "thinned";
-inline constexpr const char* kGap = "gap";
-inline constexpr const char* kDamaged = "damaged";
-inline constexpr const char* kPaused = "paused";
-inline constexpr const char* kResumed = "resumed";
-inline constexpr const char* kStarted = "started";
-inline constexpr const char* kStopped = "stopped";
+inline constexpr const char* kContact = PELLUCIDA_WORDS("contact");
+inline constexpr const char* kRelease = PELLUCIDA_WORDS("release");
+inline constexpr const char* kPuncture = PELLUCIDA_WORDS("puncture");
+inline constexpr const char* kRevoked = PELLUCIDA_WORDS("revoked");
+inline constexpr const char* kLost = PELLUCIDA_WORDS("lost");
+inline constexpr const char* kFound = PELLUCIDA_WORDS("found");
+inline constexpr const char* kWarning = PELLUCIDA_WORDS("warning");
+inline constexpr const char* kPalpation = PELLUCIDA_WORDS("palpation");
+inline constexpr const char* kLimit = PELLUCIDA_WORDS("limit");
+inline constexpr const char* kNote = PELLUCIDA_WORDS("note");
+inline constexpr const char* kHint = PELLUCIDA_WORDS("hint");
+inline constexpr const char* kUnmeasured = PELLUCIDA_WORDS("unmeasured");
+inline constexpr const char* kDropped = PELLUCIDA_WORDS("dropped");
+inline constexpr const char* kThinned = PELLUCIDA_WORDS("thinned");
+inline constexpr const char* kGap = PELLUCIDA_WORDS("gap");
+inline constexpr const char* kDamaged = PELLUCIDA_WORDS("damaged");
+inline constexpr const char* kPaused = PELLUCIDA_WORDS("paused");
+inline constexpr const char* kResumed = PELLUCIDA_WORDS("resumed");
+inline constexpr const char* kStarted = PELLUCIDA_WORDS("started");
+inline constexpr const char* kStopped = PELLUCIDA_WORDS("stopped");
 }  // namespace event_kind
+
+/// How a note begins that is the measurement's own, not a person's: why there is no force.
+inline constexpr std::string_view kNoForceNote = "no force: ";
 
 struct EventKindInfo {
   std::string_view name;
