@@ -14,7 +14,6 @@
 #include "SceneVerdict.h"
 #include "TrackerChecks.h"
 #include "TrackerPace.h"
-
 namespace pellucida {
 class MembraneTracker::Impl {
  public:
