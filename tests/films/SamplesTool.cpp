@@ -88,7 +88,8 @@ int main(int count, char** arguments) {
   std::filesystem::create_directories(out);
   cv::setNumThreads(1);
   std::ofstream csv(out / ("samples_" + std::to_string(first) + ".csv"));
-  csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,tip_radius_px,center_x_px,center_y_px,outer_radius_px,contrast,"
+  csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,tip_radius_px,center_x_px,center_y_px,outer_radius_px,"
+         "contrast,"
          "family,frame\n";
   std::ofstream contours(out / ("contours_" + std::to_string(first) + ".csv"));
   contours << std::fixed << std::setprecision(3);
