@@ -83,6 +83,25 @@ TEST(PunctureVerdict, AContourLeftInTheDimpleThatComesBackToTheTipIsNoPuncture) 
   EXPECT_FALSE(verdict.judge(sight(9.0, 0.4, 9.0, 0.5)));
 }
 
+// One frame, hardly seen, shows flanks deep within: nothing comes back from there in the next.
+TEST(PunctureVerdict, AFrameHardlySeenSetsNoDepthToComeBackFrom) {
+  PunctureVerdict verdict = pushed(8.0, 0.1);
+  Sight now = sight(8.0, 0.4, 8.0, 0.7);
+  now.flank_um = 2.5;
+  EXPECT_FALSE(verdict.judge(now));
+  verdict.add(8.0, 0.8);
+  now.confidence = 0.01;
+  now.flank_um = 12.0;
+  EXPECT_FALSE(verdict.judge(now));
+  now.confidence = 0.55;
+  now.flank_um = 2.4;
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_FALSE(verdict.judge(now)) << k;
+    EXPECT_FALSE(verdict.is_doubted()) << k;
+    verdict.add(8.0, 0.8);
+  }
+}
+
 TEST(PunctureVerdict, ALagOfTheMembraneWithinItsNoiseIsNoPuncture) {
   PunctureVerdict verdict = pushed(20.0, 0.1);
   EXPECT_FALSE(verdict.judge(sight(20.5, 0.5, 19.0, 0.8)));

@@ -1,0 +1,77 @@
+#include "SceneReading.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pellucida {
+namespace {
+
+// A map of background, 100 x 80, 3 px a map pixel.
+class SceneReadingTest : public ::testing::Test {
+ protected:
+  static constexpr int kWidth = 100, kHeight = 80;
+  static constexpr double kPitch_px = 3.0;
+
+  SceneReadingTest() {
+    for (auto& plane : map_.shares) plane.setZero(kHeight, kWidth);
+    map_.tip.setZero(kHeight, kWidth);
+    map_.pitch_px = kPitch_px;
+  }
+
+  template <class Inside>
+  void fill(SceneClass which, const Inside& inside) {
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        if (inside(x, y)) map_.shares[static_cast<std::size_t>(which)](y, x) = 0.95F;
+  }
+
+  SceneReading read() const {
+    return read_scene(map_, static_cast<int>(kWidth * kPitch_px), static_cast<int>(kHeight * kPitch_px));
+  }
+
+  SceneMap map_;
+};
+
+TEST_F(SceneReadingTest, AHolderPointsFromTheBorderToItsMouth) {
+  fill(SceneClass::kHolder, [](int x, int y) { return x >= 70 && y >= 35 && y < 45; });
+  const SceneReading reading = read();
+  ASSERT_EQ(reading.holders.size(), 1U);
+  const SceneTool& holder = reading.holders.front();
+  EXPECT_NEAR(holder.direction.x(), -1.0, 0.01);
+  EXPECT_NEAR(holder.half_width_px, 5.0 * kPitch_px, 0.1 * 5.0 * kPitch_px);
+  EXPECT_FALSE(holder.is_short);
+}
+
+// Less of it in view than it is wide: its longest axis lies across it.
+TEST_F(SceneReadingTest, AHolderOfWhichLittleIsInViewIsOne) {
+  fill(SceneClass::kHolder, [](int x, int y) { return y < 14 && x >= 40 && x < 58; });
+  const SceneReading reading = read();
+  ASSERT_EQ(reading.holders.size(), 1U);
+  EXPECT_TRUE(reading.holders.front().is_short);
+  EXPECT_GT(reading.holders.front().direction.y(), 0.94);
+}
+
+// The direction of its end, not of the whole arc.
+TEST_F(SceneReadingTest, ABentHolderPointsAsItsEndDoes) {
+  // A quarter of a circle about the corner (99, 79), in from the right border, with its mouth pointing down.
+  fill(SceneClass::kHolder, [](int x, int y) {
+    const double radius = std::hypot(x - 99.0, y - 79.0);
+    return radius > 52.0 && radius < 64.0 && y < 70;
+  });
+  const SceneReading reading = read();
+  ASSERT_EQ(reading.holders.size(), 1U);
+  const SceneTool& holder = reading.holders.front();
+  EXPECT_TRUE(holder.is_short);
+  EXPECT_GT(holder.direction.y(), std::cos(25.0 * M_PI / 180.0)) << holder.direction.transpose();
+  EXPECT_NEAR(holder.half_width_px, 6.0 * kPitch_px, 0.25 * 6.0 * kPitch_px);
+}
+
+// Nor is a short, broad area of the needle's class a needle.
+TEST_F(SceneReadingTest, ANeedleIsSlender) {
+  fill(SceneClass::kNeedle, [](int x, int y) { return y < 14 && x >= 40 && x < 58; });
+  EXPECT_TRUE(read().needles.empty());
+}
+
+}  // namespace
+}  // namespace pellucida
