@@ -48,7 +48,9 @@ TEST(GeometryEstimate, ATipSeenPoorlyIsDrawnTowardsTheUsualOne) {
     o.needle->tip_radius_sigma = sigma;
     estimate.update(o);
     const double tip_um = estimate.geometry().tip_radius_um;
-    if (sigma < 0.15) EXPECT_NEAR(tip_um, 0.25 * profile.tip_radius_um, 1e-9);
+    if (sigma < 0.15) {
+      EXPECT_NEAR(tip_um, 0.25 * profile.tip_radius_um, 1e-9);
+    }
     EXPECT_GT(tip_um, last_um) << sigma;
     EXPECT_LT(tip_um, profile.tip_radius_um) << sigma;
     EXPECT_GT(estimate.force_sigma_ratio(), last_sigma) << sigma;

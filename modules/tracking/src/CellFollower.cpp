@@ -207,7 +207,7 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   snakes_.predict(shift, needle_.motion(), needle);
   snakes_.read(frame.image, network, needle, rounds);
   quality_ = quality_now();
-  if (needle && touching_) read_sprung_back(frame, *needle);
+  if (needle && touching_ && needle_.is_sharp()) read_sprung_back(frame, *needle);
   if (needle == nullptr || measure_membrane_depth() - tip_depth() > kBeyondTip_ratio * rest_.outer_radius)
     read_unpushed(frame, needle);
   if (quality_ >= kPoorReading) return;

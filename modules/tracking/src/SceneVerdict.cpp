@@ -16,6 +16,9 @@ constexpr double kSameCell_ratio = 0.07, kLeastApart_px = 2.5, kSameTip_px = 11.
 // mean, where they were 2 px or more off 0.0215 and more away. A tip was read within 2 px of where it was.
 constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
 constexpr double kSameRead_px = 3.0, kSameReadHalfWidths = 0.3;
+// A soft zona is a halo when it reaches so much further than a cell of the scene at that place, of its radius, while
+// the line within is that cell's: no smaller than so much of it.
+constexpr double kHaloCenter_ratio = 0.3, kHalo_ratio = 1.3, kHaloLine_ratio = 0.8;
 // What lines follow is one wall of a needle where, so far behind the tip, it is thinner than this share of the needle.
 constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
 // The network's score is 0.98 or more for looks like those it has learnt from, 0.95 or less for most others, the lines'
@@ -79,8 +82,23 @@ bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene
   return !has_tip;
 }
 
+namespace {
+
+// The halo of phase contrast ends in a border as soft as a zona's: far outside the cell that the scene shows.
+bool is_zona_a_halo(const CellFollower& by_lines, const SceneReading& scene) {
+  if (!by_lines.zona().valid()) return false;
+  const double line_px = by_lines.rest().outer_radius;
+  return std::any_of(scene.cells.begin(), scene.cells.end(), [&](const SceneCell& seen) {
+    return seen.share > kLeastCellShare && (seen.center - by_lines.center_now()).norm() < kHaloCenter_ratio * line_px &&
+           by_lines.zona().rest_radius() > kHalo_ratio * seen.radius_px && line_px > kHaloLine_ratio * seen.radius_px;
+  });
+}
+
+}  // namespace
+
 LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, const FrameSampler& image,
                          SceneReader& reader) {
+  if (is_zona_a_halo(by_lines, scene)) by_lines.forget_zona();
   LinesVerdict verdict;
   bool has_cell = false;
   for (const SceneCell& seen : scene.cells) {
