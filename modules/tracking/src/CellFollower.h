@@ -50,7 +50,6 @@ class CellFollower {
   /// See `NeedleTracker`; false in contact.
   bool take_bevel(const FrameSampler& image, TipNetwork& network);
   void forget_needle() { needle_.reset(); }
-  void forget_zona() { zona_ = {}; }
 
   /// Follows into the next frame. False when the cell has been out of sight for too long.
   bool follow(const FrameInput& frame);

@@ -164,7 +164,9 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
     if (!is_before(center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
-    if (is_asked && !needle_.is_read()) {
+    // Lines are the more precise, unless the tip lies elsewhere.
+    const bool is_elsewhere = is_read_ || (is_asked && !needle_.is_where_read(frame.networks->tips(), frame.image));
+    if (is_asked && is_elsewhere && !needle_.is_read()) {
       if (contact_.state() == CellState::kFree) {
         needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
       } else {

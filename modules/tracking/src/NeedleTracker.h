@@ -93,6 +93,9 @@ class NeedleTracker {
   void read_width(TipWidthNetwork& network, const FrameSampler& image);
   bool is_width_read() const noexcept { return width_readings_ > 0; }
 
+  /// Whether that is where lines have it; also where the network isn't sure, or no needle is followed.
+  bool is_where_read(TipNetwork& network, const FrameSampler& image) const;
+
   /// Begins with a needle whose shaft can't be followed, by its tip alone: about `axis`, `half_width_px` wide some way
   /// behind the tip. False where the network isn't sure.
   bool start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis, double half_width_px);

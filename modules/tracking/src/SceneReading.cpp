@@ -180,10 +180,13 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
       return std::min({p.x(), p.y(), image_width - 1 - p.x(), image_height - 1 - p.y()});
     };
     const double a = to_border(from), b = to_border(to);
-    const bool turned = std::abs(a - b) > 2.0 * map.pitch_px
-                            ? b < a
-                            : (map.to_image(mean + to * direction) - middle).norm() >
-                                  (map.to_image(mean + from * direction) - middle).norm();
+    const std::optional<Eigen::Vector2d> entry = middle_of_border(whole, share);
+    const bool is_end = area.size() < whole.size();  // of a bent one: away from where the whole comes in
+    const bool turned =
+        is_end && entry ? (mean + to * direction - *entry).norm() < (mean + from * direction - *entry).norm()
+        : std::abs(a - b) > 2.0 * map.pitch_px ? b < a
+                                               : (map.to_image(mean + to * direction) - middle).norm() >
+                                                     (map.to_image(mean + from * direction) - middle).norm();
     if (turned) {
       direction = -direction;
       std::swap(from, to);
@@ -192,7 +195,7 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     }
     SceneTool tool;
     tool.direction = direction;
-    tool.is_short = is_short || area.size() < whole.size();
+    tool.is_short = is_short || is_end;
     tool.length_px = map.pitch_px * (to - from);
     tool.half_width_px = 0.5 * map.pitch_px * static_cast<double>(area.size()) / std::max(to - from, 1.0);
     tool.share = mean_share(share, area);

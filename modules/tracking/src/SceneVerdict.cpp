@@ -13,12 +13,8 @@ namespace {
 constexpr double kSameCell_ratio = 0.07, kLeastApart_px = 2.5, kSameTip_px = 11.0;
 // On 156 first frames of tuning films (seeds 63001 to 63090, in looks of the optical model and as plain drawings):
 // where lines had a cell right to 0.2 px, the network read its boundary within 0.0205 of the radius of them in the
-// mean, where they were 2 px or more off 0.0215 and more away. A tip was read within 2 px of where it was.
+// mean, where they were 2 px or more off 0.0215 and more away.
 constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
-constexpr double kSameRead_px = 3.0, kSameReadHalfWidths = 0.3;
-// A soft zona is a halo when it reaches so much further than a cell of the scene at that place, of its radius, while
-// the line within is that cell's: no smaller than so much of it.
-constexpr double kHaloCenter_ratio = 0.3, kHalo_ratio = 1.3, kHaloLine_ratio = 0.8;
 // What lines follow is one wall of a needle where, so far behind the tip, it is thinner than this share of the needle.
 constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
 // The network's score is 0.98 or more for looks like those it has learnt from, 0.95 or less for most others, the lines'
@@ -56,14 +52,6 @@ double most_apart_px(const CellFollower& by_lines) {
   return std::max(kLeastOutline_px, kSameOutline_ratio * radius_px(outline_of(by_lines)));
 }
 
-bool is_tip_read(const CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
-  const NeedleTracker& needle = by_lines.needle();
-  if (!needle.valid()) return true;
-  const std::optional<Eigen::Vector2d> read = needle.tip_read(reader.tips(), image);
-  const double most_px = std::max(kSameRead_px, kSameReadHalfWidths * needle.estimate().tip_half_width);
-  return !read || (*read - needle.estimate().tip).norm() < most_px;
-}
-
 }  // namespace
 
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene) {
@@ -82,23 +70,8 @@ bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene
   return !has_tip;
 }
 
-namespace {
-
-// The halo of phase contrast ends in a border as soft as a zona's: far outside the cell that the scene shows.
-bool is_zona_a_halo(const CellFollower& by_lines, const SceneReading& scene) {
-  if (!by_lines.zona().valid()) return false;
-  const double line_px = by_lines.rest().outer_radius;
-  return std::any_of(scene.cells.begin(), scene.cells.end(), [&](const SceneCell& seen) {
-    return seen.share > kLeastCellShare && (seen.center - by_lines.center_now()).norm() < kHaloCenter_ratio * line_px &&
-           by_lines.zona().rest_radius() > kHalo_ratio * seen.radius_px && line_px > kHaloLine_ratio * seen.radius_px;
-  });
-}
-
-}  // namespace
-
 LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, const FrameSampler& image,
                          SceneReader& reader) {
-  if (is_zona_a_halo(by_lines, scene)) by_lines.forget_zona();
   LinesVerdict verdict;
   bool has_cell = false;
   for (const SceneCell& seen : scene.cells) {
@@ -108,7 +81,8 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   }
   verdict.is_same_outline = read_apart_px(by_lines, image, reader) < most_apart_px(by_lines);
   by_lines.take_bevel(image, reader.tips());
-  verdict.is_same_needle = is_needle_confirmed(by_lines, scene) && is_tip_read(by_lines, image, reader);
+  verdict.is_same_needle =
+      is_needle_confirmed(by_lines, scene) && by_lines.needle().is_where_read(reader.tips(), image);
   verdict.is_sure = by_lines.confidence() > kLeastConfidence;
   verdict.is_bubble = !has_cell && by_lines.snakes().outer().score > kBubbleScore;
   return verdict;
@@ -116,7 +90,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
 
 bool is_where_read(CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
   if (read_apart_px(by_lines, image, reader) >= most_apart_px(by_lines)) return false;
-  return is_tip_read(by_lines, image, reader) || by_lines.take_bevel(image, reader.tips());
+  return by_lines.needle().is_where_read(reader.tips(), image) || by_lines.take_bevel(image, reader.tips());
 }
 
 DetectedCell detected(const CellFollower& by_lines) {

@@ -51,11 +51,11 @@ struct NeedlePose {
   Eigen::Vector2d direction =
       Eigen::Vector2d::UnitX();                 ///< unit vector from the shaft to the tip: the direction of its push
   double tip_radius_um = 0.0;                   ///< half the width at the tip
-  double tip_radius_sigma = 0.0;                ///< standard deviation of its logarithm; 0: unknown
   double confidence = 0.0;                      ///< 0..1
   double tip_sigma_um = 0.0;                    ///< standard deviation of the tip along `direction`; 0: unknown
   NeedleEvidence evidence = kNoNeedleEvidence;  ///< how the tip was located
   Contour_um outline_um;                        ///< open polyline; its first point is the tip
+  double tip_radius_sigma = 0.0;                ///< standard deviation of the tip radius's logarithm; 0: unknown
 };
 
 /// The holding pipette in the image plane.
@@ -63,9 +63,9 @@ struct HolderPose {
   Eigen::Vector2d mouth_um = Eigen::Vector2d::Zero();    ///< centre of the mouth, where the cell rests
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit vector from the cell centre to the mouth
   double outer_radius_um = 0.0;                          ///< half its width at the mouth
-  double outer_radius_sigma = 0.0;                       ///< standard deviation of its logarithm; 0: unknown
   double confidence = 0.0;                               ///< 0..1
   Contour_um outline_um;                                 ///< open polyline
+  double outer_radius_sigma = 0.0;                       ///< standard deviation of its radius's logarithm; 0: unknown
 };
 
 /// Everything one frame shows of cell and tools: what a tracker measures, and what the virtual microscope knows as
