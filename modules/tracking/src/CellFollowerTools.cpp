@@ -157,23 +157,25 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const Eigen::Vector2d before = needle_.motion();
     bool seen = needle_.is_read() ? needle_.follow_read(frame.networks->tips(), frame.image, cue)
                                   : needle_.track(frame.image, frame.noise, cue);
-    // Lines whose end leaps, or is seen poorly, may have lost it.
-    const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle ||
-                         (needle_.motion() - before).norm() > kCheckedLeap_px + 0.5 * before.norm();
+    // Lines whose end leaps, or is seen poorly, may have lost it; in a dimple the networks know it no better.
+    const bool is_free = contact_.state() == CellState::kFree;
+    const bool is_leap = (needle_.motion() - before).norm() > kCheckedLeap_px + 0.5 * before.norm();
+    const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle || (is_free && is_leap);
     const bool is_asked = frame.networks && (is_read_ || is_doubtful_ || is_poor);
     if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
     if (!is_before(center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
     // Lines are the more precise, unless the tip lies elsewhere.
-    const bool is_elsewhere = is_read_ || (is_asked && !needle_.is_where_read(frame.networks->tips(), frame.image));
+    const bool is_elsewhere =
+        is_read_ || (is_asked && !zone().is_shade && !needle_.is_where_read(frame.networks->tips(), frame.image));
     if (is_asked && is_elsewhere && !needle_.is_read()) {
-      if (contact_.state() == CellState::kFree) {
+      if (is_free) {
         needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
       } else {
         needle_.read_tip_in_contact(frame.networks->tips(), frame.image);
       }
     }
-    read_tip_width(frame, contact_.state() == CellState::kFree);
+    read_tip_width(frame, is_free);
   } else if (frame.scene || (frame.reader == nullptr && (frames_followed_ % 3 == 0 || frames_followed_ < 10))) {
     const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
     find_needle(frame, circle, find_tools(gray(frame.view), circle));

@@ -113,8 +113,8 @@ LongAxis long_axis(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
   axis.direction = axes.eigenvectors().col(1);
-  axis.length = std::sqrt(12.0 * axes.eigenvalues()[1]);
-  axis.width = std::sqrt(12.0 * axes.eigenvalues()[0]);
+  axis.length = std::sqrt(12.0 * std::max(0.0, axes.eigenvalues()[1]));
+  axis.width = std::sqrt(12.0 * std::max(0.0, axes.eigenvalues()[0]));
   return axis;
 }
 
