@@ -10,14 +10,12 @@ The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_O
 them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes.
 """
-import os
 
-import cv2
 import numpy as np
 import torch
 from torch import nn
 
-from training import UNetwork, arguments_of, draw_batch, export, normalised, rows_of, sampled, spacing_of, train, varied
+from training import TipSamples, UNetwork, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
 WIDTH_SAMPLES, LEAST_PX, MOST_PX = 5.0, 0.5, 3.0
@@ -30,40 +28,9 @@ def tip_network(widths=(12, 24, 40, 56)):
     return UNetwork(stem, widths, nn.ConvTranspose2d(widths[0], 1, 4, 2, 1))
 
 
-class Samples:
-    """Pictures of a folder that show a needle's tip; `load` takes in what has been added since."""
-
-    def __init__(self, folder):
-        self.folder, self.items, self.known = folder, [], set()
-        self.load()
-
-    def load(self):
-        for row in rows_of(self.folder):
-            if row["file"] not in self.known:
-                self.known.add(row["file"])
-                self.read(row)
-
-    def read(self, row):
-        tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
-                    (("tip_x_px", "tip_y_px"), ("direction_x", "direction_y")))
-        path = os.path.join(self.folder, row["file"])
-        image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
-        if image is None or label is None:
-            return
-        if np.any(tip < 2) or np.any(tip > np.array(image.shape[::-1]) - 3):
-            return
-        way = way / np.hypot(*way)
-        across = np.array([-way[1], way[0]])
-        behind = tip - 0.05 * max(image.shape) * way
-        line = behind + np.arange(-60, 60.5, 0.5)[:, None] * across
-        x, y = np.round(line).astype(int).T
-        inside = (x >= 0) & (y >= 0) & (x < image.shape[1]) & (y < image.shape[0])
-        half = 0.25 * np.count_nonzero(label[y[inside], x[inside]] == 3)
-        if half >= 0.5:
-            self.items.append((image, tip, way, half))
-
+class Samples(TipSamples):
     def draw(self, random):
-        image, tip, way, half = self.items[random.integers(len(self.items))]
+        image, tip, way, half, _ = self.items[random.integers(len(self.items))]
         if random.random() < 0.5:
             image, width = image[:, ::-1], image.shape[1]
             tip, way = np.array([width - 1 - tip[0], tip[1]]), way * (-1, 1)

@@ -12,14 +12,12 @@ the needle's half width some way behind, unless that is less than LEAST_PX or mo
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes. The answer: the logarithm of half
 the width at the tip in samples, and that of its standard deviation.
 """
-import os
 
-import cv2
 import numpy as np
 import torch
 from torch import nn
 
-from training import Block, arguments_of, draw_batch, export, normalised, rows_of, sampled, spacing_of, train, varied
+from training import Block, TipSamples, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 80, 48, 56
 WIDTH_SAMPLES, LEAST_PX, MOST_PX = 7.0, 0.4, 3.0
@@ -39,36 +37,9 @@ class WidthNetwork(nn.Module):
         return self.judge(self.look(x).flatten(1))
 
 
-class Samples:
-    """Pictures of a folder that show a needle's tip; `load` takes in what has been added since."""
-
-    def __init__(self, folder):
-        self.folder, self.items, self.held_out, self.known = folder, [], [], set()
-        self.load()
-
-    def load(self):
-        for row in rows_of(self.folder):
-            if row["file"] not in self.known:
-                self.known.add(row["file"])
-                self.read(row)
-
-    def read(self, row):
-        tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
-                    (("tip_x_px", "tip_y_px"), ("direction_x", "direction_y")))
-        path = os.path.join(self.folder, row["file"])
-        image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
-        if image is None or label is None or np.any(tip < 2) or np.any(tip > np.array(image.shape[::-1]) - 3):
-            return
-        way = way / np.hypot(*way)
-        across = np.array([-way[1], way[0]])
-        behind = tip - 0.05 * max(image.shape) * way
-        line = behind + np.arange(-60, 60.5, 0.5)[:, None] * across
-        x, y = np.round(line).astype(int).T
-        inside = (x >= 0) & (y >= 0) & (x < image.shape[1]) & (y < image.shape[0])
-        half = 0.25 * np.count_nonzero(label[y[inside], x[inside]] == 3)
-        if half >= 0.5:
-            items = self.held_out if len(self.known) % HELD_OUT == 0 else self.items
-            items.append((image, tip, way, half, float(row["tip_radius_px"])))
+class Samples(TipSamples):
+    def keep(self, item):
+        (self.held_out if len(self.known) % HELD_OUT == 0 else self.items).append(item)
 
     def draw(self, items, random):
         image, tip, way, half, radius = items[random.integers(len(items))]

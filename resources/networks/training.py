@@ -83,6 +83,41 @@ def rows_of(folder):
             yield from (row for row in csv.DictReader(file) if row["frame"] is not None)
 
 
+class TipSamples:
+    """Pictures of a folder that show a needle's tip, each with its tip, direction, half width some way behind and radius at the
+    tip, px; `load` takes in what has been added since."""
+
+    def __init__(self, folder):
+        self.folder, self.items, self.held_out, self.known = folder, [], [], set()
+        self.load()
+
+    def load(self):
+        for row in rows_of(self.folder):
+            if row["file"] not in self.known:
+                self.known.add(row["file"])
+                self.read(row)
+
+    def read(self, row):
+        tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
+                    (("tip_x_px", "tip_y_px"), ("direction_x", "direction_y")))
+        path = os.path.join(self.folder, row["file"])
+        image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+        if image is None or label is None or np.any(tip < 2) or np.any(tip > np.array(image.shape[::-1]) - 3):
+            return
+        way = way / np.hypot(*way)
+        across = np.array([-way[1], way[0]])
+        behind = tip - 0.05 * max(image.shape) * way
+        line = behind + np.arange(-60, 60.5, 0.5)[:, None] * across
+        x, y = np.round(line).astype(int).T
+        inside = (x >= 0) & (y >= 0) & (x < image.shape[1]) & (y < image.shape[0])
+        half = 0.25 * np.count_nonzero(label[y[inside], x[inside]] == 3)
+        if half >= 0.5:
+            self.keep((image, tip, way, half, float(row["tip_radius_px"])))
+
+    def keep(self, item):
+        self.items.append(item)
+
+
 def draw_batch(draw, is_usable, count):
     """`count` samples that are usable, of draw(): inputs and truths as tensors."""
     drawn = []

@@ -276,17 +276,17 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
 // the next the seat moves with the holder, but for a share of the needle's own way; and where they part slowly, the
 // walls have slid: the holder is learnt anew, or, in contact, the seat followed along it.
 void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before) {
-  const Eigen::Vector2d far_before = seat_;
+  const Eigen::Vector2d seat_before = seat_;
   seat_ = seat_center();
   if (!rigid_.valid()) {
     motion_.shift += seat_ - center_now();
     return;
   }
-  const Eigen::Vector2d far_way = seat_ - far_before, holder_way = center_now() - center_before;
+  const Eigen::Vector2d seat_way = seat_ - seat_before, holder_way = center_now() - center_before;
   // What the needle pushed, it pushed by its way against the cell.
-  const double push = needle_.valid() ? (needle_.motion() - far_way).norm() : 0.0;
-  if ((far_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push) {
-    rigid_.correct(frame.image, rigid_.motion().shift + far_way - holder_way);
+  const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
+  if ((seat_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push) {
+    rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way);
     motion_ = rigid_.motion();
     return;
   }

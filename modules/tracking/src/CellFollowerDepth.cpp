@@ -19,7 +19,7 @@ constexpr double kLeastFlank_px = 2.0, kFlankFade = 0.95, kFlankBack_ratio = 0.6
 
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift known from the whole outline while nothing pushes it, and from the cell's seat
-// alone (docs/method.md, 4.4), where no holder says where that is, of the depth as well.
+// alone (docs/method.md, 1.3), where no holder says where that is, of the depth as well.
 constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5;
 constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45, kNoHolderSigma_ratio = 0.05;
 

@@ -34,10 +34,9 @@ constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidt
 constexpr double kLeap_px = 5.0, kLeapHalfWidths = 1.0, kLeapSigma = 0.5;
 constexpr int kLeaps = 2, kSettled_frames = 3;
 // So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
-// the edges followed differ from it by less than this, or than its standard deviation, they are the outline, as surely
-// as plain drawings have shown (docs/method.md, 4.4).
+// the edges followed differ from it by less than this, or than its standard deviation, they are the outline.
 constexpr int kMostWidthReadings = 12;
-constexpr double kSurestWidth = 0.08, kSameWidth = 0.12, kEdgesSigma = 0.15;
+constexpr double kSurestWidth = 0.08, kSameWidth = 0.12;
 
 }  // namespace
 
@@ -166,7 +165,7 @@ void NeedleTracker::take_width() {
   const double apart = std::abs(std::log(now_.tip_half_width) - log_px);
   const bool agree = !is_read() && apart < std::max(kSameWidth, sigma);
   if (!agree) now_.tip_radius = std::exp(log_px);
-  now_.tip_radius_sigma = agree ? kEdgesSigma : sigma;
+  now_.tip_radius_sigma = agree ? 0.0 : sigma;
 }
 
 bool NeedleTracker::start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis,

@@ -22,7 +22,7 @@ struct NeedleEstimate {
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
   double tip_half_width = 2.0;    ///< as its edges are followed, for what has to keep away from them
   double tip_radius = 2.0;        ///< half its width at the tip, as geometry
-  double tip_radius_sigma = 0.0;  ///< standard deviation of its logarithm; 0: unknown
+  double tip_radius_sigma = 0.0;  ///< standard deviation of its logarithm; 0: as edges show it
   double widening = 0.0;          ///< half width gained per px behind the tip
   double edge_blur = 0.0;  ///< px, standard deviation: how far its edges' own darkness reaches beyond its outline
   double confidence = 0.0;

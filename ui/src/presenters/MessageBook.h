@@ -20,7 +20,7 @@ class MessageBook {
  private:
   friend class MessageReader;
   struct Sentence {
-    std::vector<std::string> pieces;  // what stands before, between and behind the places
+    std::vector<std::string> pieces;  // the fixed text before, between and after the placeholders
     std::string translation;
     std::size_t longest = 0;  // of the pieces: where it does not occur, the sentence doesn't
     int letters = 0;

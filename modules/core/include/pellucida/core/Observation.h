@@ -55,7 +55,7 @@ struct NeedlePose {
   double tip_sigma_um = 0.0;                    ///< standard deviation of the tip along `direction`; 0: unknown
   NeedleEvidence evidence = kNoNeedleEvidence;  ///< how the tip was located
   Contour_um outline_um;                        ///< open polyline; its first point is the tip
-  double tip_radius_sigma = 0.0;                ///< standard deviation of the tip radius's logarithm; 0: unknown
+  double tip_radius_sigma = 0.0;  ///< standard deviation of the tip radius's logarithm; 0: as edges show it
 };
 
 /// The holding pipette in the image plane.
@@ -65,7 +65,7 @@ struct HolderPose {
   double outer_radius_um = 0.0;                          ///< half its width at the mouth
   double confidence = 0.0;                               ///< 0..1
   Contour_um outline_um;                                 ///< open polyline
-  double outer_radius_sigma = 0.0;                       ///< standard deviation of its radius's logarithm; 0: unknown
+  double outer_radius_sigma = 0.0;  ///< standard deviation of its radius's logarithm; 0: as edges show it
 };
 
 /// Everything one frame shows of cell and tools: what a tracker measures, and what the virtual microscope knows as
