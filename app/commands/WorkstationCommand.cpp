@@ -61,9 +61,11 @@ void add_workstation_command(CLI::App& app) {
       "(default: the window asks)");
   command->add_option("--compare", arguments->compare, "review: folder of a session to compare with");
   command->add_option("--screenshot", arguments->window.screenshot, "save the window as a PNG file, then close");
-  command->add_option("--after", arguments->window.screenshot_after_s, "seconds before the screenshot")
+  command->add_option("--after", arguments->window.screenshot_after_s, "seconds before the screenshot or the figures")
       ->check(number_in({0.0, 86400.0}))
       ->capture_default_str();
+  command->add_option("--figures", arguments->window.figures,
+                      "guide: write frames/s, blocks, start time and memory of the window as JSON, then close");
   command->add_option("--width-px", arguments->window.width_px, "width of the window at the start, px")
       ->check(CLI::Range(800, 8000))
       ->capture_default_str();
@@ -77,6 +79,7 @@ void add_workstation_command(CLI::App& app) {
     };
     for (const char* option : {"--lesson", "--large-letters"}) belongs(option, "teach");
     belongs("--compare", "review");
+    belongs("--figures", "guide");
     if (arguments->mode == "start") {
       refuse_options(*command,
                      {"--source", "--profile", "--detection", "--hand", "--pixel-size-um", "--fps", "--max-megapixels",

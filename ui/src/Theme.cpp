@@ -203,6 +203,10 @@ double applied_type_scale() noexcept {
   return type_scale_applied;
 }
 
+void set_sheet(QWidget& widget, const QString& sheet) {
+  if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
+}
+
 void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale) {
   const ThemeColors& before = current_theme();
   set_current_theme(theme);

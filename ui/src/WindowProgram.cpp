@@ -8,8 +8,10 @@
 #include <QSet>
 #include <QSocketNotifier>
 #include <QSurfaceFormat>
+#include <QThread>
 #include <cstdio>
 
+#include "BlockWatch.h"
 #include "Look.h"
 #include "Theme.h"
 #include "Translation.h"
@@ -32,6 +34,18 @@ void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& t
   std::fprintf(stderr, "qt: %s\n", qPrintable(text));
 }
 
+// Measures how long each event keeps the windows' thread.
+class WatchedApplication final : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    // Events of objects on other threads come here too.
+    if (QThread::currentThread() != thread()) return QApplication::notify(receiver, event);
+    const BlockWatch::Event watched(window_blocks(), thread()->loopLevel());
+    return QApplication::notify(receiver, event);
+  }
+};
+
 }  // namespace
 
 WindowProgram::WindowProgram(const WindowOptions& options) {
@@ -47,7 +61,7 @@ WindowProgram::WindowProgram(const WindowOptions& options) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
-  application_ = std::make_unique<QApplication>(argument_count_, arguments_);
+  application_ = std::make_unique<WatchedApplication>(argument_count_, arguments_);
   QApplication::setApplicationName("Pellucida");
   // The desktop entry and the icon of an installed program.
   QApplication::setDesktopFileName("pellucida");
@@ -74,6 +88,7 @@ int WindowProgram::show(QWidget& window, const WindowOptions& options) {
     });
   }
   window.show();
+  window_blocks().begin();
   return QApplication::exec();
 }
 

@@ -11,6 +11,7 @@ int run_guide(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> con
   const int status = program.show(window, options);
   window.end_run();
   window.screenshot().rethrow_fault();
+  window.figures().write();
   return status;
 }
 

@@ -192,6 +192,7 @@ void GuideWindow::tick() {
   if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
     show_gauges();
     show_status();
+    figures_.look();
     status_shown_s_ = begin_s;
   }
   // A slow renderer must leave time for the mouse and the other threads.
@@ -212,6 +213,7 @@ void GuideWindow::show_scene() {
   membrane_panel_->view().render();
   charts_->render();
   ++drawn_count_;
+  if (scenes_.measured()) figures_.drew();
 }
 
 void GuideWindow::show_gauges() {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "TimedScreenshot.h"
+#include "WindowFigures.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/guide/Guide.h"
 #include "pellucida/visualization_vtk/FeedView.h"
@@ -40,6 +41,7 @@ class GuideWindow : public QMainWindow {
   GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options);
   ~GuideWindow() override;
 
+  const WindowFigures& figures() const noexcept { return figures_; }
   const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
 
   /// Ends the run for good, once the window is closed. Throws OutputError where its recording could not be closed
@@ -67,6 +69,7 @@ class GuideWindow : public QMainWindow {
   std::unique_ptr<LiveRun> run_;
   std::unique_ptr<OperatorConsole> console_;
   GuideOptions options_;
+  WindowFigures figures_{options_.figures};
   vtkNew<StageSource> source_;
   SceneFeed scenes_;
   FeedView feed_{source_};

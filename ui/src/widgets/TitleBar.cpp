@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/LookMenu.h"
@@ -42,8 +43,9 @@ void TitleBar::add_look_menu(const QKeySequence& light_key) {
   row_->addWidget(make_look_button(light_key, this));
 }
 
-void TitleBar::add_name(const QString& name, const QString& tip) {
+void TitleBar::add_name(const QString& name, const QString& tip, bool shows_blocks) {
   row_->addStretch(1);
+  if (shows_blocks) row_->addWidget(new BlockLabel(this));
   auto* label = new QLabel(name, this);
   label->setObjectName("sourceName");
   label->setToolTip(tip);

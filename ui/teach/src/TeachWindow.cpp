@@ -150,7 +150,7 @@ QWidget* TeachWindow::build_top_bar() {
   bar->add_button(words("Full screen"), Qt::Key_F11, words("All of the screen, and back"),
                   [this] { isFullScreen() ? showNormal() : showFullScreen(); });
   bar->add_look_menu(Qt::Key_L);
-  bar->add_name(words("Teach"), words("A simulated cell to poke"));
+  bar->add_name(words("Teach"), words("A simulated cell to poke"), true);
   return bar;
 }
 

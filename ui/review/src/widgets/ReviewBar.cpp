@@ -10,6 +10,7 @@
 #include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/LookMenu.h"
@@ -64,6 +65,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
     session->addWidget(label);
   }
   row->addLayout(session, 1);
+  row->addWidget(new BlockLabel(this));
   show_session(nullptr);
 }
 
