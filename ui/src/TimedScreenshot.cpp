@@ -4,6 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "Closing.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {
@@ -16,7 +17,7 @@ TimedScreenshot::TimedScreenshot(QWidget& window, const WindowOptions& options, 
       fault_ = std::make_exception_ptr(
           OutputError("can't write the screenshot " + file + ": choose a folder that exists and may be written"));
     }
-    window.close();
+    close_now(window);
   };
   QTimer::singleShot(static_cast<int>(1000.0 * options.screenshot_after_s), &window, take);
 }

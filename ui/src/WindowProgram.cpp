@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "BlockWatch.h"
+#include "Closing.h"
 #include "Look.h"
 #include "Theme.h"
 #include "Translation.h"
@@ -82,14 +83,15 @@ int WindowProgram::show(QWidget& window, const WindowOptions& options) {
     QObject::connect(stop.get(), &QSocketNotifier::activated, [&stop, &window] {
       // It stays readable: once is enough.
       stop->setEnabled(false);
-      window.close();
+      close_now(window);
       // The loops of dialogs, too.
       QApplication::exit(0);
     });
   }
   window.show();
   window_blocks().begin();
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  return status == 0 && leads_to_start_page(window) ? kToStartPage : status;
 }
 
 }  // namespace pellucida

@@ -1,5 +1,6 @@
 #include "GuideWindow.h"
 
+#include <QCloseEvent>
 #include <QShortcut>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -44,7 +45,7 @@ QString text_of(const std::string& utf8) {
 }  // namespace
 
 GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
-    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
+    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_), closing_(*this, [this] { control_->toggle_recording(); }) {
   feed_.set_caption(source_caption(run_->source_info()));
   control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
                                           [this](const QString& text, bool problem) { notify(text, problem); });
@@ -144,6 +145,11 @@ void GuideWindow::resizeEvent(QResizeEvent*) {
   gauges_->set_low(is_low);
   charts_->set_low(is_low);
   rows_->setSizes(is_low ? QList<int>{700, 100} : QList<int>{520, 250});
+}
+
+// What was recorded is whole once the run has ended.
+void GuideWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(closing_.may_close(run_->status().recording));
 }
 
 TopBar* GuideWindow::build_top_bar() {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "ClosingQuestion.h"
 #include "TimedScreenshot.h"
 #include "WindowFigures.h"
 #include "pellucida/core_vtk/StageSource.h"
@@ -50,6 +51,7 @@ class GuideWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void stop_run();
@@ -77,6 +79,7 @@ class GuideWindow : public QMainWindow {
   StatusPresenter status_;
 
   std::unique_ptr<RunControl> control_;
+  ClosingQuestion closing_;
   std::unique_ptr<HandControl> hand_;
   TopBar* top_bar_ = nullptr;
   GaugeBar* gauges_ = nullptr;

@@ -9,6 +9,7 @@
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/LookMenu.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
 
@@ -37,6 +38,10 @@ QPushButton* TitleBar::add_button(const QString& text, const QKeySequence& key, 
   connect(button, &QPushButton::clicked, this, std::move(action));
   row_->addWidget(button);
   return button;
+}
+
+void TitleBar::add_start_button() {
+  row_->addWidget(make_start_button(this));
 }
 
 void TitleBar::add_look_menu(const QKeySequence& light_key) {

@@ -15,6 +15,8 @@ class TitleBar : public QWidget {
 
   QPushButton* add_button(const QString& text, const QKeySequence& key, const QString& tip,
                           std::function<void()> action);
+  /// Back to the start page.
+  void add_start_button();
   /// Theme and language; `light_key` changes the theme.
   void add_look_menu(const QKeySequence& light_key = QKeySequence("Ctrl+L"));
   /// A name at the right end, after which nothing is added; `shows_blocks`: before it, how often the window was busy.

@@ -134,6 +134,7 @@ void TeachWindow::build(LessonChoice& lessons) {
 
 QWidget* TeachWindow::build_top_bar() {
   auto* bar = new TitleBar(nullptr);
+  bar->add_start_button();
   bar->add_button(words("Start again"), Qt::Key_Home, words("The cell at rest"), [this] { restart(); })
       ->setObjectName("restart");
   bar->add_button(words("Withdraw"), Qt::Key_W, words("The needle out of the cell"),

@@ -3,6 +3,9 @@
 
 namespace pellucida {
 
+/// What a window's run returns in place of the event loop's exit status when the person wants the start page next.
+inline constexpr int kToStartPage = 1000;
+
 /// Options of a window in any mode.
 struct WindowOptions {
   std::string screenshot;  ///< save the window as this PNG file, then close; with no `figures` either, empty: stay open

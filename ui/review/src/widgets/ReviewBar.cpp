@@ -15,6 +15,7 @@
 #include "widgets/Icons.h"
 #include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
 
@@ -32,6 +33,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   brand->setObjectName("brand");
   row->addWidget(brand);
   row->addSpacing(18);
+  row->addWidget(make_start_button(this));
   QPushButton* open = add_button(row, words("Open"), QKeySequence::Open, words("Open another session"));
   open->setIcon(make_icon(Pictogram::kOpen));
   connect(open, &QPushButton::clicked, this, actions.open);
