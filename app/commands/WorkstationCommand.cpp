@@ -94,7 +94,7 @@ void add_workstation_command(CLI::App& app) {
     } else if (arguments->mode == "guide") {
       arguments->pipeline = options_for(arguments->source, *command, arguments->pipeline);
     }
-    run_workstation(*arguments);
+    if (run_workstation(*arguments)) run_start_mode(*arguments, false);
   });
 }
 

@@ -64,6 +64,7 @@ GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorC
   screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
     scenes_.poll();
     show_scene();
+    charts_->render();
     show_status();
   });
 }
@@ -189,14 +190,15 @@ void GuideWindow::tick() {
   spent.start();
   const double begin_s = now_s();
   const bool plan_changed = hand_ && hand_->tick();
-  if (scenes_.poll()) {
+  const bool has_scene = scenes_.poll();
+  if (has_scene) {
     show_scene();
   } else if (plan_changed) {
     feed_panel_->view().render();
   }
   take_events();
   if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
-    show_gauges();
+    if (!has_scene) show_gauges();
     show_status();
     figures_.look();
     status_shown_s_ = begin_s;
@@ -217,7 +219,6 @@ void GuideWindow::show_scene() {
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();
   membrane_panel_->view().render();
-  charts_->render();
   ++drawn_count_;
   if (scenes_.measured()) figures_.drew();
 }

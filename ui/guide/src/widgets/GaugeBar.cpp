@@ -81,6 +81,7 @@ GaugeBox::GaugeBox(QWidget* parent) : QFrame(parent) {
 }
 
 void GaugeBox::show_gauge(const Gauge& gauge) {
+  if (gauge == gauge_) return;
   gauge_ = gauge;
   value_->setObjectName(QString::fromStdString(gauge.key));
   note_->setObjectName(QString::fromStdString(gauge.key + "Note"));
