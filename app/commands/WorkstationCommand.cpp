@@ -26,6 +26,7 @@ void add_workstation_command(CLI::App& app) {
   auto arguments = std::make_shared<WorkstationArguments>();
   CLI::App* command =
       app.add_subcommand("workstation", "the window: live feed, 3-D membrane, forces (the default command)");
+  command->add_option("path", arguments->path, "a session, or a recording, to open; without --mode, or with start");
   command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, a session, or a camera v4l2:N")
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
@@ -80,12 +81,20 @@ void add_workstation_command(CLI::App& app) {
     for (const char* option : {"--lesson", "--large-letters"}) belongs(option, "teach");
     belongs("--compare", "review");
     belongs("--figures", "guide");
+    arguments->window.remembered_size = command->count("--width-px") + command->count("--height-px") == 0;
+    if (command->count("path") > 0) {
+      if (command->count("--mode") > 0 && arguments->mode != "start") {
+        throw UsageError(arguments->path + ": --mode " + arguments->mode + " takes no path of its own; name it by " +
+                         (arguments->mode == "guide" ? "--source" : "--session"));
+      }
+      arguments->mode = "start";
+    }
     if (arguments->mode == "start") {
       refuse_options(*command,
                      {"--source", "--profile", "--detection", "--hand", "--pixel-size-um", "--fps", "--max-megapixels",
                       "--session", "--from", "--to", "--every", "--speed", "--loop", "--backwards"},
                      "--mode start, whose page asks for it");
-      run_start_mode(*arguments, command->count("--width-px") + command->count("--height-px") > 0);
+      run_start_mode(*arguments);
       return;
     }
     if (arguments->mode == "review") {
@@ -94,7 +103,7 @@ void add_workstation_command(CLI::App& app) {
     } else if (arguments->mode == "guide") {
       arguments->pipeline = options_for(arguments->source, *command, arguments->pipeline);
     }
-    if (run_workstation(*arguments)) run_start_mode(*arguments, false);
+    if (run_workstation(*arguments)) run_start_mode(*arguments);
   });
 }
 

@@ -161,6 +161,14 @@ WorkstationArguments arguments_of(const StartChoice& choice, const WorkstationAr
   return arguments;
 }
 
+// The session that a path names: its folder, or one of its files.
+std::optional<std::filesystem::path> session_at(const std::filesystem::path& path) {
+  if (path.empty()) return std::nullopt;
+  if (is_session(path)) return path;
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  return is_session(folder) ? std::optional(folder) : std::nullopt;
+}
+
 }  // namespace
 
 bool run_workstation(const WorkstationArguments& arguments) {
@@ -173,7 +181,7 @@ bool run_workstation(const WorkstationArguments& arguments) {
   return false;
 }
 
-void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
+void run_start_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
     throw DeviceError(
         "--mode start needs a window: set DISPLAY to a running X server; without one, use pellucida workstation "
@@ -182,7 +190,14 @@ void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
   const InterruptScope scope;
   StartOptions options;
   static_cast<WindowOptions&>(options) = window_of(arguments);
-  options.remembered_size = !states_size;
+  if (const auto session = session_at(arguments.path)) {
+    WorkstationArguments review = arguments;
+    review.mode = "review";
+    review.session = session->string();
+    if (!run_workstation(review) || interrupted() != 0) return;
+  } else {
+    options.recording = arguments.path;
+  }
   while (const auto choice = run_start(options)) {
     options.problem.clear();
     std::error_code ignored;

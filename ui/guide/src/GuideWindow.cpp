@@ -31,6 +31,8 @@ namespace pellucida {
 namespace {
 
 constexpr int kTick_ms = 33;
+// What the mouse and the other threads get after a long tick at most.
+constexpr int kLongestPause_ms = 8;
 constexpr double kStatusPeriod_s = 0.1;
 constexpr double kNotice_s = 6.0, kProblem_s = 20.0;
 // A window lower than this has smaller gauges.
@@ -45,7 +47,11 @@ QString text_of(const std::string& utf8) {
 }  // namespace
 
 GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
-    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_), closing_(*this, [this] { control_->toggle_recording(); }) {
+    : run_(std::move(run)),
+      console_(std::move(console)),
+      options_(std::move(options)),
+      scenes_(*run_, source_),
+      closing_(*this, [this] { control_->toggle_recording(); }) {
   feed_.set_caption(source_caption(run_->source_info()));
   control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
                                           [this](const QString& text, bool problem) { notify(text, problem); });
@@ -205,7 +211,7 @@ void GuideWindow::tick() {
   }
   // A slow renderer must leave time for the mouse and the other threads.
   const int spent_ms = static_cast<int>(spent.elapsed());
-  timer_.start(std::max(kTick_ms - spent_ms, spent_ms / 3));
+  timer_.start(std::max(kTick_ms - spent_ms, std::min(spent_ms / 3, kLongestPause_ms)));
 }
 
 // All of the window that shows a scene, in one go.

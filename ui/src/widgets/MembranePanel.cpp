@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "widgets/ArrowMenu.h"
@@ -47,6 +48,7 @@ void MembranePanel::add_coloring_menu(MembraneView& membranes) {
   for (const auto& [name, coloring] : entries) {
     QAction* action = choice->addAction(menu->addAction(name));
     action->setCheckable(true);
+    keep_as(*action, QString("surface_%1").arg(static_cast<int>(coloring)));
     connect(action, &QAction::triggered, this, [=, this, &membranes, text = QString(name), kind = coloring] {
       button->setText(words("Surface: %1 \u25BE").arg(text.toLower()));
       membranes.set_coloring(kind);
