@@ -51,7 +51,7 @@ std::vector<StartEntry> stiffness_entries() {
       say(" The window measures with the usual cell's profile and does not know: Scale finds it out.");
   return {{"1", say("As usual"), say("The cell is as stiff as its profile says.")},
           {"0.5", say("Half as stiff"), say("Every push needs half the force.") + hidden},
-          {"1.5", say("Half as stiff again"), say("Every push needs one and a half times the force.") + hidden},
+          {"1.5", say("1.5 times as stiff"), say("Every push needs one and a half times the force.") + hidden},
           {"2", say("Twice as stiff"), say("Every push needs twice the force.") + hidden},
           {"4", say("Four times as stiff"), say("Every push needs four times the force.") + hidden}};
 }
