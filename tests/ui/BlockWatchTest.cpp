@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QEventLoop>
 #include <QFile>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QSettings>
 #include <QSlider>
@@ -14,6 +15,7 @@
 #include <QToolButton>
 #include <thread>
 
+#include "SettingsFile.h"
 #include "WindowMemory.h"
 #include "WindowProgram.h"
 #include "pellucida/core/TemporaryFolder.h"
@@ -33,7 +35,10 @@ constexpr auto kBlock = 120ms;
 class WindowProgramTest : public testing::Test {
  protected:
   WindowProgramTest() {
-    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(folder_.path().string()));
+    // Qt asks for the folder once in a program.
+    static const TemporaryFolder settings;
+    qputenv("XDG_CONFIG_HOME", QByteArray::fromStdString(settings.path().string()));
+    QFile::remove(settings_file("windows"));
     program_ = std::make_unique<WindowProgram>(options_);
   }
   // Does `act` in the loop of a shown window, then closes it.
@@ -177,10 +182,10 @@ TEST_F(WindowProgramTest, AWindowOpensAsItWasLeft) {
 }
 
 TEST_F(WindowProgramTest, DamagedSettingsLeaveTheWindowAsItWasBuilt) {
-  const QString file = QString::fromStdString((folder_ / "Pellucida" / "windows.ini").string());
+  const QString file = settings_file("windows");
   for (const char* damage :
        {"\x01\x02[[[[", "[guide]\ngeometry=@ByteArray(zzz)\nsplitter_0=a, b, c\ntoggle_1=mauve\n"}) {
-    std::filesystem::create_directories(folder_ / "Pellucida");
+    std::filesystem::create_directories(QFileInfo(file).path().toStdString());
     QFile damaged(file);
     ASSERT_TRUE(damaged.open(QIODevice::WriteOnly));
     damaged.write(damage);
