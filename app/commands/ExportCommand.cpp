@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "pellucida/charts_vtk/RenderPicture.h"
 #include "pellucida/core/Progress.h"
 #include "pellucida/session/SessionExport.h"
-#include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 namespace {
