@@ -12,6 +12,7 @@
 #include "presenters/RecordedSession.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
+#include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
 
@@ -47,6 +48,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   events_->setProperty("lit", true);
   connect(events_, &QPushButton::toggled, this, actions.show_events);
   row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
+  row->addWidget(make_keys_button(this));
   row->addSpacing(8);
 
   auto* session = new QVBoxLayout;
