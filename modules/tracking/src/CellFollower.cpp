@@ -233,7 +233,8 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
   loose.touching = false;
   snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
   snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
-  const bool is_back = measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
+  // One that only cuts across a deep dimple leaves the flanks where they are.
+  const bool is_back = measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth && !has_deep_flanks();
   if (is_back && local_score() > held + (flanks_back ? 0.0 : kSurerSprung)) {
     quality_ = quality_now();
     return;
