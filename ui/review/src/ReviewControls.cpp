@@ -1,4 +1,5 @@
 // What the buttons of the window in Review mode do.
+#include "CellsWindow.h"
 #include "HintControl.h"
 #include "HintReview.h"
 #include "NodeReview.h"
@@ -21,6 +22,7 @@
 
 #include <QSplitter>
 #include <algorithm>
+#include <cmath>
 
 namespace pellucida {
 
@@ -51,8 +53,26 @@ ReviewBar* ReviewWindow::build_bar() {
         on ? choice_.session(words("Compare with a session")) : std::filesystem::path();
     folder.empty() ? clear_comparison() : compare(folder);
   };
+  actions.cells = [this] { show_cells(); };
   actions.show_events = [this](bool on) { side_->setVisible(on); };
   return new ReviewBar(actions, nullptr);
+}
+
+// A window beside this one, made when it is first asked for; it begins with the session shown.
+void ReviewWindow::show_cells() {
+  if (!cells_) {
+    cells_ = new CellsWindow(
+        choice_,
+        [this](const std::filesystem::path& folder, double time_s) {
+          options_.from_s = std::isfinite(time_s) ? std::optional(time_s) : std::nullopt;
+          open(folder);
+        },
+        this);
+    if (session_) cells_->add(session_->folder);
+  }
+  cells_->show();
+  cells_->raise();
+  cells_->activateWindow();
 }
 
 void ReviewWindow::build_hints() {

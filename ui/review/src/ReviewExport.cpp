@@ -7,7 +7,6 @@
 #include "Words.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/report/PassportReport.h"
-#include "pellucida/session/Annotations.h"
 #include "pellucida/session/SessionExport.h"
 #include "presenters/ChartForPrint.h"
 #include "presenters/RecordedSession.h"
@@ -23,9 +22,6 @@ constexpr const char* kChartKinds = PELLUCIDA_WORDS("Drawing (*.svg);;Page (*.pd
 constexpr const char* kVideoKinds = PELLUCIDA_WORDS("Video (*.mp4);;Lossless video (*.avi)");
 constexpr const char* kTableKinds = PELLUCIDA_WORDS("Table (*.csv)");
 constexpr PictureSize kChartSize{.width_px = 1200, .height_px = 800};
-// Files that a table export writes; the last one only where a hand was recorded.
-constexpr const char* kTables[] = {"measurements.csv", "events.csv", kAnnotationsFile,
-                                   "contours.csv",     "nodes.csv",  "haptics.csv"};
 
 QString shown(const fs::path& path) {
   return QString::fromStdString(path.string());
@@ -125,9 +121,7 @@ void ReviewExport::run(const QString& text, std::function<std::function<void()>(
 void ReviewExport::save_tables() {
   const fs::path folder = choice_.folder_to_write(words("Folder for the tables"), proposal("tables", ""));
   if (folder.empty()) return;
-  std::vector<fs::path> files;
-  for (const char* table : kTables) files.push_back(folder / table);
-  if (!may_write(files)) return;
+  if (!may_write(export_names(folder))) return;
   run(words("Writing tables"), [this, session = session_, folder](const BackgroundTask::Control& control) {
     ExportOptions options;
     options.progress = [&](std::size_t done, std::size_t all) { control.progress(done, all); };
@@ -142,19 +136,18 @@ void ReviewExport::report() {
   const fs::path standard = session_ / kReportFolder / "report.html";
   const fs::path page = choice_.file_to_write(words("Report"), standard, words("Page (*.html)"));
   if (page.empty()) return;
-  // The standard place has tables with the standard names.
-  const bool is_standard = page.lexically_normal() == standard.lexically_normal();
-  const std::string before = is_standard ? "" : page.stem().string() + "_";
-  if (!may_write({page.parent_path() / (before + "cells.csv"), page.parent_path() / (before + "contacts.csv")})) return;
-  run(words("Writing the report"),
-      [this, session = session_, page, is_standard](const BackgroundTask::Control& control) {
-        write_report(session, is_standard ? fs::path() : page,
-                     [&](std::size_t done, std::size_t all) { control.progress(done, all); });
-        return [this, page] {
-          notify_(words("Report written: ") + shown(page), false);
-          choice_.show_page(page);
-        };
-      });
+  // The standard place has tables with the standard names; the page itself was asked about.
+  const fs::path output = page.lexically_normal() == standard.lexically_normal() ? fs::path() : page;
+  std::vector<fs::path> tables = report_names(session_, output);
+  tables.erase(tables.begin());
+  if (!may_write(tables)) return;
+  run(words("Writing the report"), [this, session = session_, page, output](const BackgroundTask::Control& control) {
+    write_report(session, output, [&](std::size_t done, std::size_t all) { control.progress(done, all); });
+    return [this, page] {
+      notify_(words("Report written: ") + shown(page), false);
+      choice_.show_page(page);
+    };
+  });
 }
 
 void ReviewExport::cancel() {

@@ -32,6 +32,7 @@
 #include "widgets/ReadoutBar.h"
 #include "widgets/ReviewBar.h"
 #include "widgets/TaskLine.h"
+#include "widgets/ThumbnailBar.h"
 #include "widgets/TimelineBar.h"
 #include "widgets/TransportBar.h"
 #include "widgets/ViewWidget.h"
@@ -47,6 +48,8 @@ constexpr int kReviewNotice_ms = 6000;
 constexpr int kRoomForEvents_px = 1200;
 // Lower than this the node takes the place of the list.
 constexpr int kRoomForBoth_px = 780;
+// Lower than this the views need the room.
+constexpr int kRoomForThumbnails_px = 720;
 constexpr const char* kHint = PELLUCIDA_WORDS(
     "Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks "
     "a node");
@@ -164,7 +167,9 @@ QWidget* ReviewWindow::build_session_page() {
   column->addSpacing(4);
   column->addWidget(all, 1);
   column->addSpacing(4);
-  column->addWidget(timeline_ = new TimelineBar(to_time, page));
+  timeline_ = new TimelineBar(to_time, page);
+  column->addWidget(thumbnails_ = new ThumbnailBar(*timeline_, to_time, page));
+  column->addWidget(timeline_);
   column->addWidget(transport_ = build_transport());
   return page;
 }
@@ -209,6 +214,7 @@ void ReviewWindow::adopt(Opened& opened) {
   shown_step_.reset();
   // The views hold on to the session before: they are given the new one first.
   const auto before = std::exchange(session_, std::move(opened.session));
+  thumbnails_->set_session(nullptr);
   views_->set_session(*session_);
   const std::string caution = session_caution(*session_);
   if (caution.empty()) {
@@ -219,6 +225,7 @@ void ReviewWindow::adopt(Opened& opened) {
   }
   // What keeps the notes from being read is said last, and stays.
   notes_->set_session(session_->folder);
+  thumbnails_->set_session(session_.get());
   bar_->show_session(session_.get());
   setWindowTitle(words("Pellucida - Review of ") + QString::fromStdString(session_name_of(session_->folder)));
   open_page_->show_problem({});
@@ -303,7 +310,9 @@ void ReviewWindow::draw_charts() {
 
 void ReviewWindow::show_place() {
   if (!session_) return;
-  timeline_->set_position_s(playback_.playing() ? playback_.position_s() : session_->times_s[playback_.step()]);
+  const double time_s = playback_.playing() ? playback_.position_s() : session_->times_s[playback_.step()];
+  timeline_->set_position_s(time_s);
+  thumbnails_->set_position_s(time_s);
   transport_->show_state(playback_, session_->rows[playback_.step()].frame);
 }
 
@@ -366,6 +375,7 @@ void ReviewWindow::arrange_side() {
 
 void ReviewWindow::resizeEvent(QResizeEvent*) {
   if (comparison_) arrange_side();
+  if (thumbnails_) thumbnails_->set_room(height() >= kRoomForThumbnails_px);
 }
 
 void ReviewWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -35,6 +35,16 @@ std::size_t RecordedSession::step_at(double time_s) const noexcept {
   return later == times_s.begin() ? 0 : static_cast<std::size_t>(later - times_s.begin()) - 1;
 }
 
+std::optional<std::size_t> RecordedSession::image_step_at(double time_s) const noexcept {
+  if (image_steps.empty()) return std::nullopt;
+  const auto later = std::lower_bound(image_steps.begin(), image_steps.end(), time_s,
+                                      [this](std::size_t step, double time) { return times_s[step] < time; });
+  if (later == image_steps.begin()) return *later;
+  if (later == image_steps.end()) return image_steps.back();
+  const auto before = later - 1;
+  return time_s - times_s[*before] <= times_s[*later] - time_s ? *before : *later;
+}
+
 double RecordedSession::usual_step_s() const {
   if (times_s.size() < 2) return 0.0;
   std::vector<double> steps_s;
@@ -69,6 +79,9 @@ RecordedSession recorded_session(const SessionReader& reader) {
   for (const Measurement& row : session.rows) {
     newest_s = std::max(newest_s, row.time_s);
     session.times_s.push_back(newest_s);
+  }
+  for (std::size_t i = 0; i < reader.steps().size(); ++i) {
+    if (reader.steps()[i].has(SessionPart::kFrame)) session.image_steps.push_back(i);
   }
   return session;
 }

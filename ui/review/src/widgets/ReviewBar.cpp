@@ -46,6 +46,9 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   events_->setChecked(true);
   events_->setProperty("lit", true);
   connect(events_, &QPushButton::toggled, this, actions.show_events);
+  QPushButton* cells = add_button(row, words("Cells"), Qt::Key_J, words("Cells of several sessions in one table"));
+  cells->setObjectName("cellsButton");
+  connect(cells, &QPushButton::clicked, this, actions.cells);
   row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
   row->addSpacing(8);
 

@@ -26,6 +26,7 @@ class ReviewBar : public QWidget {
     std::function<void()> export_tables;    ///< rows, events and more as CSV
     std::function<void()> report;           ///< the dose passport
     std::function<void(bool)> compare;      ///< with another session; false: no more
+    std::function<void()> cells;            ///< the cells of several sessions
     std::function<void(bool)> show_events;  ///< the list at the side
   };
   ReviewBar(const Actions& actions, QWidget* parent);
