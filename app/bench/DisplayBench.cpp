@@ -3,11 +3,11 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
+#include "pellucida/charts_vtk/ForceChart.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/FeedView.h"
-#include "pellucida/visualization_vtk/ForceChart.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 

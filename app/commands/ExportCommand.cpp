@@ -7,9 +7,9 @@
 #include <string>
 
 #include "commands/ReplaceOption.h"
+#include "pellucida/charts_vtk/RenderPicture.h"
 #include "pellucida/core/Progress.h"
 #include "pellucida/session/SessionExport.h"
-#include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "pellucida/charts_vtk/ChartPicture.h"
 #include "pellucida/core/RoundNumbers.h"
 #include "pellucida/evaluation/TrialSummary.h"
-#include "pellucida/visualization_vtk/ChartPicture.h"
 
 namespace pellucida {
 namespace {

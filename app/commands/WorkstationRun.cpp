@@ -8,6 +8,7 @@
 #include "commands/GuidedSession.h"
 #include "commands/Interrupt.h"
 #include "commands/MeasureSession.h"
+#include "pellucida/charts_vtk/RenderPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/guide/Guide.h"
 #include "pellucida/operation/OperatorConsole.h"
@@ -17,7 +18,6 @@
 #include "pellucida/review/Review.h"
 #include "pellucida/start/Start.h"
 #include "pellucida/teach/Teach.h"
-#include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 namespace {

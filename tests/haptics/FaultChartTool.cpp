@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "haptics/HandRun.h"
+#include "pellucida/charts_vtk/ChartPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/haptics/DeviceCatalog.h"
-#include "pellucida/visualization_vtk/ChartPicture.h"
 
 namespace pellucida {
 namespace {

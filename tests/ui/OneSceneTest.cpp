@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "GuideWindow.h"
+#include "pellucida/charts_vtk/ForceChart.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization_vtk/ForceChart.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "ui/DisplayTest.h"
 #include "widgets/ViewWidget.h"

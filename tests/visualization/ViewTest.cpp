@@ -2,70 +2,19 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <memory>
 
 #include "pellucida/core_vtk/StageSource.h"
-#include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/FeedView.h"
-#include "pellucida/visualization_vtk/ForceChart.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
-#include "pellucida/visualization_vtk/MessageLog.h"
-#include "visualization/SyntheticScene.h"
+#include "visualization/Views.h"
 
 namespace pellucida {
 namespace {
 
-constexpr int kWidth_px = 640;
-constexpr int kHeight_px = 480;
-
-// An off-screen window on a display of its own where there is none. Fails on any VTK error or warning.
-class Views : public testing::Test {
- protected:
-  Views() : log_(MessageLog::install()), problems_(log_->problem_count()) {
-    source->SetScene(test::synthetic_scene(25.0));
-    window->SetOffScreenRendering(1);
-    window->SetMultiSamples(0);
-    window->SetSize(kWidth_px, kHeight_px);
-  }
-  ~Views() override { EXPECT_EQ(log_->problem_count(), problems_) << log_->last_problem(); }
-
-  vtkSmartPointer<vtkImageData> shot() {
-    window->Render();
-    vtkNew<vtkWindowToImageFilter> picture;
-    picture->SetInput(window);
-    picture->ReadFrontBufferOff();
-    picture->ShouldRerenderOff();
-    picture->Update();
-    return picture->GetOutput();
-  }
-
-  // Pixels within `tolerance` of a colour (each part, 0..1), from column `begin_px` to before `end_px`.
-  static int count_near(vtkImageData* image, const Color& c, double tolerance = 0.12, int begin_px = 0,
-                        int end_px = kWidth_px) {
-    int count = 0;
-    for (int y = 0; y < kHeight_px; ++y) {
-      for (int x = begin_px; x < end_px; ++x) {
-        const auto part = [&](int k) { return image->GetScalarComponentAsDouble(x, y, 0, k) / 255.0; };
-        if (std::abs(part(0) - c.red) < tolerance && std::abs(part(1) - c.green) < tolerance &&
-            std::abs(part(2) - c.blue) < tolerance) {
-          ++count;
-        }
-      }
-    }
-    return count;
-  }
-
-  VirtualDisplay display;
-  vtkNew<StageSource> source;
-  vtkNew<vtkRenderWindow> window;
-
- private:
-  MessageLog* log_;
-  std::uint64_t problems_;
-};
+using test::kHeight_px, test::kWidth_px, test::Views;
 
 TEST_F(Views, FeedShowsContoursToolsAndModelEachInItsColour) {
   FeedView feed(source);
@@ -245,54 +194,26 @@ TEST_F(Views, MembranesDrawAScenePartByPart) {
   window->Finalize();
 }
 
-TEST_F(Views, ChartDrawsItsCurveAndSaysWhenThereIsNone) {
-  ForceChart chart(ForceChartKind::kForceIndentation);
-  chart.add_to(window);
-  EXPECT_GT(count_near(shot(), palette::kTextDim), 50);
-  EXPECT_LT(count_near(shot(), palette::kCurve, 0.05), 5);
-  for (const Measurement& m : test::synthetic_rows(100, 30.0)) chart.append(m);
-  EXPECT_GT(count_near(shot(), palette::kCurve, 0.05), 300);
-  chart.clear();
-  EXPECT_LT(count_near(shot(), palette::kCurve, 0.05), 5);
-  window->Finalize();
-}
-
-class ChartGap : public Views {
- protected:
-  // A run in which frames 120 to 209 were not measured; from column `begin_px` to `end_px` the picture shows these
-  // alone.
-  void expect_gap(ForceChartKind kind, int begin_px, int end_px) {
-    const Color& line = palette::kCurve;
-    // Of the whole interval, where the narrower one doesn't cover it.
-    const auto veil = [](double over, double under) { return 0.14 * over + 0.86 * under; };
-    const Color band{veil(line.red, palette::kPanel.red), veil(line.green, palette::kPanel.green),
-                     veil(line.blue, palette::kPanel.blue)};
-    // Nearer than the grid's grey is to the band's.
-    const auto drawn = [&](const Color& c) { return count_near(shot(), c, 0.015, begin_px, end_px); };
-    const auto rows = test::synthetic_rows(300, 30.0);
-
-    ForceChart chart(kind);
-    chart.add_to(window);
-    for (const Measurement& m : rows) chart.append(m);
-    EXPECT_GT(drawn(line), 50);
-    EXPECT_GT(drawn(band), 50);
-    chart.clear();
-    for (const Measurement& m : rows) {
-      if (m.frame < 120 || m.frame >= 210) chart.append(m);
-    }
-    EXPECT_EQ(drawn(line), 0);
-    EXPECT_EQ(drawn(band), 0);
-    EXPECT_GT(count_near(shot(), line, 0.03), 100);
-    window->Finalize();
-  }
-};
-
-TEST_F(ChartGap, ShowsOverTime) {
-  expect_gap(ForceChartKind::kForceTime, 310, 420);
-}
-
-TEST_F(ChartGap, ShowsOverIndentation) {
-  expect_gap(ForceChartKind::kForceIndentation, 195, 300);
+TEST_F(Views, ANodeIsFoundUnderTheMouseAndNoneBesideTheCell) {
+  source->SetScene(test::synthetic_scene(12.0));
+  MembraneView view(source);
+  const vtkNew<StageSource> nothing;
+  EXPECT_FALSE(MembraneView(nothing).node_at(100.0, 100.0));
+  view.add_to(window);
+  window->Render();
+  const auto node = view.node_at(320.0, 150.0);
+  ASSERT_TRUE(node);
+  const auto surface = source->GetScene().surface.shallow_copy();
+  ASSERT_LT(*node, surface->GetNumberOfPoints());
+  // Towards the camera, which looks along +z: on the near side of the cell.
+  double bounds_um[6];
+  surface->GetBounds(bounds_um);
+  EXPECT_LT(surface->GetPoint(*node)[2], 0.5 * (bounds_um[4] + bounds_um[5]));
+  EXPECT_FALSE(view.node_at(3.0, 3.0));
+  view.mark_node(node);
+  window->Render();
+  view.mark_node(surface->GetNumberOfPoints());
+  window->Render();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "TimedScreenshot.h"
+#include "pellucida/charts_vtk/ForceChart.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/SharedLatest.h"
 #include "pellucida/core/Stage.h"
@@ -16,7 +17,6 @@
 #include "pellucida/teaching/Lesson.h"
 #include "pellucida/teaching/QuasiStaticCurve.h"
 #include "pellucida/teaching_vtk/PokedCellView.h"
-#include "pellucida/visualization_vtk/ForceChart.h"
 
 class QLabel;
 class QPushButton;

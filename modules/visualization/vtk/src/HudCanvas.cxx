@@ -18,7 +18,7 @@
 #include <cmath>
 
 #include "ColorByte.h"
-#include "Letters.h"
+#include "pellucida/visualization_vtk/Letters.h"
 
 namespace pellucida {
 namespace {

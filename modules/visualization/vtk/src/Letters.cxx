@@ -1,4 +1,4 @@
-#include "Letters.h"
+#include "pellucida/visualization_vtk/Letters.h"
 
 #include <vtkTextProperty.h>
 

@@ -2,8 +2,8 @@
 #include <QSplitter>
 #include <vector>
 
+#include "pellucida/charts_vtk/ForceChart.h"
 #include "pellucida/core/Measurement.h"
-#include "pellucida/visualization_vtk/ForceChart.h"
 
 namespace pellucida {
 

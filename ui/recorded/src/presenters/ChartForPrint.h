@@ -1,6 +1,6 @@
 #pragma once
-#include "pellucida/visualization_vtk/ChartPicture.h"
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/ChartPicture.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 
 namespace pellucida {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 #include "presenters/SurfaceNode.h"
 
 namespace pellucida {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/charts/TraceHistory.h"
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/TraceHistory.h"
 #include "presenters/SessionCurves.h"
 
 namespace pellucida {

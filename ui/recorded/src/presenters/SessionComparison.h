@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 #include "presenters/RecordedSession.h"
 
 namespace pellucida {

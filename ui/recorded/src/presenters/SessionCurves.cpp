@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "pellucida/charts/TraceHistory.h"
 #include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization/TraceHistory.h"
 
 namespace pellucida {
 namespace {

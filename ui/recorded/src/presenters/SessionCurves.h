@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 #include "presenters/RecordedSession.h"
 
 namespace pellucida {

@@ -2,7 +2,7 @@
 #include <functional>
 #include <memory>
 
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 #include "widgets/Panel.h"
 
 namespace pellucida {

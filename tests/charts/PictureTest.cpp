@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
+#include "pellucida/charts_vtk/RenderPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
-#include "pellucida/visualization_vtk/RenderPicture.h"
 #include "visualization/SyntheticScene.h"
 
 namespace pellucida {

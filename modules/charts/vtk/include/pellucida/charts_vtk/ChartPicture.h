@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "pellucida/charts_vtk/RenderPicture.h"
 #include "pellucida/visualization/Palette.h"
-#include "pellucida/visualization_vtk/RenderPicture.h"
 
 namespace pellucida {
 

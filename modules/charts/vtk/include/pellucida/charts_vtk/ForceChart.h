@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "pellucida/charts/TraceHistory.h"
 #include "pellucida/core/Measurement.h"
 #include "pellucida/visualization/Palette.h"
-#include "pellucida/visualization/TraceHistory.h"
 #include "pellucida/visualization_vtk/View.h"
 
 namespace pellucida {

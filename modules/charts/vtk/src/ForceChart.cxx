@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/ForceChart.h"
+#include "pellucida/charts_vtk/ForceChart.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -21,8 +21,8 @@
 #include <tuple>
 
 #include "ChartAxes.h"
+#include "pellucida/charts/Curve.h"
 #include "pellucida/core/Words.h"
-#include "pellucida/visualization/Curve.h"
 #include "pellucida/visualization/Readout.h"
 
 namespace pellucida {

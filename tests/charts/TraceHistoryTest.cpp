@@ -1,4 +1,4 @@
-#include "pellucida/visualization/TraceHistory.h"
+#include "pellucida/charts/TraceHistory.h"
 
 #include <gtest/gtest.h>
 

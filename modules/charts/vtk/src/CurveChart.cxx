@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Letters.h"
 #include "pellucida/core/RoundNumbers.h"
 #include "pellucida/visualization/Readout.h"
+#include "pellucida/visualization_vtk/Letters.h"
 
 namespace pellucida {
 

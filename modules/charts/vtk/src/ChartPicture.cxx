@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/ChartPicture.h"
+#include "pellucida/charts_vtk/ChartPicture.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -23,10 +23,10 @@
 #include <system_error>
 
 #include "ChartAxes.h"
-#include "Letters.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/visualization/VirtualDisplay.h"
+#include "pellucida/visualization_vtk/Letters.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 
 namespace pellucida {

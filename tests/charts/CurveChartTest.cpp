@@ -1,19 +1,16 @@
-#include "pellucida/visualization_vtk/CurveChart.h"
+#include "pellucida/charts_vtk/CurveChart.h"
 
 #include <gtest/gtest.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkRenderWindow.h>
 
+#include "pellucida/charts_vtk/ChartPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/TemporaryFolder.h"
-#include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization/VirtualDisplay.h"
-#include "pellucida/visualization_vtk/ChartPicture.h"
-#include "pellucida/visualization_vtk/MembraneView.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 #include "support/Files.h"
-#include "visualization/SyntheticScene.h"
 
 namespace pellucida {
 namespace {
@@ -105,29 +102,6 @@ TEST_F(CurveChartTest, AChartIsWrittenAsADrawingOrAPage) {
 TEST_F(CurveChartTest, WhatCannotBeWrittenIsAnError) {
   EXPECT_THROW(render_charts({{panel()}}, 1, folder_ / "chart.doc"), UsageError);
   EXPECT_THROW(render_charts({{panel()}}, 1, folder_.path() / "none" / "chart.svg"), OutputError);
-}
-
-TEST_F(CurveChartTest, ANodeIsFoundUnderTheMouseAndNoneBesideTheCell) {
-  vtkNew<StageSource> source;
-  source->SetScene(test::synthetic_scene(12.0));
-  MembraneView view(source);
-  const vtkNew<StageSource> nothing;
-  EXPECT_FALSE(MembraneView(nothing).node_at(100.0, 100.0));
-  view.add_to(window_);
-  window_->Render();
-  const auto node = view.node_at(320.0, 150.0);
-  ASSERT_TRUE(node);
-  const auto surface = source->GetScene().surface.shallow_copy();
-  ASSERT_LT(*node, surface->GetNumberOfPoints());
-  // Towards the camera, which looks along +z: on the near side of the cell.
-  double bounds_um[6];
-  surface->GetBounds(bounds_um);
-  EXPECT_LT(surface->GetPoint(*node)[2], 0.5 * (bounds_um[4] + bounds_um[5]));
-  EXPECT_FALSE(view.node_at(3.0, 3.0));
-  view.mark_node(node);
-  window_->Render();
-  view.mark_node(surface->GetNumberOfPoints());
-  window_->Render();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "pellucida/visualization/Curve.h"
+#include "pellucida/charts/Curve.h"
 
 #include <gtest/gtest.h>
 

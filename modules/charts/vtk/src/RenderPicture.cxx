@@ -1,4 +1,4 @@
-#include "pellucida/visualization_vtk/RenderPicture.h"
+#include "pellucida/charts_vtk/RenderPicture.h"
 
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
@@ -11,12 +11,12 @@
 #include <fstream>
 #include <system_error>
 
+#include "pellucida/charts_vtk/ForceChart.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 #include "pellucida/visualization_vtk/FeedView.h"
-#include "pellucida/visualization_vtk/ForceChart.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/visualization/Curve.h"
+#include "pellucida/charts/Curve.h"
 #include "pellucida/visualization_vtk/View.h"
 
 namespace pellucida {
