@@ -1,4 +1,4 @@
-#include "commands/ExportCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -34,7 +34,7 @@ void export_picture(const ExportArguments& arguments) {
 void export_files(const ExportArguments& arguments) {
   std::vector<std::filesystem::path> files = export_names(arguments.output);
   if (!arguments.no_picture) files.push_back(std::filesystem::path(arguments.output) / "session.png");
-  require_new(files, arguments.replace);
+  if (!arguments.replace) require_new(files);
   ExportReport report;
   {
     Progress progress("exporting, contours");

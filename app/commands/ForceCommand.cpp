@@ -1,4 +1,4 @@
-#include "commands/ForceCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -90,7 +90,7 @@ MembraneGeometry geometry_for(const ForceArguments& arguments, const CellProfile
 
 void write_force_curve(const ForceArguments& arguments) {
   require_apart(arguments.output, arguments.profile, "--output");
-  require_new({arguments.output}, arguments.replace);
+  if (!arguments.replace) require_new({arguments.output});
   const CellProfile profile = load_profile(arguments.profile);
   const MembraneGeometry geometry = geometry_for(arguments, profile);
   if (arguments.speed_um_per_s && profile.relaxation_arms.empty()) {

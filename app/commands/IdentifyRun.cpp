@@ -139,7 +139,7 @@ void check_outputs(const IdentifyArguments& arguments, const fs::path& picture) 
     }
   }
   require_apart(picture, arguments.output, "--output");
-  require_new(outputs, arguments.replace);
+  if (!arguments.replace) require_new(outputs);
   { OutputFile probe(arguments.output); }
 }
 

@@ -1,4 +1,4 @@
-#include "commands/ReportCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -37,7 +37,7 @@ void print_cell(const CellPassport& cell) {
 }
 
 void report_session(const ReportArguments& arguments) {
-  require_new(report_names(arguments.session, arguments.output), arguments.replace);
+  if (!arguments.replace) require_new(report_names(arguments.session, arguments.output));
   PassportReport report;
   {
     Progress progress("reading, surfaces");

@@ -1,4 +1,4 @@
-#include "commands/SimulateCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -42,7 +42,7 @@ void simulate(const SimulateArguments& arguments) {
   require_apart(arguments.output, arguments.scenario, "--output");
   require_apart(arguments.truth, arguments.scenario, "--truth");
   require_apart(arguments.truth, arguments.output, "--truth");
-  require_new({arguments.output, arguments.truth}, arguments.replace);
+  if (!arguments.replace) require_new({arguments.output, arguments.truth});
   VirtualMicroscope microscope(scenario);
   // The small file first: where it can't be written, the video of an earlier run is left alone.
   std::optional<TruthWriter> truth;

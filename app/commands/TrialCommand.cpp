@@ -1,4 +1,4 @@
-#include "commands/TrialCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -60,7 +60,7 @@ void run_trials(const TrialArguments& arguments) {
   const fs::path folder(arguments.output);
   std::vector<fs::path> files{folder / "trials.csv", folder / "summary.csv"};
   if (!arguments.no_picture) files.push_back(folder / "trials.png");
-  require_new(files, arguments.replace);
+  if (!arguments.replace) require_new(files);
   make_folder(folder);
 
   SeriesOptions options;

@@ -8,6 +8,7 @@
 #include "ReviewWindow.h"
 #include "VideoExport.h"
 #include "Words.h"
+#include "pellucida/notes/MeasureControl.h"
 #include "pellucida/notes/NoteControl.h"
 #include "presenters/TimelinePresenter.h"
 #include "widgets/CurvePanel.h"
@@ -122,6 +123,8 @@ void ReviewWindow::show_hint_marks() {
   std::vector<HintMark> marks = hints_->draft().marks_at(time_s);
   const std::vector<HintMark> notes = notes_->marks_at(time_s);
   marks.insert(marks.end(), notes.begin(), notes.end());
+  const std::vector<HintMark> measured = measures_->marks();
+  marks.insert(marks.end(), measured.begin(), measured.end());
   views_->mark_hints(std::move(marks));
 }
 
@@ -137,13 +140,22 @@ void ReviewWindow::build_notes() {
   };
   actions.notify = [this](const QString& text, bool problem) { notify(text, problem); };
   notes_ = new NoteControl(views_->image(), views_->feed(), std::move(actions));
+  measures_ = new MeasureControl(views_->image(), views_->feed(), *notes_,
+                                 {[this] {
+                                    if (session_) show_hint_marks();
+                                  },
+                                  [this] {
+                                    if (!session_) return;
+                                    export_->save_table(words("Distances and angles"), "measured",
+                                                        [this](const auto& file) { measures_->write(file); });
+                                  }});
 }
 
 // The session's events and doubts with the notes about them, in the list and on the timeline.
 void ReviewWindow::list_events() {
   events_ = review_events(*session_);
   for (const Annotation& note : notes_->notes()) {
-    events_.push_back({note.time_s, kAnnotationKind, NoteControl::listed(note), note.time_s, false});
+    events_.push_back({note.time_s, kAnnotationKind, notes_->listed(note), note.time_s, false});
   }
   std::stable_sort(events_.begin(), events_.end(), [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
   timeline_->set_timeline(timeline_of(*session_, events_));

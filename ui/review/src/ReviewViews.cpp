@@ -1,8 +1,10 @@
 #include "ReviewViews.h"
 
 #include <QMouseEvent>
+#include <QToolButton>
 #include <cmath>
 
+#include "ModelReview.h"
 #include "Words.h"
 #include "presenters/SessionCurves.h"
 #include "presenters/SourcePresenter.h"
@@ -55,6 +57,17 @@ void ReviewViews::build(std::function<void(double)> seek) {
   feed_panel_ = new FeedPanel(feed_, nullptr, false);
   membrane_panel_ = new MembranePanel(membranes_, nullptr);
   touch_ = new CurvePanel(words("Force over indentation"), {}, nullptr);
+  model_ = new ModelReview(
+      [this] {
+        if (session_) fill_touch(step_);
+        charts_changed_ = true;
+      },
+      this);
+  QToolButton* model = touch_->add_toggle(
+      words("Model"), words("The model's curves: with this cell's sizes as seen, and of the profile's own cell"),
+      QKeySequence("2"), true);
+  model->setObjectName("model");
+  connect(model, &QToolButton::toggled, this, [this](bool on) { model_->set_on(on); });
   time_ = new CurvePanel(words("Force over time"), std::move(seek), nullptr);
   QSplitter* views = pair_of(feed_panel_, membrane_panel_);
   QSplitter* charts = pair_of(touch_, time_);
@@ -75,6 +88,7 @@ void ReviewViews::build(std::function<void(double)> seek) {
 
 void ReviewViews::set_session(const RecordedSession& session) {
   session_ = &session;
+  model_->set_session(&session);
   touch_shown_.reset();
   feed_.set_caption(source_caption(session.info.source));
   feed_.reset_camera();
@@ -109,6 +123,12 @@ void ReviewViews::fill_touch(std::size_t step) {
     drawn.other = comparison_->other_over_indentation(step);
     name_curves(*comparison_, drawn);
   }
+  if (const TouchModel* model = model_->shown()) {
+    drawn.named.insert(drawn.named.end(), model->curves.begin(), model->curves.end());
+    touch_->view().setToolTip(QString::fromStdString(model->remark));
+  } else {
+    touch_->view().setToolTip({});
+  }
   touch_->chart().set_data(std::move(drawn));
 }
 
@@ -122,6 +142,7 @@ void ReviewViews::show_step(const Scene& scene, std::size_t step) {
   step_ = step;
   const std::size_t touch = touch_of(*session_, step);
   if (touch != touch_shown_) {
+    model_->show_touch(touch);
     fill_touch(step);
     touch_shown_ = touch;
   }
@@ -134,6 +155,7 @@ void ReviewViews::show_step(const Scene& scene, std::size_t step) {
 void ReviewViews::draw_charts() {
   time_->render();
   touch_->render();
+  charts_changed_ = false;
 }
 
 void ReviewViews::mark_node(std::optional<long> node) {

@@ -15,6 +15,7 @@ namespace pellucida {
 
 class CurvePanel;
 class FeedPanel;
+class ModelReview;
 class MembranePanel;
 
 /// The views of a recorded session: image and 3-D membranes above, both charts of the whole session below, with a
@@ -30,8 +31,13 @@ class ReviewViews : public QSplitter {
   /// Shows a step; the charts are drawn by `draw_charts`.
   void show_step(const Scene& scene, std::size_t step);
   void draw_charts();
+  /// Whether a chart has new data since it was drawn.
+  bool charts_changed() const noexcept { return charts_changed_; }
   /// Lays another session's curves over the charts; null: none. `comparison` must outlive its showing.
   void compare(const SessionComparison* comparison, Alignment alignment);
+  /// The model's curves in the force over indentation.
+  ModelReview& model() noexcept { return *model_; }
+  const ModelReview& model() const noexcept { return *model_; }
   void mark_node(std::optional<long> node);
   /// Where a person pointed, in the frame shown.
   void mark_hints(std::vector<HintMark> marks);
@@ -58,6 +64,8 @@ class ReviewViews : public QSplitter {
   MembranePanel* membrane_panel_ = nullptr;
   CurvePanel* time_ = nullptr;
   CurvePanel* touch_ = nullptr;
+  ModelReview* model_ = nullptr;
+  bool charts_changed_ = false;
   std::function<void(long)> pick_;
   const RecordedSession* session_ = nullptr;
   const SessionComparison* comparison_ = nullptr;

@@ -16,6 +16,7 @@
 #include "ReviewViews.h"
 #include "VideoExport.h"
 #include "Words.h"
+#include "pellucida/notes/MeasureControl.h"
 #include "pellucida/notes/NoteControl.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
@@ -139,6 +140,7 @@ QWidget* ReviewWindow::build_session_page() {
   build_notes();
   column->addWidget(&notes_->strip());
   bar_->add(notes_->button());
+  bar_->add(measures_->button());
   build_video();
   node_ = new NodeReview(
       to_time, [this] { clear_node(); }, this);
@@ -224,7 +226,7 @@ void ReviewWindow::adopt(Opened& opened) {
     notify(QString::fromStdString(caution), true);
   }
   // What keeps the notes from being read is said last, and stays.
-  notes_->set_session(session_->folder);
+  notes_->set_session(session_->folder, session_->info.source.pixel_size_um);
   thumbnails_->set_session(session_.get());
   bar_->show_session(session_.get());
   setWindowTitle(words("Pellucida - Review of ") + QString::fromStdString(session_name_of(session_->folder)));
@@ -271,7 +273,7 @@ void ReviewWindow::tick() {
     } else if (const auto loaded = loader_->take()) {
       show_step(*loaded);
     }
-    if (comparison_->tick()) charts_due_ = true;
+    if (comparison_->tick() || views_->charts_changed()) charts_due_ = true;
     if (shown_step_ && !charts_due_) video_->shown(*shown_step_);
     if (was_playing) show_place();
     show_notice();

@@ -26,6 +26,7 @@ class ComparisonReview;
 class EventPanel;
 class HintReview;
 class NodeReview;
+class MeasureControl;
 class NoteControl;
 class OpenPage;
 class ReadoutBar;
@@ -128,6 +129,7 @@ class ReviewWindow : public QMainWindow {
   TaskLine* task_line_ = nullptr;
   NodeReview* node_ = nullptr;
   NoteControl* notes_ = nullptr;
+  MeasureControl* measures_ = nullptr;
   CellsWindow* cells_ = nullptr;
   ComparisonReview* comparison_ = nullptr;
   HintReview* hints_ = nullptr;

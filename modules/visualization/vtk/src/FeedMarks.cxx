@@ -88,14 +88,26 @@ void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
 void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {
   constexpr double kRing_px = 9.0;
   constexpr int kCorners = 24;
-  const Eigen::Vector2d at = place(mark.place_um);
+  Eigen::Vector2d at = place(mark.place_um);
   for (const auto& [width_px, color] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, palette::kWarning}}) {
-    for (int k = 0; k < kCorners; ++k) {
+    Eigen::Vector2d start = place(mark.place_um);
+    for (const Eigen::Vector2d& further_um : mark.further_um) {
+      const Eigen::Vector2d to = place(further_um);
+      hud.line(start.x(), start.y(), to.x(), to.y(), width_px, color);
+      hud.disc(start.x(), start.y(), width_px + 1.0, color);
+      hud.disc(to.x(), to.y(), width_px + 1.0, color);
+      start = to;
+    }
+    for (int k = 0; mark.further_um.empty() && k < kCorners; ++k) {
       const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
       hud.line(at.x() + kRing_px * std::cos(from), at.y() + kRing_px * std::sin(from), at.x() + kRing_px * std::cos(to),
                at.y() + kRing_px * std::sin(to), width_px, color);
     }
   }
+  // Beside the middle of a distance, or an angle's vertex.
+  if (mark.further_um.size() == 1) at = 0.5 * (at + place(mark.further_um.front()));
+  if (mark.further_um.size() > 1) at = place(mark.further_um.front());
+  if (mark.text.empty()) return;
   const HudText style{.color = palette::kWarning, .bold = true};
   hud.rounded(at.x() + 14.0, at.y() - 10.0, hud.text_width_px(mark.text, style) + 12.0, 20.0, 4.0, palette::kWindow,
               0.8);

@@ -36,6 +36,10 @@ void add_force(double x, const Measurement& row, Curve& curve, Curve& inner) {
   inner.add(x, row.contact_force_uN, row.contact_force_picture_lower_uN, row.contact_force_picture_upper_uN);
 }
 
+bool has_point(const Measurement& row) {
+  return row.state == CellState::kContact && std::isfinite(row.contact_force_uN) && std::isfinite(row.indentation_um);
+}
+
 // Sessions of earlier versions know one interval.
 CurveChartData without_empty_band(CurveChartData data) {
   bool has_band = false;
@@ -87,22 +91,36 @@ std::size_t touch_of(const RecordedSession& session, std::size_t step) {
   return touches.count();
 }
 
+std::optional<std::size_t> deepest_step(const RecordedSession& session, std::size_t touch) {
+  TouchCounter touches;
+  std::optional<std::size_t> deepest;
+  for (std::size_t i = 0; i < session.step_count(); ++i) {
+    const Measurement& row = session.rows[i];
+    touches.take(row);
+    if (touches.count() != touch || !has_point(row)) continue;
+    if (!deepest || row.indentation_um > session.rows[*deepest].indentation_um) deepest = i;
+  }
+  return deepest;
+}
+
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step) {
   CurveChartData data;
   data.x_title = say("Indentation (µm)");
   data.y_title = say("Force (µN)");
   data.empty_text = say("No force in this session");
   const std::size_t present = touch_of(session, step);
+  const std::optional<std::size_t> deepest = deepest_step(session, present);
   TouchCounter touches;
   std::size_t drawn = 0;
   Curve unseen;  // the other touches have no band
-  for (const Measurement& row : session.rows) {
+  Curve back;
+  for (std::size_t i = 0; i < session.step_count(); ++i) {
+    const Measurement& row = session.rows[i];
     touches.take(row);
-    if (row.state != CellState::kContact || !std::isfinite(row.contact_force_uN) ||
-        !std::isfinite(row.indentation_um)) {
-      continue;
-    }
+    if (!has_point(row)) continue;
     const bool is_present = touches.count() == present;
+    if (is_present && i >= *deepest) back.add(row.indentation_um, row.contact_force_uN);
+    if (is_present && i > *deepest) continue;
     Curve& curve = is_present ? data.curve : data.faint;
     Curve& inner = is_present ? data.inner : unseen;
     if (touches.count() != drawn) {
@@ -111,6 +129,11 @@ CurveChartData force_over_indentation(const RecordedSession& session, std::size_
     }
     drawn = touches.count();
     add_force(row.indentation_um, row, curve, inner);
+  }
+  data.curve_name = say("Measured");
+  if (back.size() > 1) {
+    data.curve_name = say("Loading");
+    data.named.push_back({say("Unloading"), std::move(back), CurveRole::kBack});
   }
   return without_empty_band(std::move(data));
 }

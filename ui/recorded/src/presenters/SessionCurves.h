@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "pellucida/charts_vtk/CurveChart.h"
@@ -13,8 +14,11 @@ namespace pellucida {
 CurveChartData force_over_time(const RecordedSession& session);
 
 /// The contact force over the indentation: all touches of the session in grey, the one that `step` belongs to (or the
-/// last before it) on top with its interval.
+/// last before it) on top with its interval: loading up to its greatest depth, then unloading, dashed and without.
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step);
+
+/// The step at which a touch is deepest; nothing where no frame of it has depth and force.
+std::optional<std::size_t> deepest_step(const RecordedSession& session, std::size_t touch);
 
 /// Number of the touch that each step belongs to, as `touch_of` counts.
 std::vector<std::size_t> touches_of(const RecordedSession& session);
