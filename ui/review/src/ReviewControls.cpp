@@ -1,5 +1,6 @@
 // What the buttons of the window in Review mode do.
 #include "CellsWindow.h"
+#include "ComparisonReview.h"
 #include "HintControl.h"
 #include "HintReview.h"
 #include "NodeReview.h"
@@ -10,7 +11,9 @@
 #include "Words.h"
 #include "pellucida/notes/MeasureControl.h"
 #include "pellucida/notes/NoteControl.h"
+#include "presenters/SeenTables.h"
 #include "presenters/TimelinePresenter.h"
+#include "widgets/ComparePanel.h"
 #include "widgets/CurvePanel.h"
 #include "widgets/EventPanel.h"
 #include "widgets/FeedPanel.h"
@@ -37,7 +40,11 @@ ReviewBar* ReviewWindow::build_bar() {
     export_->save_chart(views_->force_over_time().chart(), words("Force over time"), "force-time");
   };
   actions.export_touch = [this] {
-    export_->save_chart(views_->force_over_indentation().chart(), words("Force over indentation"), "force-indentation");
+    const CurveChart& chart = views_->force_over_indentation().chart();
+    const auto quantity = views_->histogram();
+    if (!quantity) return export_->save_chart(chart, words("Force over indentation"), "force-indentation");
+    export_->save_chart(chart, QString::fromStdString(name_of(*quantity)), "histogram",
+                        [this](const auto& file) { write_histogram(views_->sample(), file); });
   };
   actions.export_node = [this] {
     export_->save_chart(node_->panel().curve().chart(), words("Node %1").arg(node_->node().value_or(0)), "node");
@@ -48,6 +55,7 @@ ReviewBar* ReviewWindow::build_bar() {
     if (!file.empty()) video_->start(file, session_->step_count(), step_s > 0.0 ? 1.0 / step_s : 1.0);
   };
   actions.export_tables = [this] { export_->save_tables(); };
+  actions.export_seen = [this] { export_seen(); };
   actions.report = [this] { export_->report(); };
   actions.compare = [this](bool on) {
     const std::filesystem::path folder =
@@ -57,6 +65,21 @@ ReviewBar* ReviewWindow::build_bar() {
   actions.cells = [this] { show_cells(); };
   actions.show_events = [this](bool on) { side_->setVisible(on); };
   return new ReviewBar(actions, nullptr);
+}
+
+void ReviewWindow::export_seen() {
+  if (!shown_step_) return;
+  SeenFrame frame;
+  frame.row = session_->rows[*shown_step_];
+  const auto surface = shown_.surface.shallow_copy();
+  frame.surface = surface;
+  frame.node = node_->node();
+  frame.charts.push_back({"force-time", views_->force_over_time().chart().data()});
+  frame.charts.push_back(
+      {views_->histogram() ? "histogram" : "force-indentation", views_->force_over_indentation().chart().data()});
+  if (node_->node()) frame.charts.push_back({"node", node_->panel().curve().chart().data()});
+  if (comparison_->active()) frame.charts.push_back({"difference", comparison_->panel().curve().chart().data()});
+  export_->save_seen(frame);
 }
 
 // A window beside this one, made when it is first asked for; it begins with the session shown.

@@ -9,7 +9,12 @@
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
+#include "presenters/Histogram.h"
 #include "presenters/SessionComparison.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
 
 namespace pellucida {
 
@@ -44,6 +49,10 @@ class ReviewViews : public QSplitter {
   FeedView& image() noexcept { return feed_; }
 
   const StageSource& source() const { return *source_; }
+  /// What is counted in place of the force over indentation; nothing: that.
+  std::optional<Quantity> histogram() const noexcept { return histogram_; }
+  void show_histogram(std::optional<Quantity> quantity);
+  Sample sample() const;
   FeedPanel& feed() noexcept { return *feed_panel_; }
   MembranePanel& membranes() noexcept { return *membrane_panel_; }
   CurvePanel& force_over_time() noexcept { return *time_; }
@@ -55,6 +64,9 @@ class ReviewViews : public QSplitter {
  private:
   void fill_time();
   void fill_touch(std::size_t step);
+  void fill_histogram();
+  void place_touch_cursor(const Measurement& row);
+  void build_touch();
   void build(std::function<void(double)> seek);
 
   vtkNew<StageSource> source_;
@@ -65,6 +77,10 @@ class ReviewViews : public QSplitter {
   CurvePanel* time_ = nullptr;
   CurvePanel* touch_ = nullptr;
   ModelReview* model_ = nullptr;
+  QComboBox* shown_ = nullptr;
+  QToolButton* model_button_ = nullptr;
+  QLabel* facts_ = nullptr;
+  std::optional<Quantity> histogram_;
   bool charts_changed_ = false;
   std::function<void(long)> pick_;
   const RecordedSession* session_ = nullptr;

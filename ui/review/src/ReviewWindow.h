@@ -104,6 +104,7 @@ class ReviewWindow : public QMainWindow {
   void clear_node();
   void clear_comparison();
   void show_cells();
+  void export_seen();
 
   ReviewOptions options_;
   std::shared_ptr<const Clock> clock_;

@@ -98,12 +98,13 @@ void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
   add(words("Microscope image as PNG") + dots, "exportFeed", actions.export_feed);
   add(words("3-D view as PNG") + dots, "exportView", actions.export_view);
   menu->addSeparator();
-  add(words("Force over time as SVG, PDF or PNG") + dots, "exportTime", actions.export_time);
-  add(words("Force over indentation as SVG, PDF or PNG") + dots, "exportTouch", actions.export_touch);
-  node_ = add(words("Chart of the node as SVG, PDF or PNG") + dots, "exportNode", actions.export_node);
+  add(words("Force over time as SVG, PDF, PNG or CSV") + dots, "exportTime", actions.export_time);
+  add(words("Left chart as SVG, PDF, PNG or CSV") + dots, "exportTouch", actions.export_touch);
+  node_ = add(words("Chart of the node as SVG, PDF, PNG or CSV") + dots, "exportNode", actions.export_node);
   menu->addSeparator();
   add(words("Video of the views") + dots, "exportVideo", actions.export_video);
-  add(words("Tables as CSV") + dots, "exportTables", actions.export_tables);
+  add(words("This frame and its charts as CSV") + dots, "exportSeen", actions.export_seen);
+  add(words("All tables as CSV") + dots, "exportTables", actions.export_tables);
   QAction* report = add(words("Report") + dots, "report", actions.report);
   report->setShortcut(QKeySequence::Print);
   // Keys of a menu that isn't open act too.

@@ -24,6 +24,7 @@ class ReviewBar : public QWidget {
     std::function<void()> export_node;      ///< the node's chart
     std::function<void()> export_video;     ///< views and charts as a film
     std::function<void()> export_tables;    ///< rows, events and more as CSV
+    std::function<void()> export_seen;      ///< what the window shows now, as CSV
     std::function<void()> report;           ///< the dose passport
     std::function<void(bool)> compare;      ///< with another session; false: no more
     std::function<void()> cells;            ///< the cells of several sessions
