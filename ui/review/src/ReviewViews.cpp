@@ -93,7 +93,7 @@ void ReviewViews::build_touch() {
   connect(shown_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
     show_histogram(index > 0 ? std::optional(kQuantities[static_cast<std::size_t>(index - 1)]) : std::nullopt);
   });
-  touch_->add_control(shown_);
+  touch_->lead_with(shown_);
   auto* histogram = new QAction(words("Histogram"), touch_);
   histogram->setObjectName("histogram");
   histogram->setShortcut(QKeySequence("H"));

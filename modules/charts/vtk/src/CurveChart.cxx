@@ -309,10 +309,19 @@ void CurveChart::draw_names(HudCanvas& hud) const {
   const CurveChartData& data = plots_->data;
   if (data.other_name.empty() && data.named.empty()) return;
   vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
-  const double x = left->GetPoint2()[0] / hud_ratio() + 10.0;
-  double y = left->GetPoint2()[1] / hud_ratio() - 26.0;
+  // Marks have their names at the top.
+  const double top = left->GetPoint2()[1] / hud_ratio() - (data.marks.empty() ? 9.0 : 26.0);
+  double x = left->GetPoint2()[0] / hud_ratio() + 10.0, y = top, widest = 0.0;
+  const double lowest = 0.5 * (left->GetPoint1()[1] + left->GetPoint2()[1]) / hud_ratio();
   const auto name = [&](const std::string& text, const Color& color, std::initializer_list<double> dashes) {
     if (text.empty()) return;
+    // In the upper half alone: in columns where the chart is low.
+    if (y < lowest && y < top) {
+      x += widest + 42.0;
+      y = top;
+      widest = 0.0;
+    }
+    widest = std::max(widest, hud.text_width_px(text));
     for (const double dash : dashes)
       hud.line(x + dash, y, x + dash + 16.0 / static_cast<double>(2 * dashes.size() - 1), y, 3.0, color);
     hud.text(x + 22.0, y, text);

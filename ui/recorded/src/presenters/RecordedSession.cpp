@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Statistics.h"
 #include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/SourcePresenter.h"
@@ -43,6 +45,23 @@ std::optional<std::size_t> RecordedSession::image_step_at(double time_s) const n
   if (later == image_steps.end()) return image_steps.back();
   const auto before = later - 1;
   return time_s - times_s[*before] <= times_s[*later] - time_s ? *before : *later;
+}
+
+std::optional<std::array<double, 4>> RecordedSession::cell_region_um() const {
+  // Of the region, in radii of the cell.
+  constexpr double kHalfWidth = 2.4, kHalfHeight = 1.6;
+  std::vector<double> x_um, y_um, radius_um;
+  for (const Measurement& row : rows) {
+    if (!std::isfinite(row.cell_x_um) || !std::isfinite(row.cell_y_um) || !(row.volume_um3 > 0.0)) continue;
+    x_um.push_back(row.cell_x_um);
+    y_um.push_back(row.cell_y_um);
+    radius_um.push_back(std::cbrt(0.75 * row.volume_um3 / std::numbers::pi));
+  }
+  if (x_um.empty()) return std::nullopt;
+  for (auto* values : {&x_um, &y_um, &radius_um}) std::sort(values->begin(), values->end());
+  const double radius = quantile(radius_um, 0.5);
+  return std::array{quantile(x_um, 0.5) - kHalfWidth * radius, quantile(y_um, 0.5) - kHalfHeight * radius,
+                    2.0 * kHalfWidth * radius, 2.0 * kHalfHeight * radius};
 }
 
 double RecordedSession::usual_step_s() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -35,6 +36,8 @@ struct RecordedSession {
   std::size_t step_at(double time_s) const noexcept;
   /// The step with an image that is nearest to `time_s` in time; nothing where no step has one.
   std::optional<std::size_t> image_step_at(double time_s) const noexcept;
+  /// The part of the image round the cell, whatever the frame: x, y, width, height, um; nothing where no cell was seen.
+  std::optional<std::array<double, 4>> cell_region_um() const;
   /// Half the steps are no further from the next one, s; 0 for fewer than two.
   double usual_step_s() const;
 };

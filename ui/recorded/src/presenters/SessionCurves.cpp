@@ -1,5 +1,6 @@
 #include "presenters/SessionCurves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -10,6 +11,8 @@
 
 namespace pellucida {
 namespace {
+
+constexpr double kLeastWayBack_um = 2.0;
 
 bool worth_a_mark(CellState state) {
   return state == CellState::kContact || state == CellState::kPunctured || state == CellState::kLost;
@@ -91,16 +94,20 @@ std::size_t touch_of(const RecordedSession& session, std::size_t step) {
   return touches.count();
 }
 
-std::optional<std::size_t> deepest_step(const RecordedSession& session, std::size_t touch) {
+std::size_t turning_step(const RecordedSession& session, std::size_t touch) {
   TouchCounter touches;
-  std::optional<std::size_t> deepest;
+  std::vector<std::size_t> steps;
   for (std::size_t i = 0; i < session.step_count(); ++i) {
-    const Measurement& row = session.rows[i];
-    touches.take(row);
-    if (touches.count() != touch || !has_point(row)) continue;
-    if (!deepest || row.indentation_um > session.rows[*deepest].indentation_um) deepest = i;
+    touches.take(session.rows[i]);
+    if (touches.count() == touch && has_point(session.rows[i])) steps.push_back(i);
   }
-  return deepest;
+  const auto depth_um = [&](std::size_t step) { return session.rows[step].indentation_um; };
+  const auto less = [&](std::size_t a, std::size_t b) { return depth_um(a) < depth_um(b); };
+  const auto deepest = std::max_element(steps.begin(), steps.end(), less);
+  if (deepest == steps.end()) return session.step_count();
+  // A needle that is held still is not withdrawn.
+  const double back_um = depth_um(*deepest) - depth_um(*std::min_element(deepest, steps.end(), less));
+  return back_um > kLeastWayBack_um ? *deepest : session.step_count();
 }
 
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step) {
@@ -109,7 +116,7 @@ CurveChartData force_over_indentation(const RecordedSession& session, std::size_
   data.y_title = say("Force (µN)");
   data.empty_text = say("No force in this session");
   const std::size_t present = touch_of(session, step);
-  const std::optional<std::size_t> deepest = deepest_step(session, present);
+  const std::size_t turn = turning_step(session, present);
   TouchCounter touches;
   std::size_t drawn = 0;
   Curve unseen;  // the other touches have no band
@@ -119,8 +126,8 @@ CurveChartData force_over_indentation(const RecordedSession& session, std::size_
     touches.take(row);
     if (!has_point(row)) continue;
     const bool is_present = touches.count() == present;
-    if (is_present && i >= *deepest) back.add(row.indentation_um, row.contact_force_uN);
-    if (is_present && i > *deepest) continue;
+    if (is_present && i >= turn) back.add(row.indentation_um, row.contact_force_uN);
+    if (is_present && i > turn) continue;
     Curve& curve = is_present ? data.curve : data.faint;
     Curve& inner = is_present ? data.inner : unseen;
     if (touches.count() != drawn) {

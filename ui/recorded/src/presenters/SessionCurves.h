@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "pellucida/charts_vtk/CurveChart.h"
@@ -17,8 +16,9 @@ CurveChartData force_over_time(const RecordedSession& session);
 /// last before it) on top with its interval: loading up to its greatest depth, then unloading, dashed and without.
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step);
 
-/// The step at which a touch is deepest; nothing where no frame of it has depth and force.
-std::optional<std::size_t> deepest_step(const RecordedSession& session, std::size_t touch);
+/// The step at which a touch is deepest, where the needle comes back by 2 um or more afterwards; else the number of
+/// steps.
+std::size_t turning_step(const RecordedSession& session, std::size_t touch);
 
 /// Number of the touch that each step belongs to, as `touch_of` counts.
 std::vector<std::size_t> touches_of(const RecordedSession& session);

@@ -24,11 +24,19 @@ constexpr int kMargin_px = 4;
 constexpr double kGap_px = 2.0;
 constexpr int kResizePause_ms = 250;
 
-QImage picture_of(const SessionReader& reader, std::optional<std::size_t> step, QSize size_px) {
+QRect part_of(const RecordedSession& session) {
+  const auto region_um = session.cell_region_um();
+  const double pixel_um = session.info.source.pixel_size_um;
+  if (!region_um || !(pixel_um > 0.0)) return {};
+  const auto& [x, y, width, height] = *region_um;
+  return QRectF(x / pixel_um, y / pixel_um, width / pixel_um, height / pixel_um).toRect();
+}
+
+QImage picture_of(const SessionReader& reader, std::optional<std::size_t> step, QSize size_px, QRect part) {
   if (!step) return {};
   try {
     const auto image = reader.read_image(*step);
-    return image ? small_picture(*image, size_px) : QImage();
+    return image ? small_picture(*image, size_px, part) : QImage();
   } catch (const InputError&) {
     // The frame itself names the damage once it is shown.
     return {};
@@ -99,13 +107,13 @@ void ThumbnailBar::read() {
   // Each fills its stretch, which is a little wider than the least.
   const QSize size = QSizeF(ratio * place(0).width(), ratio * kPictureHeight_px).toSize();
   reading_.run(
-      [this, folder = session_->folder, wanted, size,
+      [this, folder = session_->folder, part = part_of(*session_), wanted, size,
        ratio](const BackgroundTask::Control& control) -> std::function<void()> {
         const SessionReader reader(folder);
         std::vector<QImage> made;
         for (const auto& step : wanted) {
           control.progress(made.size(), wanted.size());
-          made.push_back(picture_of(reader, step, size));
+          made.push_back(picture_of(reader, step, size, part));
           made.back().setDevicePixelRatio(ratio);
         }
         return [this, made = std::move(made)] {
