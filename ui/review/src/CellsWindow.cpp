@@ -64,6 +64,7 @@ QTableWidget* new_table(const char* name, const QString& accessible) {
   table->setTabKeyNavigation(false);
   table->setAlternatingRowColors(true);
   table->verticalHeader()->hide();
+  table->setStyleSheet("QTableView::item { padding: 0 8px; }");
   table->horizontalHeader()->setHighlightSections(false);
   return table;
 }
@@ -183,7 +184,7 @@ void CellsWindow::read_next() {
           line_->show_work({}, 0, 0);
           cells_.add(read->cells);
           fill();
-          const QString done = words("%1 cells of %2 sessions read").arg(read->cells.size()).arg(count);
+          const QString done = words("Cells read: %1, from sessions: %2").arg(read->cells.size()).arg(count);
           line_->show_notice(read->problems.empty() ? Phrase{done.toStdString(), current_theme().text_dim}
                                                     : Phrase{(done + "; " + words("left out: ")).toStdString() +
                                                                  say_message(read->problems.front()),

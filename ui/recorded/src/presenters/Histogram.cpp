@@ -118,7 +118,8 @@ Histogram histogram_of(const Sample& sample) {
   const double spread = quantile(values, 0.75) - quantile(values, 0.25);
   const double wanted = 2.0 * spread / std::cbrt(static_cast<double>(values.size()));
   const double least = std::max(range / kMostBins, 1e-9 * std::max(std::abs(values.back()), 1.0));
-  histogram.width = nice_ceiling(std::clamp(wanted, least, std::max(range / kFewestBins, least)), 1e-12);
+  const double most = std::max(range / kFewestBins, least);
+  histogram.width = std::max(nice_floor(std::clamp(wanted, least, most)), nice_ceiling(least, 1e-12));
   histogram.begin = histogram.width * std::floor(values.front() / histogram.width);
   const auto place = [&](double value) {
     return static_cast<std::size_t>(std::max(std::floor((value - histogram.begin) / histogram.width), 0.0));

@@ -48,6 +48,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   connect(events_, &QPushButton::toggled, this, actions.show_events);
   QPushButton* cells = add_button(row, words("Cells"), Qt::Key_J, words("Cells of several sessions in one table"));
   cells->setObjectName("cellsButton");
+  last_ = cells;
   connect(cells, &QPushButton::clicked, this, actions.cells);
   row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
   row->addSpacing(8);
@@ -134,6 +135,8 @@ void ReviewBar::show_session(const RecordedSession* session) {
 
 void ReviewBar::add(QPushButton& button) {
   row_->insertWidget(row_->count() - 3, &button);
+  setTabOrder(last_, &button);
+  last_ = &button;
 }
 
 void ReviewBar::show_events(bool shown) {

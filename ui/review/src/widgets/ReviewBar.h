@@ -51,6 +51,7 @@ class ReviewBar : public QWidget {
   QPushButton* export_ = nullptr;
   QPushButton* compare_ = nullptr;
   QPushButton* events_ = nullptr;
+  QWidget* last_ = nullptr;  // of the buttons, in the order of Tab
   QAction* node_ = nullptr;
   QLabel* name_ = nullptr;
   QLabel* facts_ = nullptr;
