@@ -38,10 +38,7 @@ struct TrialArguments {
 };
 
 std::vector<Modality> modalities_of(const std::string& name) {
-  if (name == "2d") return {Modality::kFlatImage};
-  if (name == "3d") return {Modality::kSpace};
-  if (name == "haptics") return {Modality::kSpaceAndHaptics};
-  if (name == "guide") return {Modality::kSpaceAndFixture};
+  if (const auto one = modality_of(name)) return {*one};
   return SeriesOptions{}.modalities;
 }
 

@@ -96,6 +96,11 @@ QLabel[fact="true"] { font-size: 15px; font-weight: 700; }
 QLabel[kept="true"] { border: 1px solid @border; border-radius: 5px; padding: 1px 7px; }
 QLabel[smallFigure="true"] { font-size: 14px; font-weight: 700; }
 QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
+#keySheet { background: @panel; border: 1px solid @accent; border-radius: 10px; }
+QLabel[sheetTitle="true"] { font-size: 15px; font-weight: 700; }
+QLabel[sheetGroup="true"] { color: @accent; font-size: 12px; font-weight: 700; padding-top: 6px; }
+QLabel[keyCap="true"] { background: @raised; border: 1px solid @border; border-radius: 4px; padding: 0px 6px; font-size: 12px; font-weight: 600; }
+QLabel[keyMeaning="true"] { font-size: 12px; }
 #startCard { background: @panel; border: 1px solid @border; border-radius: 10px; }
 #startCard[current="true"] { border: 1px solid @accent; }
 #startCard QScrollArea, #startCard #cardFields { background: transparent; }

@@ -32,9 +32,9 @@ constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 // place.
 constexpr int kRoundsLive = 1, kRoundsHigh = 2;
 constexpr double kPoorReading = 0.6;
-// Of the radius: a dimple from which on a membrane may be seen to have sprung back. By how much that must be surer
-// than the contour held to the tip, unless the dimple's flanks are back already.
-constexpr double kSprungDepth_ratio = 0.1, kSurerSprung = 0.25;
+// Of the radius: a dimple from which on a membrane may be seen to have sprung back, and from which on a contour may cut
+// across it. By how much that must be surer than the contour held to the tip, unless the dimple's flanks are back.
+constexpr double kSprungDepth_ratio = 0.1, kCutDepth_ratio = 0.3, kSurerSprung = 0.25;
 // Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
 constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
 
@@ -233,7 +233,9 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
   loose.touching = false;
   snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
   snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
-  const bool is_back = measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
+  // One that only cuts across a deep dimple leaves the flanks where they are.
+  const bool is_cut = depth > kCutDepth_ratio * rest_.outer_radius && has_deep_flanks();
+  const bool is_back = !is_cut && measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
   if (is_back && local_score() > held + (flanks_back ? 0.0 : kSurerSprung)) {
     quality_ = quality_now();
     return;

@@ -2,7 +2,6 @@
 
 #include <QDragEnterEvent>
 #include <QMimeData>
-#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QUrl>
@@ -22,6 +21,7 @@
 #include "presenters/ScalePresenter.h"
 #include "presenters/SessionCurves.h"
 #include "presenters/TimelinePresenter.h"
+#include "widgets/ButtonKey.h"
 #include "widgets/ComparePanel.h"
 #include "widgets/CurvePanel.h"
 #include "widgets/EventPanel.h"
@@ -96,7 +96,7 @@ void ReviewWindow::build() {
   resize(options_.width_px, options_.height_px);
   setMinimumSize(1000, 640);
   setAcceptDrops(true);
-  connect(new QShortcut(QKeySequence::Quit, this), &QShortcut::activated, this, [this] { close(); });
+  add_window_key(*this, QKeySequence::Quit, words("Close the window"), [this] { close(); });
 
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);

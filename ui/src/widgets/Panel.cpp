@@ -7,10 +7,12 @@
 #include <QVariant>
 
 #include "widgets/ButtonKey.h"
+#include "widgets/KeySheet.h"
 
 namespace pellucida {
 
 Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(parent) {
+  set_key_group(*this, title);
   auto* head = new QWidget(this);
   head->setObjectName("panelHead");
   head->setAttribute(Qt::WA_StyledBackground);

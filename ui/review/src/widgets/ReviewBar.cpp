@@ -12,6 +12,7 @@
 #include "presenters/RecordedSession.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
+#include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
 
@@ -51,6 +52,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   last_ = cells;
   connect(cells, &QPushButton::clicked, this, actions.cells);
   row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
+  row->addWidget(make_keys_button(this));
   row->addSpacing(8);
 
   auto* session = new QVBoxLayout;
