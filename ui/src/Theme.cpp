@@ -23,11 +23,11 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts, #chartFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
-#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName { color: @dim; font-size: 12px; }
+#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName, #chartFacts { color: @dim; font-size: 12px; }
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }

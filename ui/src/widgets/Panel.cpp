@@ -47,6 +47,11 @@ void Panel::add_control(QWidget* control) {
   head_->addWidget(control);
 }
 
+void Panel::lead_with(QWidget* control) {
+  control->setParent(this);
+  head_->insertWidget(0, control);
+}
+
 QToolButton* Panel::add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on) {
   QToolButton* button = add_button(text, tip, key);
   button->setCheckable(true);

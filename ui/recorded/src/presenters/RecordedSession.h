@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,17 +22,22 @@ struct RecordedSession {
   bool complete = false;
   bool head_changed = false;
   std::size_t skipped_row_count = 0;
-  std::vector<Measurement> rows;  ///< one a step
-  std::vector<double> times_s;    ///< of the steps, never falling, whatever the file says
-  std::vector<Event> events;      ///< in the order of time
-  double scale_ratio = 1.0;       ///< this cell's stiffness over its kind's, if it was measured
-  CellProfile profile;            ///< the forces' own; of a session that holds none, only the name
+  std::vector<Measurement> rows;         ///< one a step
+  std::vector<double> times_s;           ///< of the steps, never falling, whatever the file says
+  std::vector<std::size_t> image_steps;  ///< those with an image, ascending
+  std::vector<Event> events;             ///< in the order of time
+  double scale_ratio = 1.0;              ///< this cell's stiffness over its kind's, if it was measured
+  CellProfile profile;                   ///< the forces' own; of a session that holds none, only the name
 
   std::size_t step_count() const noexcept { return rows.size(); }
   double begin_s() const noexcept { return times_s.empty() ? 0.0 : times_s.front(); }
   double end_s() const noexcept { return times_s.empty() ? 0.0 : times_s.back(); }
   /// The last step that isn't later than `time_s`; the first for an earlier time, 0 without steps.
   std::size_t step_at(double time_s) const noexcept;
+  /// The step with an image that is nearest to `time_s` in time; nothing where no step has one.
+  std::optional<std::size_t> image_step_at(double time_s) const noexcept;
+  /// The part of the image round the cell, whatever the frame: x, y, width, height, um; nothing where no cell was seen.
+  std::optional<std::array<double, 4>> cell_region_um() const;
   /// Half the steps are no further from the next one, s; 0 for fewer than two.
   double usual_step_s() const;
 };

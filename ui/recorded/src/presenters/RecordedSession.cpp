@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/core/Statistics.h"
 #include "pellucida/core/Words.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/SourcePresenter.h"
@@ -33,6 +35,33 @@ CellProfile profile_of(const SessionInfo& info) {
 std::size_t RecordedSession::step_at(double time_s) const noexcept {
   const auto later = std::upper_bound(times_s.begin(), times_s.end(), time_s + kTimeSlack_s);
   return later == times_s.begin() ? 0 : static_cast<std::size_t>(later - times_s.begin()) - 1;
+}
+
+std::optional<std::size_t> RecordedSession::image_step_at(double time_s) const noexcept {
+  if (image_steps.empty()) return std::nullopt;
+  const auto later = std::lower_bound(image_steps.begin(), image_steps.end(), time_s,
+                                      [this](std::size_t step, double time) { return times_s[step] < time; });
+  if (later == image_steps.begin()) return *later;
+  if (later == image_steps.end()) return image_steps.back();
+  const auto before = later - 1;
+  return time_s - times_s[*before] <= times_s[*later] - time_s ? *before : *later;
+}
+
+std::optional<std::array<double, 4>> RecordedSession::cell_region_um() const {
+  // Of the region, in radii of the cell.
+  constexpr double kHalfWidth = 2.4, kHalfHeight = 1.6;
+  std::vector<double> x_um, y_um, radius_um;
+  for (const Measurement& row : rows) {
+    if (!std::isfinite(row.cell_x_um) || !std::isfinite(row.cell_y_um) || !(row.volume_um3 > 0.0)) continue;
+    x_um.push_back(row.cell_x_um);
+    y_um.push_back(row.cell_y_um);
+    radius_um.push_back(std::cbrt(0.75 * row.volume_um3 / std::numbers::pi));
+  }
+  if (x_um.empty()) return std::nullopt;
+  for (auto* values : {&x_um, &y_um, &radius_um}) std::sort(values->begin(), values->end());
+  const double radius = quantile(radius_um, 0.5);
+  return std::array{quantile(x_um, 0.5) - kHalfWidth * radius, quantile(y_um, 0.5) - kHalfHeight * radius,
+                    2.0 * kHalfWidth * radius, 2.0 * kHalfHeight * radius};
 }
 
 double RecordedSession::usual_step_s() const {
@@ -69,6 +98,9 @@ RecordedSession recorded_session(const SessionReader& reader) {
   for (const Measurement& row : session.rows) {
     newest_s = std::max(newest_s, row.time_s);
     session.times_s.push_back(newest_s);
+  }
+  for (std::size_t i = 0; i < reader.steps().size(); ++i) {
+    if (reader.steps()[i].has(SessionPart::kFrame)) session.image_steps.push_back(i);
   }
   return session;
 }

@@ -1,5 +1,6 @@
 #include "presenters/SessionCurves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -10,6 +11,8 @@
 
 namespace pellucida {
 namespace {
+
+constexpr double kLeastWayBack_um = 2.0;
 
 bool worth_a_mark(CellState state) {
   return state == CellState::kContact || state == CellState::kPunctured || state == CellState::kLost;
@@ -34,6 +37,10 @@ class TouchCounter {
 void add_force(double x, const Measurement& row, Curve& curve, Curve& inner) {
   curve.add(x, row.contact_force_uN, row.contact_force_lower_uN, row.contact_force_upper_uN);
   inner.add(x, row.contact_force_uN, row.contact_force_picture_lower_uN, row.contact_force_picture_upper_uN);
+}
+
+bool has_point(const Measurement& row) {
+  return row.state == CellState::kContact && std::isfinite(row.contact_force_uN) && std::isfinite(row.indentation_um);
 }
 
 // Sessions of earlier versions know one interval.
@@ -87,22 +94,40 @@ std::size_t touch_of(const RecordedSession& session, std::size_t step) {
   return touches.count();
 }
 
+std::size_t turning_step(const RecordedSession& session, std::size_t touch) {
+  TouchCounter touches;
+  std::vector<std::size_t> steps;
+  for (std::size_t i = 0; i < session.step_count(); ++i) {
+    touches.take(session.rows[i]);
+    if (touches.count() == touch && has_point(session.rows[i])) steps.push_back(i);
+  }
+  const auto depth_um = [&](std::size_t step) { return session.rows[step].indentation_um; };
+  const auto less = [&](std::size_t a, std::size_t b) { return depth_um(a) < depth_um(b); };
+  const auto deepest = std::max_element(steps.begin(), steps.end(), less);
+  if (deepest == steps.end()) return session.step_count();
+  // A needle that is held still is not withdrawn.
+  const double back_um = depth_um(*deepest) - depth_um(*std::min_element(deepest, steps.end(), less));
+  return back_um > kLeastWayBack_um ? *deepest : session.step_count();
+}
+
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step) {
   CurveChartData data;
   data.x_title = say("Indentation (µm)");
   data.y_title = say("Force (µN)");
   data.empty_text = say("No force in this session");
   const std::size_t present = touch_of(session, step);
+  const std::size_t turn = turning_step(session, present);
   TouchCounter touches;
   std::size_t drawn = 0;
   Curve unseen;  // the other touches have no band
-  for (const Measurement& row : session.rows) {
+  Curve back;
+  for (std::size_t i = 0; i < session.step_count(); ++i) {
+    const Measurement& row = session.rows[i];
     touches.take(row);
-    if (row.state != CellState::kContact || !std::isfinite(row.contact_force_uN) ||
-        !std::isfinite(row.indentation_um)) {
-      continue;
-    }
+    if (!has_point(row)) continue;
     const bool is_present = touches.count() == present;
+    if (is_present && i >= turn) back.add(row.indentation_um, row.contact_force_uN);
+    if (is_present && i > turn) continue;
     Curve& curve = is_present ? data.curve : data.faint;
     Curve& inner = is_present ? data.inner : unseen;
     if (touches.count() != drawn) {
@@ -111,6 +136,11 @@ CurveChartData force_over_indentation(const RecordedSession& session, std::size_
     }
     drawn = touches.count();
     add_force(row.indentation_um, row, curve, inner);
+  }
+  data.curve_name = say("Measured");
+  if (back.size() > 1) {
+    data.curve_name = say("Loading");
+    data.named.push_back({say("Unloading"), std::move(back), CurveRole::kBack});
   }
   return without_empty_band(std::move(data));
 }

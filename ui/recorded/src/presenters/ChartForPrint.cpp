@@ -18,6 +18,7 @@ constexpr Color kPrintFaint = Color::from_hex(0x9AA5B1);
 constexpr std::size_t kBandPlaces = 120;
 // More would cover the chart.
 constexpr std::size_t kMostNamedMarks = 5;
+constexpr Color kPrintReference = Color::from_hex(0x2B7A3D);
 constexpr Color kPrintMark = Color::from_hex(0x5A6470);
 
 struct PrintRange {
@@ -91,7 +92,9 @@ ChartPanel chart_for_print(const CurveChartData& data, const std::string& title)
   panel.x_title = data.x_title;
   panel.y_title = data.y_title;
   PrintRange x, y;
-  for (const Curve* curve : {&data.faint, &data.curve, &data.other}) {
+  std::vector<const Curve*> curves{&data.faint, &data.curve, &data.other};
+  for (const NamedCurve& named : data.named) curves.push_back(&named.curve);
+  for (const Curve* curve : curves) {
     x.include(curve->x);
     y.include(curve->lower);
     y.include(curve->upper);
@@ -105,12 +108,18 @@ ChartPanel chart_for_print(const CurveChartData& data, const std::string& title)
   const std::string quantity = data.y_title.substr(0, data.y_title.find(" ("));
   add(data.faint, {say("other touches"), ""}, kPrintFaint, 0.0);
   add(data.other, {data.other_name, ""}, kPrintOther, 0.25);
-  const std::string name = data.other_name.empty() ? quantity : data.curve_name;
+  const std::string name = data.other_name.empty() && data.named.empty() ? quantity : data.curve_name;
   if (data.inner.empty()) {
-    add(data.curve, {name, say("95 % interval")}, kPrintCurve, 0.25);
+    add(data.curve, {name, data.band_name.empty() ? say("95 % interval") : data.band_name}, kPrintCurve, 0.25);
   } else {
     add(data.curve, {"", say("95 % interval, the whole")}, kPrintCurve, 0.15);
     add(data.inner, {name, say("95 % interval, picture")}, kPrintCurve, 0.3);
+  }
+  for (const NamedCurve& named : data.named) {
+    const std::size_t before = panel.series.size();
+    const bool back = named.role == CurveRole::kBack, faint = named.role == CurveRole::kFaintReference;
+    add(named.curve, {named.name, ""}, back ? kPrintCurve : faint ? kPrintMark : kPrintReference, 0.0);
+    for (std::size_t k = before; k < panel.series.size(); ++k) panel.series[k].style = ChartStyle::kDashedLine;
   }
   for (const CurveMark& mark : data.marks) {
     ChartSeries line;

@@ -13,8 +13,12 @@ namespace pellucida {
 CurveChartData force_over_time(const RecordedSession& session);
 
 /// The contact force over the indentation: all touches of the session in grey, the one that `step` belongs to (or the
-/// last before it) on top with its interval.
+/// last before it) on top with its interval: loading up to its greatest depth, then unloading, dashed and without.
 CurveChartData force_over_indentation(const RecordedSession& session, std::size_t step);
+
+/// The step at which a touch is deepest, where the needle comes back by 2 um or more afterwards; else the number of
+/// steps.
+std::size_t turning_step(const RecordedSession& session, std::size_t touch);
 
 /// Number of the touch that each step belongs to, as `touch_of` counts.
 std::vector<std::size_t> touches_of(const RecordedSession& session);
