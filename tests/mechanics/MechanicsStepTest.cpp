@@ -220,9 +220,44 @@ TEST_P(MechanicsStepMesh, TheToolsForcesAddUpToTheRowsAndPressurePushesOutwards)
   EXPECT_LT(strain->GetRange()[1], 200.0);
 }
 
+// The strains of the nodes make up the whole area's change.
+TEST(MechanicsStep, TheStrainIsThatOfTheModelsTriangles) {
+  MechanicsStep step(load_profile("mouse-oocyte"));
+  const auto out = step.process(make_scene(20.0, 0.0, 12, 23));
+  ASSERT_TRUE(out.has_value());
+  const auto model = out->model.shallow_copy();
+  vtkDataArray* moved = model->GetPointData()->GetArray(array_name::kDisplacement);
+  vtkDataArray* strain = model->GetPointData()->GetArray(array_name::kAreaStrain);
+  ASSERT_TRUE(strain);
+  double now_um2 = 0.0, rest_um2 = 0.0, by_strain_um2 = 0.0;
+  for (vtkIdType c = 0; c < model->GetNumberOfCells(); ++c) {
+    vtkNew<vtkIdList> ids;
+    model->GetCellPoints(c, ids);
+    Eigen::Matrix3d now, rest;
+    for (int k = 0; k < 3; ++k) {
+      model->GetPoint(ids->GetId(k), now.col(k).data());
+      Eigen::Vector3d by;
+      moved->GetTuple(ids->GetId(k), by.data());
+      rest.col(k) = now.col(k) - by;
+    }
+    const auto area_um2 = [](const Eigen::Matrix3d& p) {
+      return 0.5 * (p.col(1) - p.col(0)).cross(p.col(2) - p.col(0)).norm();
+    };
+    now_um2 += area_um2(now);
+    rest_um2 += area_um2(rest);
+    for (int k = 0; k < 3; ++k) {
+      by_strain_um2 += area_um2(rest) / 3.0 * (1.0 + 0.01 * strain->GetTuple1(ids->GetId(k)));
+    }
+  }
+  EXPECT_GT(now_um2, 1.01 * rest_um2);
+  EXPECT_NEAR(by_strain_um2, now_um2, 1e-9 * now_um2);
+}
+
 // At rest there is nothing to change from.
 TEST(MechanicsStep, ACellAtRestBearsNoForceAndNoStrain) {
   MechanicsStep step(load_profile("mouse-oocyte"));
+  // Also after a touch.
+  ASSERT_TRUE(step.process(make_scene(12.0, 0.0, 12, 23)).has_value());
   const auto out = step.process(make_scene(0.0, 0.0, 12, 23));
   ASSERT_TRUE(out.has_value());
   const auto surface = out->surface.shallow_copy();

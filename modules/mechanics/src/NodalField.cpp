@@ -34,7 +34,9 @@ void fill_nodes(const Indenter& indenter, double scale, bool contact, ForceEstim
   const Eigen::Matrix3Xd liquid_uN = pressure_uN_per_um2 * model.volume().gradient_of_volume(x);
   const Eigen::Matrix3Xd force = of_tools * indenter.elastic_force_uN() + (of_tools - of_liquid) * liquid_uN;
   estimate.force_uN = estimate.rotation_WC * force;
-  const Eigen::Matrix3Xd needle = of_tools * load_of(model.tip(), x), holder = of_tools * load_of(model.holder(), x);
+  // A cell that was let go lies at rest, and its bonds where they were last.
+  const double borne = contact ? of_tools : 0.0;
+  const Eigen::Matrix3Xd needle = borne * load_of(model.tip(), x), holder = borne * load_of(model.holder(), x);
   estimate.needle_force_uN = estimate.rotation_WC * needle;
   estimate.holder_force_uN = estimate.rotation_WC * holder;
   const double relative = estimate.errors.relative();

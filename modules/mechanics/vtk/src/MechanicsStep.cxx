@@ -62,6 +62,7 @@ vtkSmartPointer<vtkPolyData> make_model(const ForceEstimate& e, double time_s, l
   model->GetPointData()->AddArray(make_array(array_name::kForce, e.force_uN));
   model->GetPointData()->AddArray(make_array(array_name::kDisplacement, e.solved_um - e.rest_um));
   model->GetPointData()->AddArray(make_array(array_name::kTension, e.tension_uN_per_um.transpose()));
+  model->GetPointData()->AddArray(make_array(array_name::kAreaStrain, e.area_strain_percent.transpose()));
   model->GetFieldData()->AddArray(make_array(array_name::kCenter, e.center_um));
   model->GetFieldData()->AddArray(make_array(array_name::kAxis, e.rotation_WC.col(2)));
   stamp(model, time_s, frame_index);

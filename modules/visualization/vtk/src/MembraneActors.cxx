@@ -70,9 +70,10 @@ void BoldArrow::show(const Eigen::Vector3d& head, const Eigen::Vector3d& directi
   pose->Identity();
   pose->Translate(tail_um.data());
   pose->RotateWXYZ(turn.angle() * 180.0 / EIGEN_PI, turn.axis().data());
-  // Thick enough to see when short: the width follows the full length.
-  pose->Scale(length_um, full_um, full_um);
-  source->SetTipLength(std::min(0.30 * full_um / length_um, 0.6));
+  // A short one is thinner too, so that it stays an arrow; never so thin that it can't be seen.
+  const double width_um = std::clamp(2.0 * length_um, 0.3 * full_um, full_um);
+  pose->Scale(length_um, width_um, width_um);
+  source->SetTipLength(std::min(0.30 * width_um / length_um, 0.6));
   actor->VisibilityOn();
 }
 

@@ -52,7 +52,12 @@ void MembraneView::draw_scales(HudCanvas& hud, double width_px, double height_px
     hud.text(x, y, say("Scale grew, was ") + readout::plain(scale.before), {.color = theme.warning, .align = align});
   };
   const double notes_y = bar_y - kNoteRow_px;
-  if (arrows_shown_ && has_forces_) {
+  if (arrows_shown_ && has_forces_ && has_unsure_ && !has_sure_) {
+    // No colour is used: under a tool only the sum is known, which the bold arrow shows.
+    hud.text(width_px - 16.0, height_px - 26.0, node_force_legend(node_force()),
+             {.color = theme.text, .align = HudAlign::kRight});
+    draw_arrow_notes(hud, width_px - 16.0, height_px - 26.0 - kNoteRow_px);
+  } else if (arrows_shown_ && has_forces_) {
     const Scale& scale = force_scale();
     draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, bar_y, bar_height, scale.range.upper(),
                    node_force_legend(node_force()), HudAlign::kRight, scale.beyond);
@@ -86,7 +91,7 @@ void MembraneView::draw_arrow_notes(HudCanvas& hud, double x, double y) {
     return x - hud.text_width_px(text, style) - 10.0;
   };
   if (has_unsure_) {
-    const double end = note(say("may be zero (95 %)"));
+    const double end = note(say("single node may be zero (95 %)"));
     hud.rectangle(end - 12.0, y - 6.0, 12.0, 12.0, theme.unsure);
     y -= kNoteRow_px;
   }
@@ -142,7 +147,8 @@ void MembraneView::draw_bold_arrow(HudCanvas& hud, const BoldArrow& arrow) const
   const HudText style{.size_pt = font_size::kTitle, .color = theme.text, .bold = true, .align = HudAlign::kCentre};
   const double width = hud.text_width_px(arrow.label, style) + 18.0;
   hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, theme.window, 0.78);
-  hud.text(x, y + 35.0, arrow.label, style);
+  // The letters' box reaches below the line: optically in the middle.
+  hud.text(x, y + 33.5, arrow.label, style);
 }
 
 void MembraneView::draw_node_mark(HudCanvas& hud) const {

@@ -181,7 +181,7 @@ void MembraneView::refresh_arrows() {
   MembraneActors& p = *actors_;
   p.glyph_actor->VisibilityOff();
   p.bar_actor->VisibilityOff();
-  has_unsure_ = false;
+  has_sure_ = has_unsure_ = false;
   vtkPolyData* forces = p.update_node_forces();
   const bool holds = has_surface_ && forces->GetPointData()->GetArray(array_name::kForce);
   lacks_force_ = has_surface_ && !holds && p.update_surface()->GetPointData()->GetArray(array_name::kForce);
@@ -203,8 +203,8 @@ void MembraneView::refresh_arrows() {
   vtkPolyData* arrows = p.glyphs->GetOutput();
   p.glyph_actor->SetVisibility(arrows->GetNumberOfPoints() > 0);
   vtkDataArray* colors = arrows->GetPointData()->GetArray("color_uN");
-  for (vtkIdType i = 0; colors && i < colors->GetNumberOfTuples() && !has_unsure_; ++i) {
-    has_unsure_ = std::isnan(colors->GetComponent(i, 0));
+  for (vtkIdType i = 0; colors && i < colors->GetNumberOfTuples(); ++i) {
+    (std::isnan(colors->GetComponent(i, 0)) ? has_unsure_ : has_sure_) = true;
   }
   if (!bars_shown_) return;
   p.bars->Update();

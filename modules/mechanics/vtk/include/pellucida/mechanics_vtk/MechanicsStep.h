@@ -47,6 +47,7 @@ struct MeasuredScene {
 ///   | force_uN           | 3          | uN     | the membrane's own elastic force on the node             |
 ///   | displacement_um    | 3          | um     | from rest                                                |
 ///   | tension_uN_per_um  | 1          | uN/um  | mean membrane tension                                    |
+///   | area_strain_percent| 1          | %      | area of the triangles round the node against rest        |
 /// Adds to a copy of `surface`, which must bring point arrays `membrane` and `rest_direction`:
 ///   force_uN (3), force_sigma_uN (1), needle_force_uN (3), holder_force_uN (3), tension_uN_per_um (1),
 ///   area_strain_percent (1). The model's one surface represents the whole zona: its

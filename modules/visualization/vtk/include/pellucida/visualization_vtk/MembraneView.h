@@ -110,7 +110,7 @@ class MembraneView : public View {
   bool has_surface_ = false;
   bool has_forces_ = false;
   bool lacks_force_ = false;
-  bool has_unsure_ = false;  // arrows that can't be told from zero
+  bool has_sure_ = false, has_unsure_ = false;  // arrows that can be told from zero, and that can't
   bool coloring_available_ = false;
   bool punctured_ = false;
   bool framed_ = false;
