@@ -206,6 +206,7 @@ void GuideWindow::show_scene() {
   if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
   show_gauges();
   feed_.refresh();
+  membranes_.set_plan(feed_.plan());
   membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();
