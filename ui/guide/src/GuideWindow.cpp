@@ -1,7 +1,6 @@
 #include "GuideWindow.h"
 
 #include <QCloseEvent>
-#include <QShortcut>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
 #include "presenters/SourcePresenter.h"
+#include "widgets/ButtonKey.h"
 #include "widgets/FactLine.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/ForceCharts.h"
@@ -99,7 +99,7 @@ void GuideWindow::build() {
   setWindowIcon(make_icon(Pictogram::kProgram));
   resize(options_.width_px, options_.height_px);
   setMinimumSize(1000, 640);
-  connect(new QShortcut(QKeySequence::Quit, this), &QShortcut::activated, this, [this] { close(); });
+  add_window_key(*this, QKeySequence::Quit, words("Close the window"), [this] { close(); });
 
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);
@@ -221,6 +221,7 @@ void GuideWindow::show_scene() {
   if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
   show_gauges();
   feed_.refresh();
+  membranes_.set_plan(feed_.plan());
   membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();

@@ -8,10 +8,12 @@
 
 #include "WindowMemory.h"
 #include "widgets/ButtonKey.h"
+#include "widgets/KeySheet.h"
 
 namespace pellucida {
 
 Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(parent) {
+  set_key_group(*this, title);
   auto* head = new QWidget(this);
   head->setObjectName("panelHead");
   head->setAttribute(Qt::WA_StyledBackground);
@@ -44,6 +46,11 @@ void Panel::resizeEvent(QResizeEvent*) {
 void Panel::add_control(QWidget* control) {
   control->setParent(this);
   head_->addWidget(control);
+}
+
+void Panel::lead_with(QWidget* control) {
+  control->setParent(this);
+  head_->insertWidget(0, control);
 }
 
 QToolButton* Panel::add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on) {

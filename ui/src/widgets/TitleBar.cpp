@@ -8,6 +8,7 @@
 #include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
+#include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/StartButton.h"
 
@@ -46,6 +47,7 @@ void TitleBar::add_start_button() {
 
 void TitleBar::add_look_menu(const QKeySequence& light_key) {
   row_->addWidget(make_look_button(light_key, this));
+  row_->addWidget(make_keys_button(this));
 }
 
 void TitleBar::add_name(const QString& name, const QString& tip, bool shows_blocks) {

@@ -5,7 +5,7 @@
 #include <QImageReader>
 #include <algorithm>
 
-#include "FramePicture.h"
+#include "SmallPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/session/SessionReader.h"
 
@@ -19,18 +19,10 @@ QImage first_image(const SessionReader& reader, QSize size_px) {
   if (with_image == steps.end()) return {};
   try {
     const auto image = reader.read_image(static_cast<std::size_t>(with_image - steps.begin()));
-    return image ? grey_picture(*image, size_px) : QImage();
+    return image ? small_picture(*image, size_px) : QImage();
   } catch (const InputError&) {
     return {};
   }
-}
-
-// The middle of a picture in exactly this size.
-QImage cut(const QImage& picture, QSize size_px) {
-  if (picture.isNull()) return picture;
-  const QImage scaled = picture.scaled(size_px, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  return scaled.copy((scaled.width() - size_px.width()) / 2, (scaled.height() - size_px.height()) / 2, size_px.width(),
-                     size_px.height());
 }
 
 }  // namespace
@@ -43,7 +35,7 @@ SessionThumbnail read_thumbnail(const std::filesystem::path& session, QSize size
     thumbnail.picture = picture.read();
   }
   if (thumbnail.picture.isNull()) thumbnail.picture = first_image(reader, size_px);
-  thumbnail.picture = cut(thumbnail.picture, size_px);
+  thumbnail.picture = middle_of(thumbnail.picture, size_px);
   return thumbnail;
 }
 

@@ -16,7 +16,8 @@ enum class ForceChartKind {
   kForceTime,         ///< the last `time_window_s`, or all
 };
 
-/// A curve of the contact force in uN with its 95 % band and the present value marked; over time also the moments of
+/// A curve of the contact force in uN with its 95 % band and the present value marked; over indentation the band goes
+/// along the way in alone, and the present value has its interval as a bar; over time also the moments of
 /// contact, puncture and loss.
 class ForceChart : public View {
  public:
@@ -46,6 +47,7 @@ class ForceChart : public View {
   void fill();
   void set_ranges();
   void draw_marks(HudCanvas& hud) const;
+  void draw_interval(HudCanvas& hud, const TracePoint& point) const;
 
   ForceChartKind kind_;
   const std::vector<TracePoint>& behind() const;
