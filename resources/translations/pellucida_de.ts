@@ -429,7 +429,7 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     </message>
     <message>
         <source>A double click opens the session at the touch; a click on a column's title sorts</source>
-        <translation>Ein Doppelklick öffnet die Sitzung bei der Berührung; ein Klick auf den Titel einer Spalte sortiert</translation>
+        <translation>Ein Doppelklick öffnet die Sitzung beim Kontakt; ein Klick auf den Titel einer Spalte sortiert</translation>
     </message>
     <message>
         <source>A profile's geometry and constants</source>
@@ -705,7 +705,7 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     </message>
     <message>
         <source>Confidence (%)</source>
-        <translation>Vertrauen (%)</translation>
+        <translation>Sicherheit (%)</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -2443,7 +2443,7 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     </message>
     <message>
         <source>Time in contact (s)</source>
-        <translation>Zeit in Berührung (s)</translation>
+        <translation>Zeit in Kontakt (s)</translation>
     </message>
     <message>
         <source>Time step</source>
