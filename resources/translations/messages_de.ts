@@ -272,6 +272,10 @@
         <translation>%1: enthält schon eine Sitzung (%2), die nie überschrieben wird; wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
+        <source>%1: already there; give another --output, or --replace to replace it</source>
+        <translation>%1: schon vorhanden; geben Sie ein anderes --output an, oder --replace, um es zu ersetzen</translation>
+    </message>
+    <message>
         <source>%1: broken TIFF (it has no size)</source>
         <translation>%1: beschädigtes TIFF (es hat keine Größe)</translation>
     </message>
@@ -1402,6 +1406,10 @@
     <message>
         <source>mismatch</source>
         <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>model curve: depth and step must be above 0</source>
+        <translation>Modellkurve: Tiefe und Schritt müssen größer als 0 sein</translation>
     </message>
     <message>
         <source>more than %1 arrays</source>
