@@ -4,25 +4,11 @@
 #include <iostream>
 #include <new>
 
-#include "commands/AnalyzeCommand.h"
-#include "commands/BenchCommand.h"
-#include "commands/CheckCommand.h"
 #include "commands/CommandLine.h"
-#include "commands/ConvertCommand.h"
-#include "commands/DevicesCommand.h"
-#include "commands/ExportCommand.h"
-#include "commands/ForceCommand.h"
-#include "commands/IdentifyCommand.h"
-#include "commands/InjectCommand.h"
+#include "commands/Commands.h"
 #include "commands/Interrupt.h"
 #include "commands/Manual.h"
-#include "commands/ProfilesCommand.h"
-#include "commands/ReplayCommand.h"
-#include "commands/ReportCommand.h"
-#include "commands/SimulateCommand.h"
-#include "commands/TrialCommand.h"
 #include "commands/Versions.h"
-#include "commands/WorkstationCommand.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/VtkThreads.h"
 

@@ -1,4 +1,4 @@
-#include "commands/BenchCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "commands/InjectCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -11,6 +11,7 @@
 #include "commands/Versions.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/simulation/ModalityName.h"
 
 namespace pellucida {
 namespace {
@@ -41,13 +42,10 @@ void add_inject_command(CLI::App& app) {
   command->add_option("--scenario", arguments->operated.scenario, "of the virtual microscope, by name or JSON file")
       ->capture_default_str();
   // The names of `trial`, and those of earlier versions.
-  const std::map<std::string, Modality> modalities{{"2d", Modality::kFlatImage},
-                                                   {"haptics", Modality::kSpaceAndHaptics},
-                                                   {"guide", Modality::kSpaceAndFixture},
-                                                   {"image", Modality::kFlatImage},
-                                                   {"3d", Modality::kSpace},
-                                                   {"3d+haptics", Modality::kSpaceAndHaptics},
-                                                   {"3d+haptics+guide", Modality::kSpaceAndFixture}};
+  std::map<std::string, Modality> modalities{{"image", Modality::kFlatImage},
+                                             {"3d+haptics", Modality::kSpaceAndHaptics},
+                                             {"3d+haptics+guide", Modality::kSpaceAndFixture}};
+  for (const Modality modality : kModalities) modalities[option_of(modality)] = modality;
   command
       ->add_option(
           "--modality", arguments->operated.simulated_operator.modality,

@@ -1,4 +1,4 @@
-#include "commands/WorkstationCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -54,6 +54,9 @@ FrameSight sight_of(const Observation& seen, const Observation& truth, const For
   sight.residual_um = estimate.shape.residual_rms_um;
   sight.dimple_residual_um = estimate.shape.dimple_residual_um;
   sight.noise_um = estimate.shape.noise_um;
+  sight.force_uN = estimate.contact_force_uN;
+  sight.lower_uN = estimate.by_picture.lower_uN;
+  sight.upper_uN = estimate.by_picture.upper_uN;
   return sight;
 }
 
@@ -163,9 +166,12 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
       peak_of_truth_uN = std::max(peak_of_truth_uN, expected_uN);
     }
     peak_uN = std::max(peak_uN, truth.contact_force_uN);
-    if (contact && measured && estimate.by_picture.lower_uN <= truth.contact_force_uN &&
-        truth.contact_force_uN <= estimate.by_picture.upper_uN)
-      ++run.covered_count;
+    const double true_uN = shipped ? expected_uN : truth.contact_force_uN;
+    if (contact && measured && std::isfinite(true_uN)) {
+      ++run.measured_count;
+      if (estimate.by_picture.lower_uN <= true_uN && true_uN <= estimate.by_picture.upper_uN) ++run.covered_count;
+    }
+    run.sights.back().expected_uN = expected_uN;
 
     const double missed = run.has_cell && !seen.outer ? 5.0 : 0.0;
     const double badness = (bold ? 1000.0 : 0.0) + (false_puncture ? 300.0 : 0.0) + missed +

@@ -30,6 +30,8 @@ struct FrameSight {
   double true_tip_um = 0.0, true_membrane_um = 0.0;
   double flank_um = 0.0;                                               ///< of the dimple, as `flank_depth_um` has it
   double residual_um = 0.0, dimple_residual_um = 0.0, noise_um = 0.0;  ///< of `ShapeAudit`; NaN: not measured
+  double force_uN = 0.0, lower_uN = 0.0, upper_uN = 0.0;  ///< by what was seen, with the picture's interval
+  double expected_uN = 0.0;                               ///< by the true contours and tip
 };
 
 /// Pictures of one film side by side.
@@ -54,8 +56,10 @@ struct FilmRun {
   /// The same as `force_rms_percent` of the profile's own thickness, tip and holder on the cell's radius.
   double profile_force_rms_percent = -1.0;
   FilmSizes seen_sizes, true_sizes;
-  int covered_count =
-      0;  ///< frames in contact with the true force in the picture's 95 % interval: the truth has the profile's modulus
+  int measured_count = 0;  ///< frames in contact with a force
+  /// Of these, those with the true force in the picture's 95 % interval (the truth has the profile's modulus). Where no
+  /// finite elements fit the picture, the force that the true observations give stands for it.
+  int covered_count = 0;
   double median_frame_ms = 0.0;
   FilmPicture worst;
   std::vector<FilmPicture> pictures;  ///< of frames spread over the film, `kSheetColumns` times `kSheetRows` at most

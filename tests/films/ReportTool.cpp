@@ -8,7 +8,9 @@
 // the true force (which fits the picture with --specimens alone: finite-element tables, tests/specimens; a further line
 // then says how the profile's own thickness, tip and holder would have done). --drawing: plain bright field. --film:
 // that one film alone. --family: films of that family alone. --widest: no wider pictures. --csv: a row a film.
-// --sights: a row a frame, of what the verdict on a puncture saw. --worst: pictures of the ten worst films, truth
+// "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the true force
+// (with --specimens) or the one that the true contours and tip give. --sights: a row a frame, of what the verdict on a
+// puncture saw and of the force. --worst: pictures of the ten worst films, truth
 // green, found red. --sheets: nine pictures of each film. --frames: also a line a frame.
 #include <algorithm>
 #include <atomic>
@@ -121,18 +123,20 @@ std::string quantile_text(const std::vector<double>& values, double share, int d
 }
 
 void print_head() {
-  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %5s | %5s\n",
-              "", "", "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.",
-              "punct.", "force: %", "RMS,", "whole", "", "in", "ms");
-  std::printf("%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %5s | %5s\n",
-              "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%",
-              "median", "95 %", "wrong/1e3", "/1e4", "seen", "tracking", "95 %", "median", "95 %", "95%", "frame");
+  std::printf(
+      "%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %6s %5s | %5s\n", "",
+      "", "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
+      "force: %", "RMS,", "whole", "", "given", "in", "ms");
+  std::printf(
+      "%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %6s %5s | %5s\n",
+      "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%", "median",
+      "95 %", "wrong/1e3", "/1e4", "seen", "tracking", "95 %", "median", "95 %", "%", "95%", "frame");
 }
 
 void print_row(const std::string& name, const std::vector<const FilmRun*>& runs) {
   std::vector<double> outer, inner, tip, tracking, force, frame_ms;
   double frames = 0, cell_frames = 0, found = 0, none_frames = 0, none_found = 0, bold = 0, contact = 0,
-         false_count = 0, covered = 0;
+         false_count = 0, measured = 0, covered = 0;
   int punctures = 0, seen = 0;
   for (const FilmRun* run : runs) {
     const auto count = static_cast<double>(run->errors.size());
@@ -142,6 +146,7 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
     bold += run->confident_and_wrong_count;
     contact += run->contact_count;
     false_count += run->false_puncture_count;
+    measured += run->measured_count;
     covered += run->covered_count;
     punctures += run->punctures ? 1 : 0;
     seen += run->puncture_delay && *run->puncture_delay <= 2 ? 1 : 0;
@@ -155,7 +160,7 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
   }
   std::printf(
       "%-13s %5zu %6.0f %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8.1f %8.0f %4d/%-3d | %8s %6s "
-      "%6s %6s %5s | %5.1f\n",
+      "%6s %6s %6s %5s | %5.1f\n",
       name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(),
       percent(none_frames - none_found, none_frames).c_str(), quantile_text(outer, 0.5, 2).c_str(),
       quantile_text(outer, 0.95, 2).c_str(), quantile_text(outer, 0.99, 2).c_str(),
@@ -164,7 +169,8 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
       quantile_text(tip, 0.95, 2).c_str(), 1e3 * bold / std::max(frames, 1.0),
       1e4 * false_count / std::max(contact, 1.0), seen, punctures, quantile_text(tracking, 0.5, 1).c_str(),
       quantile_text(tracking, 0.95, 1).c_str(), quantile_text(force, 0.5, 1).c_str(),
-      quantile_text(force, 0.95, 1).c_str(), percent(covered, contact).c_str(), quantile(frame_ms, 0.5));
+      quantile_text(force, 0.95, 1).c_str(), percent(measured, contact).c_str(), percent(covered, measured).c_str(),
+      quantile(frame_ms, 0.5));
 }
 
 // Whole force of the geometry that was seen, beside that of the profile's own.
@@ -184,7 +190,8 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,family,contrast,width_px,height_px,pixel_size_um,cell_diameter_px,frames,found,contact,false_punctures,"
          "punctures,puncture_delay,outer_median_px,outer_p95_px,inner_median_px,tip_found,tip_median_px,tip_p95_px,"
-         "confident_and_wrong,tracking_force_rms_percent,force_rms_percent,covered,median_frame_ms,worst_frame,"
+         "confident_and_wrong,tracking_force_rms_percent,force_rms_percent,measured,covered,median_frame_ms,worst_"
+         "frame,"
          "badness,specimen,profile_force_rms_percent,radius_um,thickness_um,tip_radius_um,holder_radius_um,"
          "true_radius_um,true_thickness_um,true_tip_radius_um,true_holder_radius_um\n";
   for (const FilmRun& run : runs) {
@@ -200,8 +207,8 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
         << ',' << run.punctures << ',' << (run.puncture_delay ? std::to_string(*run.puncture_delay) : "") << ','
         << quantile(outer, 0.5) << ',' << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size()
         << ',' << quantile(tip, 0.5) << ',' << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ','
-        << run.tracking_force_rms_percent << ',' << run.force_rms_percent << ',' << run.covered_count << ','
-        << run.median_frame_ms << ',' << run.worst.frame_index << ',' << run.badness << ','
+        << run.tracking_force_rms_percent << ',' << run.force_rms_percent << ',' << run.measured_count << ','
+        << run.covered_count << ',' << run.median_frame_ms << ',' << run.worst.frame_index << ',' << run.badness << ','
         << std::filesystem::path(run.film.scenario.cell.reference).filename().string() << ','
         << run.profile_force_rms_percent;
     for (const test::FilmSizes* sizes : {&run.seen_sizes, &run.true_sizes})
@@ -216,7 +223,7 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,frame,truth,tracked,judged,is_doubted,confidence,has_needle,needle_confidence,tip_um,tip_sigma_um,"
          "membrane_um,membrane_sigma_um,depth_um,true_tip_um,true_membrane_um,residual_um,dimple_residual_um,noise_um,"
-         "flank_um,outer_px,tip_px,pixel_size_um\n";
+         "flank_um,outer_px,tip_px,pixel_size_um,force_uN,lower_uN,upper_uN,expected_uN\n";
   for (const FilmRun& run : runs) {
     for (std::size_t k = 0; k < run.sights.size(); ++k) {
       const test::FrameSight& s = run.sights[k];
@@ -226,7 +233,7 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
           << s.membrane_sigma_um << ',' << s.depth_um << ',' << s.true_tip_um << ',' << s.true_membrane_um << ','
           << s.residual_um << ',' << s.dimple_residual_um << ',' << s.noise_um << ',' << s.flank_um << ','
           << run.errors[k].outer_px << ',' << run.errors[k].tip_px << ',' << run.film.scenario.image.pixel_size_um
-          << '\n';
+          << ',' << s.force_uN << ',' << s.lower_uN << ',' << s.upper_uN << ',' << s.expected_uN << '\n';
     }
   }
   if (!out.flush()) throw OutputError(file + " can't be written");

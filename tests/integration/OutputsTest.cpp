@@ -67,6 +67,19 @@ TEST_F(Outputs, WhatCantBePrintedIsNoSuccess) {
   EXPECT_EQ(WEXITSTATUS(status), 5);
 }
 
+TEST_F(Outputs, FilesAreReplacedOnRequestAlone) {
+  const std::string film = "simulate --duration-s 0.2 --fps 10 --output " + at("r.avi");
+  const std::string curve = "force mouse-oocyte --max-indentation-um 4 --step-um 4 --output " + at("r.csv");
+  for (const std::string& command : {film, curve}) {
+    ASSERT_EQ(run(command).exit_code, 0);
+    const auto again = run(command);
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.err.find("already there"), std::string::npos) << again.err;
+    EXPECT_NE(again.err.find("--replace"), std::string::npos) << again.err;
+    EXPECT_EQ(run(command + " --replace").exit_code, 0);
+  }
+}
+
 TEST_F(Outputs, AFolderOfAnotherRunsImagesIsNotMixed) {
   const std::string simulate = "simulate --duration-s 0.2 --fps 10 --output " + at("frames");
   ASSERT_EQ(run(simulate).exit_code, 0);

@@ -30,7 +30,7 @@ bool is_code(const fs::path& file) {
 
 // The windows of single modes are parts of their own inside ui.
 bool is_window(const std::string& part) {
-  return part == "guide" || part == "notes" || part == "review" || part == "start" || part == "teach";
+  return part == "guide" || part == "notes" || part == "recorded" || part == "review" || part == "start" || part == "teach";
 }
 
 bool is_window_folder(const fs::path& folder) {

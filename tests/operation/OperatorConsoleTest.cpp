@@ -136,6 +136,58 @@ TEST_F(OperatorConsoleTest, NumbersOutOfRangeAreRefused) {
   EXPECT_FALSE(console_.find_hand("no such hand"));
 }
 
+TEST_F(OperatorConsoleTest, ANewCellBringsANeedleThatIsOutOfViewBack) {
+  choose("Mouse");
+  ASSERT_TRUE(tick_until([&] { return console_.plan().has_value(); }));
+  console_.guide(false);
+  console_.scale(0);
+  console_.grip(true);
+  const double edge_um = run_.source_info().width_px * run_.source_info().pixel_size_um;
+  ASSERT_TRUE(tick_until([&] {
+    console_.move_px(40.0, 0.0);
+    return console_.status().pipette.tip_um.x > edge_um + 20.0;
+  }));
+  console_.release_all();
+  const Eigen::Vector3d start_um = setup_.needle().start_um().eigen();
+  const auto away_um = [&] { return (console_.status().pipette.tip_um.eigen() - start_um).norm(); };
+  console_.new_cell();
+  ASSERT_TRUE(tick_until([&] { return console_.doing() == "Bringing the needle back into view"; }));
+  // A stop holds it on its way.
+  const double begun_um = away_um();
+  ASSERT_TRUE(tick_until([&] { return away_um() < begun_um - 5.0; }));
+  console_.emergency_stop();
+  ASSERT_TRUE(tick_until_state(HandState::kStopped));
+  for (int k = 0; k < 10; ++k) {
+    console_.update();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(console_.status().tick.hand_state, HandState::kStopped);
+  EXPECT_GT(away_um(), 10.0);
+  console_.release_emergency_stop();
+  ASSERT_TRUE(tick_until([&] { return away_um() < 5.0 && console_.is_mouse(); }));
+  EXPECT_TRUE(tick_until([&] { return console_.plan().has_value(); })) << "the needle is seen again";
+}
+
+TEST_F(OperatorConsoleTest, WithoutHapticsTheHandFeelsNothingOfTheCell) {
+  choose("Demonstration");
+  console_.guide(false);
+  console_.haptics(false);
+  double most_N = 0.0;
+  ASSERT_TRUE(tick_until([&] {
+    const HapticRecord tick = console_.status().tick;
+    const bool is_felt = tick.contact_state == ContactState::kContact && tick.contact_force_uN.eigen().norm() > 1.0;
+    if (is_felt) most_N = std::max(most_N, (tick.hand_force_N.eigen() - tick.guide_force_N.eigen()).norm());
+    return is_felt && tick.contact_force_uN.eigen().norm() > 2.0;
+  }));
+  EXPECT_FALSE(console_.may_replan());
+  const double without_N = most_N;
+  console_.haptics(true);
+  EXPECT_TRUE(tick_until([&] {
+    const HapticRecord tick = console_.status().tick;
+    return (tick.hand_force_N.eigen() - tick.guide_force_N.eigen()).norm() > 2.0 * without_N + 0.05;
+  }));
+}
+
 // A camera that stalls on command.
 // The session has to know that its numbers are another cell's from here on.
 TEST_F(OperatorConsoleTest, ANewCellIsANoteInTheSession) {

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "SyntheticRows.h"
+#include "pellucida/core/CellNameNote.h"
+#include "pellucida/core/NewCellNote.h"
 #include "pellucida/mechanics/ForceEstimate.h"
+#include "pellucida/report/PassportReport.h"
 
 namespace pellucida {
 namespace {
@@ -50,6 +53,30 @@ TEST(CellPassport, WorkStiffnessAndPeakOfALinearCell) {
   EXPECT_TRUE(std::isnan(contact.stiffness_40um_uN_per_um));
   EXPECT_NEAR(contact.hysteresis_pJ, 0.0, 1e-9);
   EXPECT_TRUE(contact.doubt_list.empty()) << contact.doubts;
+}
+
+// A name given before the cell was found is its own; the last one counts; the note that begins another cell ends it.
+TEST(CellPassport, ACellHasTheNameThatWasGivenLast) {
+  SyntheticRows rows;
+  const auto name = [&](const char* text) { rows.event(event_kind::kNote, std::string(kCellNameNote) + text); };
+  name("A-0");
+  rows.approach();
+  name("A-1");
+  rows.push(0.5, 10.0, linear);
+  rows.approach(3);
+  rows.event(event_kind::kNote, std::string(kNewCellNote));
+  name("A-2");
+  rows.approach();
+  const auto cells = rows.passports();
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].name, "A-1");
+  EXPECT_EQ(cells[0].contact_list.at(0).cell_name, "A-1");
+  EXPECT_TRUE(cells[0].notes.empty()) << "a name is no remark";
+  EXPECT_EQ(cells[1].name, "A-2");
+  // Untouched, and yet in the table with its name.
+  const std::string table = cells_csv(cells);
+  EXPECT_NE(table.find(",A-1\n"), std::string::npos) << table;
+  EXPECT_NE(table.find(",A-2\n"), std::string::npos) << table;
 }
 
 TEST(CellPassport, StiffnessGrowsWithDepthWhereTheForceBends) {

@@ -23,11 +23,11 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts, #chartFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
-#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName { color: @dim; font-size: 12px; }
+#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName, #chartFacts { color: @dim; font-size: 12px; }
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
@@ -96,6 +96,11 @@ QLabel[fact="true"] { font-size: 15px; font-weight: 700; }
 QLabel[kept="true"] { border: 1px solid @border; border-radius: 5px; padding: 1px 7px; }
 QLabel[smallFigure="true"] { font-size: 14px; font-weight: 700; }
 QLabel[figureNote="true"] { color: @dim; font-size: 12px; }
+#keySheet { background: @panel; border: 1px solid @accent; border-radius: 10px; }
+QLabel[sheetTitle="true"] { font-size: 15px; font-weight: 700; }
+QLabel[sheetGroup="true"] { color: @accent; font-size: 12px; font-weight: 700; padding-top: 6px; }
+QLabel[keyCap="true"] { background: @raised; border: 1px solid @border; border-radius: 4px; padding: 0px 6px; font-size: 12px; font-weight: 600; }
+QLabel[keyMeaning="true"] { font-size: 12px; }
 #startCard { background: @panel; border: 1px solid @border; border-radius: 10px; }
 #startCard[current="true"] { border: 1px solid @accent; }
 #startCard QScrollArea, #startCard #cardFields { background: transparent; }

@@ -180,18 +180,4 @@ TrialOutcome run_trial(const TrialScene& scene, const TrialOptions& options) {
   return meter.outcome();
 }
 
-const char* name_of(Modality modality) noexcept {
-  switch (modality) {
-    case Modality::kFlatImage:
-      return "2-D image";
-    case Modality::kSpace:
-      return "3-D view";
-    case Modality::kSpaceAndHaptics:
-      return "3-D + haptics";
-    case Modality::kSpaceAndFixture:
-      return "3-D + haptics + guide";
-  }
-  return "";
-}
-
 }  // namespace pellucida

@@ -30,7 +30,8 @@ constexpr double kDrawnBack_ratio = 0.2;
 constexpr double kTied_ratio = 0.5;
 /// What even an impossible frame leaves a hypothesis.
 constexpr double kFloor = 1e-4;
-/// A frame that shows what the one before did, but for so much of it, is evidence anew to this power only.
+/// A frame that shows what the one before did, but for so much of it, tells a misreading from a puncture to this power
+/// only: both last. Against the contact it is evidence anew.
 constexpr double kRepeated = 0.3, kSame_ratio = 0.75;
 
 struct Odds {
@@ -83,11 +84,13 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   advance(std::min(kMostMisread_rate, kMisread_rate * std::pow(10.0, (1.0 - confidence) / kTenfold)),
           std::max(0.0, 1.0 - std::pow(confidence / kMisread_over, 2)));
 
-  // Of the membrane under the tip: a contour may stay tied there while the flanks are back.
+  // Of the membrane under the tip: while the flanks are back a contour may stay tied there, as in contact, or be
+  // anywhere on its way.
   const double tied = has_flank ? kTied_ratio : 0.0;
-  Odds axis{.contact = 2.0 * normal(back, now.back_sigma_ratio),
+  const double on_tip = 2.0 * normal(back, now.back_sigma_ratio);
+  Odds axis{.contact = on_tip,
             .misread = of_misread(back),
-            .punctured = tied + (1.0 - tied) * (now.is_apart ? gone(back) : 0.0)};
+            .punctured = tied * 0.5 * (on_tip + 1.0) + (1.0 - tied) * (now.is_apart ? gone(back) : 0.0)};
   Odds flanks;
   if (has_flank)
     flanks = {
@@ -100,11 +103,15 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const double shown = std::max(flank, now.is_apart ? back : 0.0);
   const double power = is_odd && shown_before_ > kSame_ratio * shown ? kRepeated : 1.0;
   shown_before_ = shown;
-  const auto weighed = [&](double likelihood) { return std::pow(likelihood + kFloor, power); };
-  contact_ *=
-      weighed((1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * anywhere + kDrawnBack_ratio * together);
-  misread_ *= weighed(axis.misread * flanks.misread * anywhere);
-  punctured_ *= weighed(axis.punctured * flanks.punctured * normal(share, stays) * stays / kStays_sigma);
+  const double contact =
+      (1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * anywhere + kDrawnBack_ratio * together;
+  const double misread = axis.misread * flanks.misread * anywhere + kFloor;
+  const double punctured = axis.punctured * flanks.punctured * normal(share, stays) * stays / kStays_sigma + kFloor;
+  const double either =
+      (misread_ * misread + punctured_ * punctured) / std::max(misread_ + punctured_, kFloor * kFloor);
+  contact_ *= contact + kFloor;
+  misread_ *= std::pow(misread, power) * std::pow(either, 1.0 - power);
+  punctured_ *= std::pow(punctured, power) * std::pow(either, 1.0 - power);
   normalise();
 }
 

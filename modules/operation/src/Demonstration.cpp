@@ -14,9 +14,9 @@ constexpr double kInject_s = 1.5;
 }  // namespace
 
 std::unique_ptr<SimulatedHand> Demonstration::next_operator(const InjectionPlan& plan, double scale_um_per_m,
-                                                            bool guided) {
+                                                            Modality modality) {
   OperatorOptions options;
-  options.modality = guided ? Modality::kSpaceAndFixture : Modality::kSpaceAndHaptics;
+  options.modality = modality;
   OperatorPlan way = operator_plan(plan, scale_um_per_m, kLearntLag_s);
   way.inject_s = kInject_s;
   way.insertion_speed_um_per_s = kInsertionSpeed_um_per_s;

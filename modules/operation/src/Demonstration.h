@@ -14,8 +14,8 @@ class Demonstration {
   /// `rest_s`: between the end of one and the next cell.
   Demonstration(std::uint64_t seed, double rest_s) : seed_(seed), rest_s_(rest_s) {}
 
-  /// The next operator's hand, for one plan.
-  std::unique_ptr<SimulatedHand> next_operator(const InjectionPlan& plan, double scale_um_per_m, bool guided);
+  /// The next operator's hand, for one plan; `modality`: what the operator sees and feels.
+  std::unique_ptr<SimulatedHand> next_operator(const InjectionPlan& plan, double scale_um_per_m, Modality modality);
 
   /// True once the operator has been done for the rest; `now_s` is any monotonic clock.
   bool rested(OperatorPhase phase, double now_s) noexcept;

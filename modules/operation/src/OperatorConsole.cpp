@@ -6,6 +6,7 @@
 #include "Demonstration.h"
 #include "HandCatalog.h"
 #include "HandEngagement.h"
+#include "HomingHand.h"
 #include "InjectionGuide.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/NewCellNote.h"
@@ -15,6 +16,10 @@ namespace pellucida {
 namespace {
 
 constexpr double kOut_um = 15.0;  // before the entry: the needle is out of the cell
+// A tip this far before or behind the image plane is too blurred to be found.
+constexpr double kBlurred_um = 30.0;
+constexpr double kHome_um = 2.0;  // the needle is back
+constexpr double kLongestWayHome_s = 15.0;
 
 constexpr std::array kScales_um_per_m{kCoarseScale_um_per_m, kFineScale_um_per_m, kFinestScale_um_per_m};
 
@@ -66,6 +71,7 @@ const std::vector<std::string>& OperatorConsole::scales() {
 
 void OperatorConsole::choose(int index) {
   require_index("hand", index, hands().size());
+  homing_ = nullptr;
   hand_->set_device(nullptr);
   trouble_.clear();
   inject_ = retract_ = grip_ = renewing_ = false;
@@ -80,6 +86,7 @@ void OperatorConsole::scale(int index) {
   require_index("scale", index, kScales_um_per_m.size());
   if (index == scale_) return;
   scale_ = index;
+  if (homing_) return;
   if (is_demonstration()) {
     open();
   } else if (hand_->device()) {
@@ -94,7 +101,7 @@ void OperatorConsole::open() {
     if (!is_demonstration()) {
       hand_->set_device(catalog_->open(chosen_));
     } else if (plan()) {
-      hand_->set_device(demonstration_->next_operator(*plan(), scale_um_per_m(scale_), guided()));
+      hand_->set_device(demonstration_->next_operator(*plan(), scale_um_per_m(scale_), modality()));
     } else {
       hand_->set_device(nullptr);
       return;
@@ -125,6 +132,7 @@ HapticSettings OperatorConsole::settings() const {
   if (is_demonstration()) {
     settings.force_scale_N_per_uN = std::min(settings.force_scale_N_per_uN, kDemonstrationScale_N_per_uN);
   }
+  if (!haptics_) settings.force_scale_N_per_uN = 0.0;
   return guide_->apply(settings);
 }
 
@@ -135,6 +143,11 @@ void OperatorConsole::apply_settings() {
   } catch (const UsageError& error) {
     trouble_ = error.what();
   }
+}
+
+Modality OperatorConsole::modality() const noexcept {
+  if (!haptics_) return Modality::kSpace;
+  return guided() ? Modality::kSpaceAndFixture : Modality::kSpaceAndHaptics;
 }
 
 void OperatorConsole::guide(bool on) {
@@ -151,6 +164,11 @@ void OperatorConsole::depth_stop_um(double depth_um) {
   apply_settings();
 }
 
+void OperatorConsole::haptics(bool on) {
+  haptics_ = on;
+  apply_settings();
+}
+
 double OperatorConsole::depth_stop_um() const noexcept {
   return guide_->depth_stop_um();
 }
@@ -161,19 +179,21 @@ const std::optional<InjectionPlan>& OperatorConsole::plan() const noexcept {
 
 std::optional<std::string> OperatorConsole::set_target(double x_um, double y_um) {
   if (auto objection = guide_->set_target(x_um, y_um)) return objection;
-  const auto scene = run_.scenes()->peek();
-  const bool untouched = scene && scene->contact.state == CellState::kFree;
-  const ConsoleDevice* device = hand_->device();
-  if (!untouched || (is_demonstration() && device && device->phase() > OperatorPhase::kApproach)) {
-    return "the target applies from the next cell on";
-  }
-  make_plan(scene->contact);
+  if (!may_replan()) return "the target applies from the next cell on";
+  make_plan(run_.scenes()->peek()->contact);
   return std::nullopt;
+}
+
+bool OperatorConsole::may_replan() const {
+  const auto scene = run_.scenes()->peek();
+  if (!plan() || renewing_ || !scene || scene->contact.state != CellState::kFree) return false;
+  const ConsoleDevice* device = hand_->device();
+  return !is_demonstration() || !device || device->phase() <= OperatorPhase::kApproach;
 }
 
 void OperatorConsole::set_buttons() noexcept {
   if (!hand_->device()) return;
-  const bool paused = run_.paused(), out = retract_ || renewing_;
+  const bool paused = run_.paused(), out = retract_ || (renewing_ && !homing_);
   std::uint32_t held = 0, withheld = 0;
   if (inject_) held |= kInject;
   if (paused || (is_mouse() && !grip_)) held |= kClutch;
@@ -236,7 +256,9 @@ void OperatorConsole::update() {
   show_operator();
   if (renewing_) renew();
   repeat_demonstration();
-  if (hand_->engaged() && hand_->device()->cue()) hand_->device()->cue()->show(touch_cue(hand_->status().tick));
+  if (hand_->engaged() && hand_->device()->cue()) {
+    hand_->device()->cue()->show(haptics_ ? touch_cue(hand_->status().tick) : TouchCue{});
+  }
 }
 
 void OperatorConsole::look() {
@@ -286,12 +308,56 @@ bool OperatorConsole::tip_is_out() {
 }
 
 void OperatorConsole::renew() {
-  if (!tip_is_out()) return;
+  if (homing_ ? !follow_home() : (!tip_is_out() || lead_home())) return;
   needle_->renew();
   run_.add_event({run_.clock().now_s() - run_.session_lag_s(), event_kind::kNote, std::string(kNewCellNote)});
   renewing_ = false;
   guide_->drop();
   set_buttons();
+}
+
+bool OperatorConsole::is_out_of_view(const PlainVector3& tip_um) const noexcept {
+  const SourceInfo& source = run_.source_info();
+  const auto outside = [&](double place_um, int edge_px) {
+    return place_um < 0.0 || place_um > edge_px * source.pixel_size_um;
+  };
+  return outside(tip_um.x, source.width_px) || outside(tip_um.y, source.height_px) || std::abs(tip_um.z) > kBlurred_um;
+}
+
+// True where the needle is out of view, and on its way back. No plan and no guide lead it there: they belong to the
+// cell that is left.
+bool OperatorConsole::lead_home() {
+  if (!hand_->engaged()) return false;
+  const PipetteState pipette = hand_->status().pipette;
+  if (!pipette.known || !is_out_of_view(pipette.tip_um)) return false;
+  auto homing = std::make_unique<HomingHand>(needle_->start_um(), kCoarseScale_um_per_m);
+  homing_ = homing.get();
+  homing_since_s_ = run_.clock().now_s();
+  guide_->drop();
+  hand_->set_device(std::move(homing));
+  try {
+    set_buttons();
+    hand_->engage(at_scale({}, kCoarseScale_um_per_m),
+                  default_settings(hand_->device()->specification(), kCoarseScale_um_per_m, strength()));
+  } catch (const Error& error) {
+    trouble_ = error.what();
+  }
+  return true;
+}
+
+// True once the needle is back, and with the hand that was chosen again.
+bool OperatorConsole::follow_home() {
+  const HandStatus status = hand_->status();
+  if (status.pipette.known) homing_->see(status.pipette.tip_um);
+  const bool is_home =
+      status.pipette.known && (status.pipette.tip_um.eigen() - needle_->start_um().eigen()).norm() < kHome_um;
+  // A stop holds the needle where it is, and the way back waits for its release.
+  const bool is_late =
+      run_.clock().now_s() - homing_since_s_ > kLongestWayHome_s && status.tick.hand_state != HandState::kStopped;
+  if (hand_->engaged() && !is_home && !is_late) return false;
+  homing_ = nullptr;
+  open();
+  return true;
 }
 
 void OperatorConsole::repeat_demonstration() {
@@ -318,6 +384,7 @@ HandStatus OperatorConsole::status() {
 }
 
 std::string OperatorConsole::doing() const {
+  if (homing_) return "Bringing the needle back into view";
   if (renewing_) return "Taking the needle out for a new cell";
   if (!plan()) return "Waiting for an untouched cell";
   return is_demonstration() && hand_->device() ? doing_words(hand_->device()->phase()) : "";

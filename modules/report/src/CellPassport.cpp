@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "CellSpans.h"
 #include "ContactNumbers.h"
 #include "PassportDoubts.h"
+#include "pellucida/core/CellNameNote.h"
 
 namespace pellucida {
 namespace {
@@ -28,8 +30,25 @@ double rest_radius_um(const PassportInput& input, const RowRange& range) {
   return ContactPassport::kNone;
 }
 
-CellPassport passport_of(const PassportInput& input, const CellSpan& span, int number) {
+// A note names the cell that is there, or the next one that comes: the last one up to its last row counts.
+std::string name_of_cell(const PassportInput& input, const std::vector<CellSpan>& spans, std::size_t index) {
+  constexpr double kEver = std::numeric_limits<double>::infinity();
+  const auto last_s = [&](const CellSpan& span) { return input.rows[span.rows.end - 1].time_s; };
+  const double after_s = index > 0 ? last_s(spans[index - 1]) : -kEver;
+  const double until_s = index + 1 < spans.size() ? last_s(spans[index]) : kEver;
+  std::string name;
+  for (const Event& event : input.events) {
+    if (event.time_s <= after_s || event.time_s > until_s) continue;
+    if (auto given = named_cell(event)) name = std::move(*given);
+  }
+  return name;
+}
+
+CellPassport passport_of(const PassportInput& input, const std::vector<CellSpan>& spans, std::size_t index) {
+  const CellSpan& span = spans[index];
+  const int number = static_cast<int>(index) + 1;
   CellPassport cell;
+  cell.name = name_of_cell(input, spans, index);
   cell.session = input.session;
   cell.profile = input.profile;
   cell.cell = number;
@@ -41,6 +60,7 @@ CellPassport passport_of(const PassportInput& input, const CellSpan& span, int n
   for (const ContactSpan& one : span.contacts) {
     ContactPassport contact = contact_numbers(input, span, one);
     contact.cell = number;
+    contact.cell_name = cell.name;
     contact.contact = ++cell.contacts;
     contact.doubt_list = contact_doubts(input, one, contact);
     contact.doubts = in_one_line(contact.doubt_list);
@@ -53,6 +73,14 @@ CellPassport passport_of(const PassportInput& input, const CellSpan& span, int n
 }
 
 }  // namespace
+
+const char* outcome_words(const ContactPassport& contact) noexcept {
+  if (contact.outcome == "punctured") return PELLUCIDA_WORDS("punctured");
+  if (contact.outcome == "retracted") return PELLUCIDA_WORDS("retracted");
+  if (contact.outcome == "lost") return PELLUCIDA_WORDS("lost in contact");
+  if (contact.outcome == "unfinished") return PELLUCIDA_WORDS("still in contact");
+  return PELLUCIDA_WORDS("not touched");
+}
 
 const ContactPassport& CellPassport::main_contact() const noexcept {
   static const ContactPassport kUntouched;
@@ -70,8 +98,8 @@ const ContactPassport& CellPassport::main_contact() const noexcept {
 
 std::vector<CellPassport> cell_passports(const PassportInput& input) {
   std::vector<CellPassport> cells;
-  int number = 0;
-  for (const CellSpan& span : find_cells(input)) cells.push_back(passport_of(input, span, ++number));
+  const std::vector<CellSpan> spans = find_cells(input);
+  for (std::size_t k = 0; k < spans.size(); ++k) cells.push_back(passport_of(input, spans, k));
   return cells;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "StreamFacts.h"
+#include "pellucida/core/CellNameNote.h"
 #include "pellucida/core/NewCellNote.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/mechanics/ForceEstimate.h"
@@ -134,7 +135,7 @@ std::vector<std::string> notes_between(const PassportInput& input, double begin_
   std::vector<std::string> notes;
   for (const Event& event : input.events) {
     if (event.kind != event_kind::kNote || event.detail.starts_with(kNoForceNote) || event.time_s < begin_s ||
-        event.time_s > end_s || begins_new_cell(event)) {
+        event.time_s > end_s || begins_new_cell(event) || named_cell(event)) {
       continue;
     }
     notes.push_back(sentence("%.2f s: ", event.time_s) + event.detail);

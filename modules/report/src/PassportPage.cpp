@@ -97,11 +97,8 @@ std::string cell_of_table(const C& contact, std::string_view name, const Passpor
   return tag("td", number.value + interval);
 }
 
-std::string outcome_words(const C& contact) {
-  if (contact.outcome == "lost") return "lost in contact";
-  if (contact.outcome == "unfinished") return "still in contact at the end";
-  if (contact.outcome == "untouched") return "not touched";
-  return contact.outcome;
+std::string title_of(const CellPassport& cell) {
+  return std::to_string(cell.cell) + (cell.name.empty() ? "" : ": " + html_text(cell.name));
 }
 
 // A row of a table for a contact: the outcome, then the numbers named.
@@ -128,8 +125,7 @@ std::string summary(std::span<const CellPassport> cells, const PassportInput& in
   std::string html = table_head("Cell");
   for (const CellPassport& cell : cells) {
     const C& main = cell.main_contact();
-    const std::string link =
-        "<a href=\"#cell-" + std::to_string(cell.cell) + "\">" + std::to_string(cell.cell) + "</a>";
+    const std::string link = "<a href=\"#cell-" + std::to_string(cell.cell) + "\">" + title_of(cell) + "</a>";
     html += row_of(link, main, main.doubt_list.size() + cell.doubt_list.size(), input);
   }
   return html + "</tbody></table></div>\n" + comparison_chart(input, cells);
@@ -191,7 +187,7 @@ std::string card(const CellPassport& cell, const PassportInput& input, bool is_f
   std::string html = "<section class=\"cell" + std::string(is_first ? " first" : "") +
                      (cell.contacts == 0 ? " brief" : "") + "\" id=\"cell-" + std::to_string(cell.cell) +
                      "\">\n<header>";
-  html += tag("h2", "Cell " + std::to_string(cell.cell)) + tag("span class=\"outcome\"", outcome_words(main));
+  html += tag("h2", "Cell " + title_of(cell)) + tag("span class=\"outcome\"", outcome_words(main));
   std::string seen = "seen " + fixed_number(cell.found_s, 2) + " to " + fixed_number(cell.last_seen_s, 2) + " s";
   if (std::isfinite(cell.radius_um)) seen += ", radius " + fixed_number(cell.radius_um, 1) + ' ' + unit_text("um");
   if (cell.contacts > 1) {

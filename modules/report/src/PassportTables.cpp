@@ -150,6 +150,7 @@ constexpr PassportField<C> kContactFields[] = {
      "Deposit"},
     {{"first_deposit_s", "s", &C::first_deposit_s, kAny, "when it began"}, "Deposit, begin"},
     {{"doubts", "", &C::doubts, kAny, "what speaks against these numbers, in words"}, "Doubts"},
+    {{"cell_name", "", &C::cell_name, kAny, "the cell's name, as it was given in the window"}, "Name"},
 };
 
 // A field's value as a CSV cell; empty for what is not there.
@@ -198,8 +199,11 @@ std::string cells_csv(std::span<const CellPassport> cells) {
       if (&field != kCellFields) line += ',';
       line += cell_of(field.field, cell);
     }
+    // A cell that was not touched has its name all the same.
+    ContactPassport main = cell.main_contact();
+    main.cell_name = cell.name;
     for (const auto& field : kContactFields)
-      if (is_in_cell_table(field)) line += ',' + cell_of(field.field, cell.main_contact());
+      if (is_in_cell_table(field)) line += ',' + cell_of(field.field, main);
     text += line + '\n';
   }
   return text;

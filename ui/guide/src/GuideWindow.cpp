@@ -1,6 +1,5 @@
 #include "GuideWindow.h"
 
-#include <QShortcut>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
 #include "presenters/SourcePresenter.h"
+#include "widgets/ButtonKey.h"
 #include "widgets/FactLine.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/ForceCharts.h"
@@ -91,7 +91,7 @@ void GuideWindow::build() {
   setWindowIcon(make_icon(Pictogram::kProgram));
   resize(options_.width_px, options_.height_px);
   setMinimumSize(1000, 640);
-  connect(new QShortcut(QKeySequence::Quit, this), &QShortcut::activated, this, [this] { close(); });
+  add_window_key(*this, QKeySequence::Quit, words("Close the window"), [this] { close(); });
 
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);

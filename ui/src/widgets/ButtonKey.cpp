@@ -17,4 +17,12 @@ void bind_key(QAbstractButton& button, const QKeySequence& key, const QString& t
   QObject::connect(shortcut, &QShortcut::activated, &button, &QAbstractButton::click);
 }
 
+void add_window_key(QWidget& window, const QKeySequence& key, const QString& meaning, std::function<void()> action,
+                    bool repeats) {
+  auto* shortcut = new QShortcut(key, &window);
+  shortcut->setWhatsThis(meaning);
+  shortcut->setAutoRepeat(repeats);
+  QObject::connect(shortcut, &QShortcut::activated, &window, std::move(action));
+}
+
 }  // namespace pellucida

@@ -5,6 +5,7 @@
 #include "Words.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/PanZoomStyle.h"
+#include "widgets/KeySheet.h"
 #include "widgets/ViewWidget.h"
 
 namespace pellucida {
@@ -16,6 +17,7 @@ FeedPanel::FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent, bool has
     : Panel(words("Microscope"), view, parent), view_(view) {
   vtkNew<PanZoomStyle> style;
   view_->set_style(style);
+  explain_gesture(*view_, words("Drag, wheel"), words("Move the image, zoom"));
   add_buttons(feed, has_model);
 }
 

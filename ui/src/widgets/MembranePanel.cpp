@@ -10,6 +10,7 @@
 #include "Words.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "widgets/ArrowMenu.h"
+#include "widgets/KeySheet.h"
 #include "widgets/ViewWidget.h"
 
 namespace pellucida {
@@ -21,6 +22,7 @@ MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget*
     : Panel(words("Forces in 3-D"), view, parent), view_(view) {
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   view_->set_style(style);
+  explain_gesture(*view_, words("Drag, wheel"), words("Turn the view, zoom"));
   add_surface_menu(membranes, has_model);
   add_control(new ArrowMenu(
       membranes, [this] { view_->render(); }, this));

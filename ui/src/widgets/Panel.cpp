@@ -7,10 +7,12 @@
 #include <QVariant>
 
 #include "widgets/ButtonKey.h"
+#include "widgets/KeySheet.h"
 
 namespace pellucida {
 
 Panel::Panel(const QString& title, QWidget* content, QWidget* parent) : QFrame(parent) {
+  set_key_group(*this, title);
   auto* head = new QWidget(this);
   head->setObjectName("panelHead");
   head->setAttribute(Qt::WA_StyledBackground);
@@ -43,6 +45,11 @@ void Panel::resizeEvent(QResizeEvent*) {
 void Panel::add_control(QWidget* control) {
   control->setParent(this);
   head_->addWidget(control);
+}
+
+void Panel::lead_with(QWidget* control) {
+  control->setParent(this);
+  head_->insertWidget(0, control);
 }
 
 QToolButton* Panel::add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on) {

@@ -7,6 +7,7 @@
 
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
+#include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 
 namespace pellucida {
@@ -40,6 +41,7 @@ QPushButton* TitleBar::add_button(const QString& text, const QKeySequence& key, 
 
 void TitleBar::add_look_menu(const QKeySequence& light_key) {
   row_->addWidget(make_look_button(light_key, this));
+  row_->addWidget(make_keys_button(this));
 }
 
 void TitleBar::add_name(const QString& name, const QString& tip) {

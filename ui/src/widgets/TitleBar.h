@@ -15,9 +15,9 @@ class TitleBar : public QWidget {
 
   QPushButton* add_button(const QString& text, const QKeySequence& key, const QString& tip,
                           std::function<void()> action);
-  /// A name at the right end, after which nothing is added.
-  /// Theme and language; `light_key` changes the theme.
+  /// Theme and language, and the sheet of keys; `light_key` changes the theme.
   void add_look_menu(const QKeySequence& light_key = QKeySequence("Ctrl+L"));
+  /// A name at the right end, after which nothing is added.
   void add_name(const QString& name, const QString& tip);
 
  private:

@@ -8,13 +8,13 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QPushButton>
-#include <QShortcut>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "Words.h"
+#include "widgets/ButtonKey.h"
 #include "widgets/CameraCard.h"
 #include "widgets/LessonCard.h"
 #include "widgets/RecentStrip.h"
@@ -112,16 +112,16 @@ QWidget* StartWindow::build_cards(const StartForm& form, AskForPath ask) {
 }
 
 void StartWindow::add_keys() {
-  const auto key = [this](const QKeySequence& keys, std::function<void()> act) {
-    auto* shortcut = new QShortcut(keys, this);
-    shortcut->setAutoRepeat(false);
-    connect(shortcut, &QShortcut::activated, this, std::move(act));
+  const auto key = [this](const QKeySequence& keys, const QString& meaning, std::function<void()> act) {
+    add_window_key(*this, keys, meaning, std::move(act), false);
   };
-  key(QKeySequence::Quit, [this] { close(); });
-  key(Qt::Key_Return, [this] { press_enter(); });
-  key(Qt::Key_Enter, [this] { press_enter(); });
+  key(QKeySequence::Quit, words("Close the window"), [this] { close(); });
+  key(Qt::Key_Return, words("Start the chosen card, or press the button that has the focus"),
+      [this] { press_enter(); });
+  key(Qt::Key_Enter, words("The same, on the number pad"), [this] { press_enter(); });
   for (int k = 0; k < kStartCardCount; ++k) {
-    key(Qt::Key_1 + k, [this, k] { card(static_cast<StartCardId>(k)).setFocus(Qt::TabFocusReason); });
+    key(Qt::Key_1 + k, words("Choose card %1").arg(k + 1),
+        [this, k] { card(static_cast<StartCardId>(k)).setFocus(Qt::TabFocusReason); });
   }
 }
 

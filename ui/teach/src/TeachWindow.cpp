@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QShortcut>
 #include <QSplitter>
 #include <QTabBar>
 #include <QTabWidget>
@@ -20,6 +19,7 @@
 #include "Words.h"
 #include "pellucida/teaching_vtk/PokeStyle.h"
 #include "presenters/TeachPresenter.h"
+#include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/LessonPanel.h"
 #include "widgets/NodeForceTable.h"
@@ -221,17 +221,21 @@ QWidget* TeachWindow::build_side() {
 }
 
 void TeachWindow::add_keys() {
-  const auto key = [this](const QKeySequence& keys, std::function<void()> act) {
-    connect(new QShortcut(keys, this), &QShortcut::activated, this, std::move(act));
+  const auto key = [this](const QKeySequence& keys, const QString& meaning, std::function<void()> act) {
+    add_window_key(*this, keys, meaning, std::move(act));
   };
-  key(QKeySequence::Quit, [this] { close(); });
-  key(Qt::Key_PageDown, [this] { lesson_panel_->open(lesson_panel_->current() + 1); });
-  key(Qt::Key_PageUp, [this] { lesson_panel_->open(lesson_panel_->current() - 1); });
+  key(QKeySequence::Quit, words("Close the window"), [this] { close(); });
+  key(Qt::Key_PageDown, words("Next lesson"), [this] { lesson_panel_->open(lesson_panel_->current() + 1); });
+  key(Qt::Key_PageUp, words("Lesson before"), [this] { lesson_panel_->open(lesson_panel_->current() - 1); });
   // As on screen: the needle comes from the right.
-  key(QKeySequence("Shift+Left"), [this] { move_hand(hand_along_um_ + kKeyStep_um, hand_across_um_); });
-  key(QKeySequence("Shift+Right"), [this] { move_hand(hand_along_um_ - kKeyStep_um, hand_across_um_); });
-  key(QKeySequence("Shift+Up"), [this] { move_hand(hand_along_um_, hand_across_um_ + kKeyStep_um); });
-  key(QKeySequence("Shift+Down"), [this] { move_hand(hand_along_um_, hand_across_um_ - kKeyStep_um); });
+  key(QKeySequence("Shift+Left"), words("Needle forwards by 1 µm"),
+      [this] { move_hand(hand_along_um_ + kKeyStep_um, hand_across_um_); });
+  key(QKeySequence("Shift+Right"), words("Needle back by 1 µm"),
+      [this] { move_hand(hand_along_um_ - kKeyStep_um, hand_across_um_); });
+  key(QKeySequence("Shift+Up"), words("Needle up by 1 µm"),
+      [this] { move_hand(hand_along_um_, hand_across_um_ + kKeyStep_um); });
+  key(QKeySequence("Shift+Down"), words("Needle down by 1 µm"),
+      [this] { move_hand(hand_along_um_, hand_across_um_ - kKeyStep_um); });
 }
 
 void TeachWindow::apply_look() {

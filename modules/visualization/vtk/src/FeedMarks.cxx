@@ -90,16 +90,42 @@ void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {
   constexpr int kCorners = 24;
   const Eigen::Vector2d at = place(mark.place_um);
   for (const auto& [width_px, color] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, palette::kWarning}}) {
-    for (int k = 0; k < kCorners; ++k) {
+    Eigen::Vector2d start = place(mark.place_um);
+    for (const Eigen::Vector2d& further_um : mark.further_um) {
+      const Eigen::Vector2d to = place(further_um);
+      hud.line(start.x(), start.y(), to.x(), to.y(), width_px, color);
+      hud.disc(start.x(), start.y(), width_px + 1.0, color);
+      hud.disc(to.x(), to.y(), width_px + 1.0, color);
+      start = to;
+    }
+    for (int k = 0; mark.further_um.empty() && k < kCorners; ++k) {
       const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
       hud.line(at.x() + kRing_px * std::cos(from), at.y() + kRing_px * std::sin(from), at.x() + kRing_px * std::cos(to),
                at.y() + kRing_px * std::sin(to), width_px, color);
     }
   }
+  if (mark.text.empty()) return;
   const HudText style{.color = palette::kWarning, .bold = true};
-  hud.rounded(at.x() + 14.0, at.y() - 10.0, hud.text_width_px(mark.text, style) + 12.0, 20.0, 4.0, palette::kWindow,
-              0.8);
-  hud.text(at.x() + 20.0, at.y(), mark.text, style);
+  const double width = hud.text_width_px(mark.text, style) + 12.0;
+  Eigen::Vector2d left(at.x() + 14.0, at.y());
+  if (!mark.further_um.empty()) {
+    // Beside the middle of a distance, or outside an angle's vertex.
+    const Eigen::Vector2d next = place(mark.further_um.front());
+    const Eigen::Vector2d leg = (at - next).stableNormalized();
+    Eigen::Vector2d away(-leg.y(), leg.x());
+    if (away.y() < 0.0) away = -away;
+    Eigen::Vector2d middle = 0.5 * (at + next);
+    if (mark.further_um.size() > 1) {
+      const Eigen::Vector2d between = leg + (place(mark.further_um.back()) - next).stableNormalized();
+      if (between.norm() > 0.1) away = -between.normalized();
+      middle = next;
+    }
+    const Eigen::Vector2d centre =
+        middle + (10.0 + 0.5 * (std::abs(away.x()) * width + std::abs(away.y()) * 20.0)) * away;
+    left = {centre.x() - 0.5 * width, centre.y()};
+  }
+  hud.rounded(left.x(), left.y() - 10.0, width, 20.0, 4.0, palette::kWindow, 0.8);
+  hud.text(left.x() + 6.0, left.y(), mark.text, style);
 }
 
 void draw_needle_pointer(HudCanvas& hud, const Eigen::Vector2d& tip_um, const ToHud& place, double width_px,

@@ -3,7 +3,7 @@
 
 #include "pellucida/evaluation/ContactCamera.h"
 #include "pellucida/planning/InjectionPlan.h"
-#include "pellucida/simulation/OperatorOptions.h"
+#include "pellucida/simulation/ModalityName.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/SpecimenContact.h"
 
@@ -84,8 +84,5 @@ InjectionPlan trial_plan(const TrialOptions& options, const SpecimenForce& cell)
 /// Without haptics the force scale is 0; the guide is there in the fourth modality alone, from the approach point on.
 /// No thread, no wall clock: the same scene and options, the same outcome. Throws UsageError for options out of range.
 TrialOutcome run_trial(const TrialScene& scene, const TrialOptions& options);
-
-/// "2-D image", "3-D view", "3-D + haptics", "3-D + haptics + guide".
-const char* name_of(Modality modality) noexcept;
 
 }  // namespace pellucida

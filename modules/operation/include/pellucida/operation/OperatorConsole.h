@@ -7,12 +7,14 @@
 #include "pellucida/operation/TeleoperationRun.h"
 #include "pellucida/planning/InjectionPlan.h"
 #include "pellucida/simulation/CommandedNeedle.h"
+#include "pellucida/simulation/OperatorOptions.h"
 
 namespace pellucida {
 
 class Demonstration;
 class HandCatalog;
 class HandEngagement;
+class HomingHand;
 class InjectionGuide;
 
 /// The hand on a live run, as a window needs it: what moves the pipette, the plan and the guide, the emergency stop.
@@ -56,6 +58,9 @@ class OperatorConsole {
   /// Keeps the tip on the planned line, or not. The depth stop and the holding pipette act in any case.
   void guide(bool on);
   bool guided() const noexcept;
+  /// The cell's force on the hand, or none; what protects cell and needle acts in any case. On at the start.
+  void haptics(bool on);
+  bool haptics() const noexcept { return haptics_; }
   /// Beyond the entry, um, above 0; from the plan until one is set. Throws UsageError.
   void depth_stop_um(double depth_um);
   double depth_stop_um() const noexcept;
@@ -64,6 +69,8 @@ class OperatorConsole {
   /// cell. Returns the reason if not, or that it has to wait; nothing when the plan leads there.
   std::optional<std::string> set_target(double x_um, double y_um);
   const std::optional<InjectionPlan>& plan() const noexcept;
+  /// Whether another target takes effect at once: the cell is untouched, and no demonstration has begun on it.
+  bool may_replan() const;
 
   // Held by the user; released by `release_all`, when the window loses the focus.
   void inject(bool held) noexcept;
@@ -75,7 +82,8 @@ class OperatorConsole {
   void move_px(double dx, double dy) noexcept;
   void turn_wheel(double notches) noexcept;
 
-  /// Takes the needle out along its axis, then replaces the cell by an intact one. No effect on a real cell.
+  /// Takes the needle out along its axis, then replaces the cell by an intact one. A needle that is out of view then
+  /// comes back to where it was at the start. No effect on a real cell.
   void new_cell();
   bool can_renew() const noexcept { return needle_ != nullptr; }
 
@@ -107,6 +115,10 @@ class OperatorConsole {
   void make_plan(const ContactModel& contact);
   void show_operator();
   void renew();
+  bool is_out_of_view(const PlainVector3& tip_um) const noexcept;
+  bool lead_home();
+  bool follow_home();
+  Modality modality() const noexcept;
   void repeat_demonstration();
   bool tip_is_out();
   void set_buttons() noexcept;
@@ -120,7 +132,9 @@ class OperatorConsole {
 
   int chosen_ = -1, scale_ = 0;
   std::string trouble_;  // one line; empty when there is none
-  bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false;
+  bool inject_ = false, retract_ = false, grip_ = false, renewing_ = false, haptics_ = true;
+  HomingHand* homing_ = nullptr;  // the hand's device, while it leads the needle back
+  double homing_since_s_ = 0.0;
   long frame_index_ = -1;
   double cell_scale_ratio_ = 1.0;  // of the newest frame
   bool broken_ = false;            // the newest frame shows the membrane closed around the shaft

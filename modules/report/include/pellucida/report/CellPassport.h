@@ -70,18 +70,23 @@ struct ContactPassport {
   double largest_tension_uN_per_um = kNone;
   double deposit_s = kNone;
   double first_deposit_s = kNone;
-  std::string doubts;  ///< `doubt_list` in one line
+  std::string doubts;     ///< `doubt_list` in one line
+  std::string cell_name;  ///< as a note gives it (core/CellNameNote.h); empty without one
 
   std::vector<std::string> doubt_list;  ///< what speaks against these numbers, a sentence each
   RowRange rows;                        ///< from the touch to the last row before the release
   RowRange insertion;                   ///< the rows of it up to the largest depth, or to the puncture
 };
 
+/// How a contact ended, for people: "punctured", "retracted", "lost in contact", "still in contact", "not touched".
+const char* outcome_words(const ContactPassport& contact) noexcept;
+
 /// One cell of a session, from where it was found until it was lost for good, replaced, or the recording ended.
 struct CellPassport {
   std::string session;  ///< name of the session's folder
   std::string profile;  ///< that the forces are for
   int cell = 0;         ///< from 1
+  std::string name;     ///< as a note gives it (core/CellNameNote.h); empty without one
   double found_s = ContactPassport::kNone;
   double last_seen_s = ContactPassport::kNone;
   double radius_um = ContactPassport::kNone;
