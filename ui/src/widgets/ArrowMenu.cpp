@@ -11,6 +11,7 @@
 #include <QWidgetAction>
 #include <cmath>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 
@@ -18,12 +19,13 @@ namespace pellucida {
 namespace {
 
 // A slider with its name and its value in words.
-void add_slider(QGridLayout* grid, const QString& name, int least, int most, int value,
+void add_slider(QGridLayout* grid, const char* key, const QString& name, int least, int most, int value,
                 const std::function<QString(int)>& apply) {
   const int row = grid->rowCount();
   auto* slider = new QSlider(Qt::Horizontal);
   slider->setRange(least, most);
   slider->setFixedWidth(170);
+  keep_as(*slider, key);
   auto* shown = new QLabel;
   shown->setMinimumWidth(48);
   shown->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -67,6 +69,7 @@ void ArrowMenu::add_kinds(QGridLayout* grid) {
   for (const NodeForceKind kind : kNodeForceKinds) {
     auto* button = new QRadioButton(QString::fromStdString(node_force_name(kind)));
     button->setObjectName("nodeForce" + QString::number(static_cast<int>(kind)));
+    keep_as(*button, button->objectName());
     button->setAccessibleDescription(QString::fromStdString(node_force_explanation(kind)));
     button->setChecked(kind == view_.node_force());
     kinds->addButton(button, static_cast<int>(kind));
@@ -103,9 +106,10 @@ void ArrowMenu::show_kind() {
 }
 
 void ArrowMenu::add_looks(QGridLayout* grid) {
-  const auto add_check = [&](const QString& name, bool on, const std::function<void(bool)>& apply) {
+  const auto add_check = [&](const char* key, const QString& name, bool on, const std::function<void(bool)>& apply) {
     auto* box = new QCheckBox(name);
     box->setChecked(on);
+    keep_as(*box, key);
     grid->addWidget(box, grid->rowCount(), 0, 1, 3);
     connect(box, &QCheckBox::toggled, this, [this, apply](bool now) {
       apply(now);
@@ -113,34 +117,35 @@ void ArrowMenu::add_looks(QGridLayout* grid) {
     });
     return box;
   };
-  auto* shown = add_check(words("Show node forces"), true, [this](bool on) { view_.show_arrows(on); });
+  auto* shown = add_check("arrows_shown", words("Show node forces"), true, [this](bool on) { view_.show_arrows(on); });
   auto* toggle = new QAction(this);
   toggle->setObjectName("showArrows");
   toggle->setText(words("Show or hide the arrows"));
   toggle->setShortcut(Qt::Key_6);
   addAction(toggle);
   connect(toggle, &QAction::triggered, shown, &QCheckBox::toggle);
-  add_check(words("95 % interval at each arrow"), false, [this](bool on) {
+  add_check("arrows_intervals", words("95 % interval at each arrow"), false, [this](bool on) {
     view_.show_error_bars(on);
   })->setObjectName("errorBars");
-  add_slider(grid, words("Most arrows"), 20, 1000, 250, [this](int v) {
+  add_slider(grid, "arrows_most", words("Most arrows"), 20, 1000, 250, [this](int v) {
     view_.set_arrow_count(v);
     changed_();
     return QString::number(v);
   });
   // Lengths from a quarter to four times, in equal ratios.
-  add_slider(grid, words("Length"), -20, 20, 0, [this](int v) {
+  add_slider(grid, "arrows_length", words("Length"), -20, 20, 0, [this](int v) {
     const double scale = std::pow(2.0, v / 10.0);
     view_.set_arrow_scale(scale);
     changed_();
     return QString::fromUtf8("\u00D7 %1").arg(scale, 0, 'f', 2);
   });
-  add_slider(grid, words("Hide below"), 0, 50, 1, [this](int v) {
+  add_slider(grid, "arrows_hidden_below", words("Hide below"), 0, 50, 1, [this](int v) {
     view_.set_arrow_threshold(v / 100.0);
     changed_();
     return QString("%1 %").arg(v);
   });
-  add_check(words("Lengths by the logarithm"), false, [this](bool on) { view_.set_arrow_log_scale(on); });
+  add_check("arrows_logarithm", words("Lengths by the logarithm"), false,
+            [this](bool on) { view_.set_arrow_log_scale(on); });
 }
 
 }  // namespace pellucida

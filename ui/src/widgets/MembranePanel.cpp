@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "widgets/ArrowMenu.h"
@@ -53,6 +54,7 @@ void MembranePanel::add_surface_menu(MembraneView& membranes, bool has_model) {
     action->setObjectName("coloring" + QString::number(static_cast<int>(coloring)));
     action->setToolTip(QString::fromStdString(coloring_explanation(coloring)));
     action->setCheckable(true);
+    keep_as(*action, QString("surface_%1").arg(static_cast<int>(coloring)));
     action->setChecked(coloring == membranes.coloring());
     connect(action, &QAction::toggled, this, [=, this, &membranes](bool on) {
       if (!on) return;

@@ -144,8 +144,10 @@ ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_uniq
 ForceChart::~ForceChart() = default;
 
 void ForceChart::append(const Measurement& m) {
+  const bool was_in_touch = history_.in_touch();
   history_.append(m);
-  changed_ = true;
+  // Between two touches the curve over the indentation stays as it is.
+  if (kind_ == ForceChartKind::kForceTime || was_in_touch || history_.in_touch()) changed_ = true;
 }
 
 void ForceChart::clear() {

@@ -29,6 +29,8 @@ class ForceChart : public View {
   /// A curve behind the others on kForceIndentation, in place of the touch before; `name` is written beside it.
   void set_reference(std::string name, const std::vector<double>& depth_um, const std::vector<double>& force_uN);
   void follow_theme() override;
+  /// True when the next rendering would show something else than the last one.
+  bool is_stale() const noexcept { return changed_; }
   /// The newest point, as it is marked.
   std::optional<TracePoint> newest() const;
   /// Width of the time axis in s; 0 (the default) shows all. Of no effect on kForceIndentation.
