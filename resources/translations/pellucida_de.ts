@@ -382,6 +382,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>95-%-Intervall</translation>
     </message>
     <message>
+        <source>95 % interval at each arrow</source>
+        <translation>95-%-Intervall an jedem Pfeil</translation>
+    </message>
+    <message>
         <source>95 % interval, picture</source>
         <translation>95-%-Intervall, Bild</translation>
     </message>
@@ -428,6 +432,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>; 1 kHz: </translation>
     </message>
     <message>
+        <source>; key 6 shows or hides them, key 7 shows the next force</source>
+        <translation>; Taste 6 zeigt oder verbirgt sie, Taste 7 zeigt die nächste Kraft</translation>
+    </message>
+    <message>
         <source>; waits until a rendering has finished: </source>
         <translation>; wartet das Ende einer Bildausgabe ab: </translation>
     </message>
@@ -464,10 +472,12 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
     </message>
     <message>
+        <source>A recording doesn't hold the model's mesh</source>
+        <translation>Eine Aufnahme enthält das Netz des Modells nicht</translation>
+    </message>
+    <message>
         <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
         <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
-        <source>A recording is running. Everything recorded so far is kept.</source>
-        <translation>Eine Aufzeichnung läuft. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
     </message>
     <message>
         <source>A simulated cell to poke</source>
@@ -538,12 +548,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Annähern</translation>
     </message>
     <message>
+        <source>Area strain</source>
+        <translation>Flächendehnung</translation>
+    </message>
+    <message>
+        <source>Area strain (%)</source>
+        <translation>Flächendehnung (%)</translation>
+    </message>
+    <message>
         <source>Arrows head to tail: a balance closes</source>
         <translation>Pfeile aneinandergereiht</translation>
     </message>
     <message>
         <source>Arrows ▾</source>
         <translation>Pfeile ▾</translation>
+    </message>
+    <message>
+        <source>Arrows: the next force</source>
+        <translation>Pfeile: die nächste Kraft</translation>
     </message>
     <message>
         <source>As usual</source>
@@ -636,6 +658,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Cells read: %1, from sessions: %2</source>
         <translation>Gelesene Zellen: %1, aus Sitzungen: %2</translation>
+    </message>
+    <message>
+        <source>Change of the membrane's area from rest, from the model: red is larger, blue smaller, grey zero.</source>
+        <translation>Änderung der Membranfläche gegenüber der Ruhe, nach dem Modell: Rot ist größer, Blau kleiner, Grau null.</translation>
     </message>
     <message>
         <source>Chart of the node as SVG, PDF, PNG or CSV</source>
@@ -896,12 +922,6 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drawn anew at this size: lines and letters stay sharp.</source>
         <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
-        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
-        <translation>Eine Linie von mindestens 20 px ziehen; je länger, desto genauer.</translation>
-    </message>
-    <message>
-        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png)</source>
-        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png)</translation>
     </message>
     <message>
         <source>Drop one file or one folder of this computer.</source>
@@ -1170,8 +1190,6 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Groups by </source>
         <translation>Gruppen nach </translation>
-        <source>Go on recording</source>
-        <translation>Weiter aufzeichnen</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -1200,8 +1218,6 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
-        <source>Half as stiff</source>
-        <translation>Halb so steif</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1248,12 +1264,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Haltepipette</translation>
     </message>
     <message>
+        <source>Holder on membrane (µN)</source>
+        <translation>Haltepipette auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Holding pipette</source>
         <translation>Haltepipette</translation>
     </message>
     <message>
         <source>How eq. (2) is stepped through time</source>
         <translation>Wie Gl. (2) durch die Zeit geführt wird</translation>
+    </message>
+    <message>
+        <source>How far each place of the tracked surface is from where it was at rest.</source>
+        <translation>Wie weit jede Stelle der verfolgten Oberfläche von ihrem Ort in Ruhe entfernt ist.</translation>
     </message>
     <message>
         <source>How far the needle has pushed the outer membrane in, along the needle, from where it was at rest.</source>
@@ -1274,8 +1298,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wie sicher die Bildverfolgung in diesem Bild bei Zelle und Nadel ist. Unter 50 % sehen Sie sich das Bild an, bevor Sie eine Zahl verwenden.</translation>
     </message>
     <message>
-        <source>How the forces on the membrane are drawn</source>
-        <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
+        <source>How the liquid inside pushes outwards on each node's share of the membrane. All together the arrows add up to zero.</source>
+        <translation>Wie die Flüssigkeit im Inneren den Membrananteil jedes Knotens nach außen drückt. Alle Pfeile zusammen ergeben null.</translation>
+    </message>
+    <message>
+        <source>How the stretched membrane pulls on its own points. It balances pressure and tools, so on a taut cell it points inwards although nothing pushes from outside. At rest it is zero: this is also its change from rest.</source>
+        <translation>Wie die gespannte Membran an ihren eigenen Punkten zieht. Sie hält Druck und Werkzeugen das Gleichgewicht und zeigt bei einer prallen Zelle nach innen, obwohl nichts von außen drückt. In Ruhe ist sie null: Dies ist auch ihre Änderung gegenüber der Ruhe.</translation>
     </message>
     <message>
         <source>Hysteresis (pJ)</source>
@@ -1292,8 +1320,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Images along the session's time</source>
         <translation>Bilder längs der Zeit der Sitzung</translation>
-        <source>Image with a line</source>
-        <translation>Bild mit einer Linie</translation>
     </message>
     <message>
         <source>Implicit Euler</source>
@@ -1460,6 +1486,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Masse eines Knotens</translation>
     </message>
     <message>
+        <source>Mean tension of the membrane, from the model: red is stretched, blue compressed, grey zero.</source>
+        <translation>Mittlere Spannung der Membran, nach dem Modell: Rot ist gedehnt, Blau gestaucht, Grau null.</translation>
+    </message>
+    <message>
         <source>Measure a pixel</source>
         <translation>Pixel ausmessen</translation>
     </message>
@@ -1478,8 +1508,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
-        <source>Measure on the image ...</source>
-        <translation>Im Bild messen ...</translation>
     </message>
     <message>
         <source>Measured: %1</source>
@@ -1496,6 +1524,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Median (quartiles), number</source>
         <translation>Median (Quartile), Anzahl</translation>
+    </message>
+    <message>
+        <source>Membrane resultant</source>
+        <translation>Resultierende der Membran</translation>
+    </message>
+    <message>
+        <source>Membrane resultant (µN)</source>
+        <translation>Resultierende der Membran (µN)</translation>
     </message>
     <message>
         <source>Membranes found in the image</source>
@@ -1564,6 +1600,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Needle and holding pipette</source>
         <translation>Nadel und Haltepipette</translation>
+    </message>
+    <message>
+        <source>Needle on membrane (µN)</source>
+        <translation>Nadel auf Membran (µN)</translation>
     </message>
     <message>
         <source>New cell</source>
@@ -1938,6 +1978,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Druck (Pa)</translation>
     </message>
     <message>
+        <source>Pressure on membrane (µN)</source>
+        <translation>Druck auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Profile of the cell</source>
         <translation>Profil der Zelle</translation>
     </message>
@@ -1984,8 +2028,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Reading </source>
         <translation>Liest </translation>
-        <source>Reading an image ...</source>
-        <translation>Ein Bild wird gelesen ...</translation>
     </message>
     <message>
         <source>Reading the session</source>
@@ -2114,6 +2156,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Skala</translation>
     </message>
     <message>
+        <source>Scale grew, was </source>
+        <translation>Skala gewachsen, war </translation>
+    </message>
+    <message>
         <source>Scale of this cell</source>
         <translation>Skala dieser Zelle</translation>
     </message>
@@ -2152,6 +2198,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Show node forces</source>
         <translation>Knotenkräfte zeigen</translation>
+    </message>
+    <message>
+        <source>Show or hide the arrows</source>
+        <translation>Pfeile zeigen oder verbergen</translation>
     </message>
     <message>
         <source>Show the events and doubts beside the views</source>
@@ -2248,8 +2298,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Stiffness at 30 µm (µN/µm)</source>
         <translation>Steifigkeit bei 30 µm (µN/µm)</translation>
-        <source>Stiffness of the cell</source>
-        <translation>Steifigkeit der Zelle</translation>
     </message>
     <message>
         <source>Stiffness of the fibre</source>
@@ -2280,8 +2328,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Oberfläche: %1 ▾</translation>
     </message>
     <message>
-        <source>Surface: plain ▾</source>
-        <translation>Oberfläche: einfarbig ▾</translation>
+        <source>Surface: the next quantity</source>
+        <translation>Oberfläche: die nächste Größe</translation>
     </message>
     <message>
         <source>Symplectic Euler, eq. (4)</source>
@@ -2420,8 +2468,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Membran</translation>
     </message>
     <message>
+        <source>The membrane is clear, and shows what is behind it.</source>
+        <translation>Die Membran ist durchsichtig und zeigt, was hinter ihr liegt.</translation>
+    </message>
+    <message>
+        <source>The mesh that the forces are computed on, as a wire: where it leaves the seen surface, model and image disagree</source>
+        <translation>Das Netz, auf dem die Kräfte berechnet werden, als Draht: Wo es von der gesehenen Oberfläche abweicht, widersprechen sich Modell und Bild</translation>
+    </message>
+    <message>
         <source>The model's curves: with this cell's sizes as seen, and of the profile's own cell</source>
         <translation>Die Kurven des Modells: mit den gesehenen Maßen dieser Zelle und für die Zelle des Profils</translation>
+    </message>
+    <message>
+        <source>The model's own surface</source>
+        <translation>Die Oberfläche des Modells</translation>
     </message>
     <message>
         <source>The needle moves as the scenario describes, again and again.</source>
@@ -2580,6 +2640,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Werkzeuge</translation>
     </message>
     <message>
+        <source>Tools on membrane (µN)</source>
+        <translation>Werkzeuge auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Try the virtual microscope</source>
         <translation>Virtuelles Mikroskop ausprobieren</translation>
     </message>
@@ -2610,8 +2674,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Unloading</source>
         <translation>Entlastung</translation>
-        <source>Use it</source>
-        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Use this measurement</source>
@@ -2662,6 +2724,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Warten auf das erste Bild</translation>
     </message>
     <message>
+        <source>What both tools do to the membrane: the needle pushes, the holding pipette holds against it.</source>
+        <translation>Was beide Werkzeuge mit der Membran tun: Die Nadel drückt, die Haltepipette hält dagegen.</translation>
+    </message>
+    <message>
         <source>What is drawn of the node</source>
         <translation>Was vom Knoten gezeichnet wird</translation>
     </message>
@@ -2678,8 +2744,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Pipette bewegt</translation>
     </message>
     <message>
-        <source>What the colour of the outer membrane shows</source>
-        <translation>Was die Farbe der äußeren Membran zeigt</translation>
+        <source>What the colour of the outer membrane shows; key 8 shows the next quantity</source>
+        <translation>Was die Farbe der äußeren Membran zeigt; Taste 8 zeigt die nächste Größe</translation>
+    </message>
+    <message>
+        <source>What the holding pipette does to the membrane around its mouth. The bold arrow is the sum.</source>
+        <translation>Was die Haltepipette rund um ihre Öffnung mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
     </message>
     <message>
         <source>What the left chart shows</source>
@@ -2690,8 +2760,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was das linke Diagramm zeigt (H: Histogramm und zurück)</translation>
     </message>
     <message>
+        <source>What the needle does to the membrane under its tip. The bold arrow is the sum.</source>
+        <translation>Was die Nadel unter ihrer Spitze mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
+    </message>
+    <message>
         <source>What was measured as CSV…</source>
         <translation>Gemessenes als CSV …</translation>
+    </message>
+    <message>
+        <source>Which forces on the membrane the arrows show, and how. Now: </source>
+        <translation>Welche Kräfte auf die Membran die Pfeile zeigen, und wie. Jetzt: </translation>
     </message>
     <message>
         <source>Which frames of both sessions belong together</source>
@@ -2854,6 +2932,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>hierher ziehen</translation>
     </message>
     <message>
+        <source>each alone may be zero (95 %)</source>
+        <translation>jeder allein evtl. null (95 %)</translation>
+    </message>
+    <message>
         <source>end of travel</source>
         <translation>Ende des Wegs</translation>
     </message>
@@ -2912,8 +2994,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>left out: </source>
         <translation>ausgelassen: </translation>
-        <source>length</source>
-        <translation>Länge</translation>
     </message>
     <message>
         <source>lessons</source>
@@ -2934,6 +3014,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>magnification</source>
         <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>may be zero (95 %)</source>
+        <translation>evtl. null (95 %)</translation>
     </message>
     <message>
         <source>median</source>
@@ -2984,8 +3068,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>keine Oberfläche mit diesem Knoten</translation>
     </message>
     <message>
+        <source>not in this recording: measure it again,</source>
+        <translation>nicht in dieser Aufnahme: neu messen</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not measured in this frame</source>
+        <translation>in diesem Bild nicht gemessen</translation>
     </message>
     <message>
         <source>not touched</source>
@@ -2998,6 +3090,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>oolemma</source>
         <translation>Oolemm</translation>
+    </message>
+    <message>
+        <source>or choose the membrane resultant</source>
+        <translation>oder Resultierende der Membran wählen</translation>
     </message>
     <message>
         <source>or stiffness</source>
@@ -3178,10 +3274,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>tip beyond the entry</source>
         <translation>ab Eintritt</translation>
-    </message>
-    <message>
-        <source>unfinished</source>
-        <translation>unbeendet</translation>
     </message>
     <message>
         <source>unknown</source>
