@@ -236,6 +236,10 @@
         <translation>%1: %2; verwenden Sie die Version von Pellucida, die das geschrieben hat, oder eine neuere</translation>
     </message>
     <message>
+        <source>%1: '%2' sets no key; write KEY=VALUE, such as cell.stiffness_ratio=2</source>
+        <translation>%1: „%2“ setzt keinen Schlüssel; SCHLÜSSEL=WERT schreiben, etwa cell.stiffness_ratio=2</translation>
+    </message>
+    <message>
         <source>%1: 16 bit pixels of a rare layout; convert it to plain 16 bit grey</source>
         <translation>%1: 16-Bit-Pixel in seltener Anordnung; wandeln Sie das Bild in einfaches 16-Bit-Grau um</translation>
     </message>

@@ -76,6 +76,10 @@ und </translation>
         <translation> N von </translation>
     </message>
     <message>
+        <source> The window measures with the usual cell's profile and does not know: Scale finds it out.</source>
+        <translation> Das Fenster misst mit dem Profil der üblichen Zelle und weiß davon nichts: „Skala“ findet es heraus.</translation>
+    </message>
+    <message>
         <source> and offered here. Any other session can be dropped on this window.</source>
         <translation> und hier angeboten. Jede andere Sitzung lässt sich auf dieses Fenster ziehen.</translation>
     </message>
@@ -224,6 +228,14 @@ und </translation>
         <translation> µm jenseits des Randes</translation>
     </message>
     <message>
+        <source> µm per px</source>
+        <translation> µm je px</translation>
+    </message>
+    <message>
+        <source> µm per px, which no microscope has: check the length and its unit.</source>
+        <translation> µm je px, was kein Mikroskop hat: Länge und Einheit prüfen.</translation>
+    </message>
+    <message>
         <source> µm replaces it.</source>
         <translation> µm ersetzen sie.</translation>
     </message>
@@ -258,6 +270,10 @@ und </translation>
     <message>
         <source>%1  ·  frame %2  ·  %3 of %4</source>
         <translation>%1  ·  Bild %2  ·  %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 blocks, longest %2</source>
+        <translation>%1 Stockungen, längste %2</translation>
     </message>
     <message>
         <source>%1 frames changed; written to %2</source>
@@ -342,8 +358,16 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>00000 Bilder ausgelassen</translation>
     </message>
     <message>
+        <source>1 block, %1</source>
+        <translation>1 Stockung, %1</translation>
+    </message>
+    <message>
         <source>1 to 4 choose a card, Enter starts it; or drop a file or a folder here</source>
         <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
+    </message>
+    <message>
+        <source>1.5 times as stiff</source>
+        <translation>1.5-mal so steif</translation>
     </message>
     <message>
         <source>3-D view as PNG</source>
@@ -442,6 +466,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
         <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
+        <source>A recording is running. Everything recorded so far is kept.</source>
+        <translation>Eine Aufzeichnung läuft. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
     </message>
     <message>
         <source>A simulated cell to poke</source>
@@ -520,6 +546,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Pfeile ▾</translation>
     </message>
     <message>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
         <source>Aspiration</source>
         <translation>Aspiration</translation>
     </message>
@@ -554,6 +584,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Blown up after </source>
         <translation>Instabil geworden nach </translation>
+    </message>
+    <message>
+        <source>By a scale bar, or a needle of known diameter</source>
+        <translation>An einem Maßstabsbalken oder einer Nadel bekannten Durchmessers</translation>
     </message>
     <message>
         <source>CELL LOST</source>
@@ -614,6 +648,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Choose a file or a folder first, or drop one on this window.</source>
         <translation>Wählen Sie zuerst eine Datei oder einen Ordner, oder ziehen Sie sie auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Choose a file or a folder of images first.</source>
+        <translation>Zuerst eine Datei oder einen Ordner mit Bildern wählen.</translation>
     </message>
     <message>
         <source>Choose a folder</source>
@@ -844,6 +882,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zweifel, geringe Sicherheit</translation>
     </message>
     <message>
+        <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
+        <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
+    </message>
+    <message>
         <source>Drag: needle</source>
         <translation>Ziehen: Nadel</translation>
     </message>
@@ -854,6 +896,12 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drawn anew at this size: lines and letters stay sharp.</source>
         <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
+        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
+        <translation>Eine Linie von mindestens 20 px ziehen; je länger, desto genauer.</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png)</source>
+        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png)</translation>
     </message>
     <message>
         <source>Drop one file or one folder of this computer.</source>
@@ -876,6 +924,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Nothalt: Pipette gehalten</translation>
     </message>
     <message>
+        <source>End it and close</source>
+        <translation>Beenden und schließen</translation>
+    </message>
+    <message>
         <source>End recording</source>
         <translation>Aufnahme beenden</translation>
     </message>
@@ -894,6 +946,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Events and doubts</source>
         <translation>Ereignisse und Zweifel</translation>
+    </message>
+    <message>
+        <source>Every push needs four times the force.</source>
+        <translation>Jeder Stoß braucht die vierfache Kraft.</translation>
+    </message>
+    <message>
+        <source>Every push needs half the force.</source>
+        <translation>Jeder Stoß braucht die halbe Kraft.</translation>
+    </message>
+    <message>
+        <source>Every push needs one and a half times the force.</source>
+        <translation>Jeder Stoß braucht die anderthalbfache Kraft.</translation>
+    </message>
+    <message>
+        <source>Every push needs twice the force.</source>
+        <translation>Jeder Stoß braucht die doppelte Kraft.</translation>
     </message>
     <message>
         <source>Excess pressure inside the cell, by the model: the push raises it, since the volume stays.</source>
@@ -1032,6 +1100,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Vergisst die eigene Skala dieser Zelle: für eine andere Zelle</translation>
     </message>
     <message>
+        <source>Four times as stiff</source>
+        <translation>Viermal so steif</translation>
+    </message>
+    <message>
         <source>Frame</source>
         <translation>Bild</translation>
     </message>
@@ -1098,6 +1170,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Groups by </source>
         <translation>Gruppen nach </translation>
+        <source>Go on recording</source>
+        <translation>Weiter aufzeichnen</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -1126,6 +1200,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
+        <source>Half as stiff</source>
+        <translation>Halb so steif</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1188,6 +1264,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Wie weit die Spitze je µN hinter der Hand bleibt</translation>
     </message>
     <message>
+        <source>How often this window was busy for more than %1 ms, in the last %2 s; the longest ended after %3 s.
+Meanwhile keys and clicks wait. The emergency stop, the hand and the recording do not.</source>
+        <translation>Wie oft dieses Fenster länger als %1 ms beschäftigt war, in den letzten %2 s; das längste Mal endete nach %3 s.
+Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.</translation>
+    </message>
+    <message>
         <source>How sure the tracking is of cell and needle in this frame. Below 50 % look at the image before you use a number.</source>
         <translation>Wie sicher die Bildverfolgung in diesem Bild bei Zelle und Nadel ist. Unter 50 % sehen Sie sich das Bild an, bevor Sie eine Zahl verwenden.</translation>
     </message>
@@ -1210,6 +1292,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Images along the session's time</source>
         <translation>Bilder längs der Zeit der Sitzung</translation>
+        <source>Image with a line</source>
+        <translation>Bild mit einer Linie</translation>
     </message>
     <message>
         <source>Implicit Euler</source>
@@ -1262,6 +1346,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Invalid readings from the device: pipette held</source>
         <translation>Ungültige Messwerte des Geräts: Pipette gehalten</translation>
+    </message>
+    <message>
+        <source>Its length</source>
+        <translation>Ihre Länge</translation>
     </message>
     <message>
         <source>Keep the newest frame on screen</source>
@@ -1372,6 +1460,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Masse eines Knotens</translation>
     </message>
     <message>
+        <source>Measure a pixel</source>
+        <translation>Pixel ausmessen</translation>
+    </message>
+    <message>
         <source>Measure again</source>
         <translation>Neu messen</translation>
     </message>
@@ -1386,6 +1478,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
+        <source>Measure on the image ...</source>
+        <translation>Im Bild messen ...</translation>
+    </message>
+    <message>
+        <source>Measured: %1</source>
+        <translation>Gemessen: %1</translation>
     </message>
     <message>
         <source>Measures the session once more with these hints, into a new session, and opens it</source>
@@ -1886,6 +1984,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Reading </source>
         <translation>Liest </translation>
+        <source>Reading an image ...</source>
+        <translation>Ein Bild wird gelesen ...</translation>
     </message>
     <message>
         <source>Reading the session</source>
@@ -1902,6 +2002,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Recorded in </source>
         <translation>Aufgezeichnet in </translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>Recording paused, </source>
@@ -2110,6 +2214,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Neu beginnen</translation>
     </message>
     <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Start page: choose another source, session or lesson</source>
+        <translation>Startseite: andere Quelle, Sitzung oder Lektion wählen</translation>
+    </message>
+    <message>
         <source>Start the source again from its first frame</source>
         <translation>Beginnt die Quelle wieder bei ihrem ersten Bild</translation>
     </message>
@@ -2136,6 +2248,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Stiffness at 30 µm (µN/µm)</source>
         <translation>Steifigkeit bei 30 µm (µN/µm)</translation>
+        <source>Stiffness of the cell</source>
+        <translation>Steifigkeit der Zelle</translation>
     </message>
     <message>
         <source>Stiffness of the fibre</source>
@@ -2254,8 +2368,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Text</translation>
     </message>
     <message>
+        <source>That would be </source>
+        <translation>Das wären </translation>
+    </message>
+    <message>
         <source>The cell at rest</source>
         <translation>Die Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>The cell is as stiff as its profile says.</source>
+        <translation>Die Zelle ist so steif, wie ihr Profil sagt.</translation>
     </message>
     <message>
         <source>The cell's own mass would be 10⁻¹² kg a node</source>
@@ -2462,8 +2584,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Virtuelles Mikroskop ausprobieren</translation>
     </message>
     <message>
+        <source>Twice as stiff</source>
+        <translation>Doppelt so steif</translation>
+    </message>
+    <message>
         <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
         <translation>Geben Sie die Kantenlänge eines Kamerapixels in µm ein; sie steht im Datenblatt.</translation>
+    </message>
+    <message>
+        <source>Type the length of the line in µm.</source>
+        <translation>Die Länge der Linie in µm eingeben.</translation>
     </message>
     <message>
         <source>Type the size of a pixel in µm, or choose the objective.</source>
@@ -2480,6 +2610,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Unloading</source>
         <translation>Entlastung</translation>
+        <source>Use it</source>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Use this measurement</source>
@@ -2780,6 +2912,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>left out: </source>
         <translation>ausgelassen: </translation>
+        <source>length</source>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>lessons</source>
@@ -2960,6 +3094,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>such as 0.825</source>
         <translation>etwa 0.825</translation>
+    </message>
+    <message>
+        <source>such as 100</source>
+        <translation>etwa 100</translation>
     </message>
     <message>
         <source>such as 3.45</source>

@@ -111,9 +111,9 @@ QLabel[keyMeaning="true"] { font-size: 12px; }
 #fieldProblem, #cardProblem { color: @record; font-size: 12px; }
 #fieldUnit { color: @dim; font-size: 12px; }
 #computedSize { color: @accent; font-size: 13px; font-weight: 600; }
-#startCard QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
-#startCard QLineEdit[blank="true"] { color: @dim; }
-#startCard QLineEdit:hover, #startCard QLineEdit:focus { border-color: @accent; }
+#startCard QLineEdit, #pixelSizeDialog QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
+#startCard QLineEdit[blank="true"], #pixelSizeDialog QLineEdit[blank="true"] { color: @dim; }
+#startCard QLineEdit:hover, #startCard QLineEdit:focus, #pixelSizeDialog QLineEdit:hover, #pixelSizeDialog QLineEdit:focus { border-color: @accent; }
 #noteText { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
 #noteText:focus { border-color: @accent; }
 #noteWhere { color: @dim; font-size: 12px; }
@@ -206,6 +206,10 @@ QColor to_qt(const Color& color) {
 
 double applied_type_scale() noexcept {
   return type_scale_applied;
+}
+
+void set_sheet(QWidget& widget, const QString& sheet) {
+  if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
 }
 
 void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ContourMath.h"
+#include "OutlineShape.h"
 
 namespace pellucida {
 namespace {
@@ -40,17 +41,6 @@ constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
-}
-
-// 1 for an outline most of which lies on its circle, as a cell's does even with a dimple in it; less for one that lies
-// beside it all round, as a square's does: half its points are 4 % of the radius off where doubt begins.
-double roundness(const Eigen::Matrix2Xd& points, const contour::Circle& circle) {
-  std::vector<double> off(static_cast<std::size_t>(points.cols()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    off[static_cast<std::size_t>(i)] = std::abs((points.col(i) - circle.center).norm() - circle.radius);
-  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), middle, off.end());
-  return std::clamp(1.8 - 20.0 * *middle / circle.radius, 0.3, 1.0);
 }
 
 }  // namespace
@@ -128,7 +118,9 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
 
   // The rest shape as far as this one frame shows it: the circle through the undeformed part.
   const contour::Circle circle = fit(snakes_.outer().points);
-  detection_score_ *= roundness(snakes_.outer().points, circle);
+  const OutlineShape shape(snakes_.outer().points, circle);
+  if (!shape.may_be_cell()) return false;
+  detection_score_ *= shape.roundness();
   rest_ = {};
   rest_.center = circle.center;
   rest_.outer_radius = circle.radius;

@@ -1,5 +1,6 @@
 #include "GuideWindow.h"
 
+#include <QCloseEvent>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -30,6 +31,8 @@ namespace pellucida {
 namespace {
 
 constexpr int kTick_ms = 33;
+// What the mouse and the other threads get after a long tick at most.
+constexpr int kLongestPause_ms = 8;
 constexpr double kStatusPeriod_s = 0.1;
 constexpr double kNotice_s = 6.0, kProblem_s = 20.0;
 // A window lower than this has smaller gauges.
@@ -44,7 +47,11 @@ QString text_of(const std::string& utf8) {
 }  // namespace
 
 GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
-    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
+    : run_(std::move(run)),
+      console_(std::move(console)),
+      options_(std::move(options)),
+      scenes_(*run_, source_),
+      closing_(*this, [this] { control_->toggle_recording(); }) {
   feed_.set_caption(source_caption(run_->source_info()));
   control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
                                           [this](const QString& text, bool problem) { notify(text, problem); });
@@ -63,6 +70,7 @@ GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorC
   screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
     scenes_.poll();
     show_scene();
+    charts_->render();
     show_status();
   });
 }
@@ -146,6 +154,11 @@ void GuideWindow::resizeEvent(QResizeEvent*) {
   rows_->setSizes(is_low ? QList<int>{700, 100} : QList<int>{520, 250});
 }
 
+// What was recorded is whole once the run has ended.
+void GuideWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(closing_.may_close(run_->status().recording));
+}
+
 TopBar* GuideWindow::build_top_bar() {
   // What a button changed is shown at once.
   const auto shown = [this](void (RunControl::*act)()) {
@@ -183,20 +196,22 @@ void GuideWindow::tick() {
   spent.start();
   const double begin_s = now_s();
   const bool plan_changed = hand_ && hand_->tick();
-  if (scenes_.poll()) {
+  const bool has_scene = scenes_.poll();
+  if (has_scene) {
     show_scene();
   } else if (plan_changed) {
     feed_panel_->view().render();
   }
   take_events();
   if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
-    show_gauges();
+    if (!has_scene) show_gauges();
     show_status();
+    figures_.look();
     status_shown_s_ = begin_s;
   }
   // A slow renderer must leave time for the mouse and the other threads.
   const int spent_ms = static_cast<int>(spent.elapsed());
-  timer_.start(std::max(kTick_ms - spent_ms, spent_ms / 3));
+  timer_.start(std::max(kTick_ms - spent_ms, std::min(spent_ms / 3, kLongestPause_ms)));
 }
 
 // All of the window that shows a scene, in one go.
@@ -206,12 +221,13 @@ void GuideWindow::show_scene() {
   if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
   show_gauges();
   feed_.refresh();
+  membranes_.set_plan(feed_.plan());
   membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();
   membrane_panel_->view().render();
-  charts_->render();
   ++drawn_count_;
+  if (scenes_.measured()) figures_.drew();
 }
 
 void GuideWindow::show_gauges() {

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "ClosingQuestion.h"
 #include "TimedScreenshot.h"
+#include "WindowFigures.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/guide/Guide.h"
 #include "pellucida/visualization_vtk/FeedView.h"
@@ -40,6 +42,7 @@ class GuideWindow : public QMainWindow {
   GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options);
   ~GuideWindow() override;
 
+  const WindowFigures& figures() const noexcept { return figures_; }
   const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
 
   /// Ends the run for good, once the window is closed. Throws OutputError where its recording could not be closed
@@ -48,6 +51,7 @@ class GuideWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void stop_run();
@@ -67,6 +71,7 @@ class GuideWindow : public QMainWindow {
   std::unique_ptr<LiveRun> run_;
   std::unique_ptr<OperatorConsole> console_;
   GuideOptions options_;
+  WindowFigures figures_{options_.figures};
   vtkNew<StageSource> source_;
   SceneFeed scenes_;
   FeedView feed_{source_};
@@ -74,6 +79,7 @@ class GuideWindow : public QMainWindow {
   StatusPresenter status_;
 
   std::unique_ptr<RunControl> control_;
+  ClosingQuestion closing_;
   std::unique_ptr<HandControl> hand_;
   TopBar* top_bar_ = nullptr;
   GaugeBar* gauges_ = nullptr;

@@ -59,7 +59,7 @@ void ReviewViews::build(std::function<void(double)> seek) {
   setHandleWidth(4);
   setChildrenCollapsible(false);
   feed_panel_ = new FeedPanel(feed_, nullptr, false);
-  membrane_panel_ = new MembranePanel(membranes_, nullptr);
+  membrane_panel_ = new MembranePanel(membranes_, nullptr, false);
   build_touch();
   time_ = new CurvePanel(words("Force over time"), std::move(seek), nullptr);
   QSplitter* views = pair_of(feed_panel_, membrane_panel_);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "WindowMemory.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/KeySheet.h"
 
@@ -56,6 +57,8 @@ QToolButton* Panel::add_toggle(const QString& text, const QString& tip, const QK
   QToolButton* button = add_button(text, tip, key);
   button->setCheckable(true);
   button->setChecked(on);
+  // A toggle's key is its own in the window, whatever the language.
+  keep_as(*button, "toggle_" + key.toString(QKeySequence::PortableText));
   return button;
 }
 

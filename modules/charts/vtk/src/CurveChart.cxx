@@ -25,8 +25,6 @@
 namespace pellucida {
 namespace {
 
-// Of the band round a curve that goes back and forth.
-constexpr std::size_t kBandPlaces = 120;
 // Of one band alone; of two.
 constexpr double kBandOpacity = 0.22, kOuterOpacity = 0.14, kInnerOpacity = 0.26;
 
@@ -182,9 +180,8 @@ void CurveChart::set_cursor(double x, double y, bool line) {
 void CurveChart::fill() {
   Plots& p = *plots_;
   fill_curve_table(p.faint_table, thinned(p.data.faint, kMostPoints));
-  // A band that goes back and forth would cover itself.
   const auto band_of = [](const Curve& curve) {
-    return is_ascending(curve) ? thinned(curve, kMostPoints) : band_around(curve, kBandPlaces);
+    return thinned(is_ascending(curve) ? curve : band_of_way_in(curve), kMostPoints);
   };
   fill_curve_table(p.table, thinned(p.data.curve, kMostPoints));
   fill_curve_table(p.other_table, thinned(p.data.other, kMostPoints));

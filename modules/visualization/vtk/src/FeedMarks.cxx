@@ -52,7 +52,7 @@ void draw_scale_bar(HudCanvas& hud, double um_per_px) {
   hud.text(24.0 + 0.5 * length, 37.0, label, {.color = palette::kText, .align = HudAlign::kCentre});
 }
 
-void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
+void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place, const Color& line, const Color& under) {
   constexpr double kDash = 7.0, kGap = 5.0, kBar = 8.0, kCross = 6.0;
   const Eigen::Vector2d start = place(plan.approach_um);
   const Eigen::Vector2d end = place(plan.target_um);
@@ -64,25 +64,25 @@ void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
   if (plan.guided && plan.corridor_um > 0.0) {
     const double um = (plan.target_um - plan.approach_um).norm();
     const double width = 2.0 * plan.corridor_um * length / um;
-    hud.line(start.x(), start.y(), end.x(), end.y(), width, palette::kPlan, 0.14);
+    hud.line(start.x(), start.y(), end.x(), end.y(), width, line, 0.14);
   }
   for (double s = 0.0; s < length; s += kDash + kGap) {
     const Eigen::Vector2d a = start + s * along;
     const Eigen::Vector2d b = start + std::min(s + kDash, length) * along;
-    hud.line(a.x(), a.y(), b.x(), b.y(), 1.5, palette::kPlan, 0.9);
+    hud.line(a.x(), a.y(), b.x(), b.y(), 1.5, line, 0.9);
   }
   const auto bar = [&](const Eigen::Vector2d& p_um, double half, double width) {
     const Eigen::Vector2d p = place(p_um);
     const Eigen::Vector2d a = p - half * across;
     const Eigen::Vector2d b = p + half * across;
-    hud.line(a.x(), a.y(), b.x(), b.y(), width + 2.0, palette::kWindow, 0.6);
-    hud.line(a.x(), a.y(), b.x(), b.y(), width, palette::kPlan);
+    hud.line(a.x(), a.y(), b.x(), b.y(), width + 2.0, under, 0.6);
+    hud.line(a.x(), a.y(), b.x(), b.y(), width, line);
   };
   bar(plan.entry_um, kBar, 2.0);
   bar(plan.depth_stop_um, 1.5 * kBar, 3.5);
-  hud.disc(end.x(), end.y(), kCross + 2.0, palette::kWindow, 0.5);
-  hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, palette::kPlan);
-  hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, palette::kPlan);
+  hud.disc(end.x(), end.y(), kCross + 2.0, under, 0.5);
+  hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, line);
+  hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, line);
 }
 
 void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {

@@ -40,6 +40,9 @@ struct Gauge {
   double inner_from = kNothing, inner_to = kNothing;  ///< the part of it that the picture leaves open
   double limit_share = kNothing;
   double usual_share = kNothing;  ///< a fine mark: where this kind of cell gives way
+
+  /// Looks the same, NaN beside NaN included.
+  bool operator==(const Gauge& other) const;
 };
 
 /// What the gauges are made from. No number is the gauges' own: limits come from the hand's settings, the profile and

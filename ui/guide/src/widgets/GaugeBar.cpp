@@ -81,6 +81,7 @@ GaugeBox::GaugeBox(QWidget* parent) : QFrame(parent) {
 }
 
 void GaugeBox::show_gauge(const Gauge& gauge) {
+  if (gauge == gauge_) return;
   gauge_ = gauge;
   value_->setObjectName(QString::fromStdString(gauge.key));
   note_->setObjectName(QString::fromStdString(gauge.key + "Note"));
@@ -92,7 +93,8 @@ void GaugeBox::show_gauge(const Gauge& gauge) {
   set_text(*alarm_, gauge.alarm);
   alarm_->setVisible(!gauge.alarm.empty());
   const ThemeColors& theme = current_theme();
-  alarm_->setStyleSheet(
+  set_sheet(
+      *alarm_,
       QString::fromStdString("background: " + level_color(gauge.level).css() + "; color: " + theme.window.css()));
   setToolTip(QString::fromStdString(gauge.tip));
   setAccessibleName(QString::fromStdString(gauge.name + " " + gauge.value + " " + gauge.note + " " + gauge.alarm));
@@ -127,8 +129,7 @@ void GaugeBox::fit_number() {
     letters.setPixelSize(size_px);
     if (QFontMetrics(letters).horizontalAdvance(widest) <= room_px) break;
   }
-  const QString sheet = QString("font-size: %1px").arg(size_px);
-  if (value_->styleSheet() != sheet) value_->setStyleSheet(sheet);
+  set_sheet(*value_, QString("font-size: %1px").arg(size_px));
 }
 
 void GaugeBox::paintEvent(QPaintEvent*) {

@@ -9,6 +9,7 @@
 namespace pellucida {
 
 TopBar::TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent) : TitleBar(parent) {
+  add_start_button();
   record_ = add_button(words("Record"), Qt::Key_R, words("Write frames, shapes and forces to a session folder"),
                        std::move(actions.record));
   record_->setObjectName("record");

@@ -15,7 +15,6 @@ namespace {
 constexpr Color kPrintCurve = Color::from_hex(0x1F77B4);
 constexpr Color kPrintOther = Color::from_hex(0xC25E00);
 constexpr Color kPrintFaint = Color::from_hex(0x9AA5B1);
-constexpr std::size_t kBandPlaces = 120;
 // More would cover the chart.
 constexpr std::size_t kMostNamedMarks = 5;
 constexpr Color kPrintReference = Color::from_hex(0x2B7A3D);
@@ -53,7 +52,7 @@ void add_parts(const Curve& curve, const PartNames& names, const Color& color, d
   const auto flush = [&] {
     if (line.x.empty()) return;
     if (with_band && !is_ascending(curve)) {
-      const Curve around = band_around(curve, kBandPlaces);
+      const Curve around = band_of_way_in(curve);
       band.x = around.x;
       band.y = around.lower;
       band.y_upper = around.upper;

@@ -10,11 +10,13 @@
 #include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
 namespace {
@@ -37,6 +39,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   brand_->setObjectName("brand");
   row->addWidget(brand_);
   row->addSpacing(18);
+  row->addWidget(make_start_button(this));
   QPushButton* open = add_button(row, words("Open"), QKeySequence::Open, words("Open another session"));
   open->setIcon(make_icon(Pictogram::kOpen));
   connect(open, &QPushButton::clicked, this, actions.open);
@@ -75,6 +78,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
     session->addWidget(label);
   }
   row->addLayout(session, 1);
+  row->addWidget(new BlockLabel(this));
   show_session(nullptr);
 }
 

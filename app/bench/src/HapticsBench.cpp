@@ -1,4 +1,4 @@
-#include "bench/HapticsBench.h"
+#include "pellucida/bench/HapticsBench.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <thread>
 
-#include "bench/DisplayBench.h"
+#include "pellucida/bench/DisplayBench.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/haptics/DeviceCatalog.h"
 #include "pellucida/operation/TeleoperationRun.h"

@@ -1,4 +1,4 @@
-#include "bench/ReplayBench.h"
+#include "commands/ReplayBench.h"
 
 #include <algorithm>
 #include <chrono>

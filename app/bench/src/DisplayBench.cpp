@@ -1,4 +1,4 @@
-#include "bench/DisplayBench.h"
+#include "pellucida/bench/DisplayBench.h"
 
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>

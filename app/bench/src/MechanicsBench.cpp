@@ -1,4 +1,4 @@
-#include "bench/MechanicsBench.h"
+#include "pellucida/bench/MechanicsBench.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "bench/TrackingBench.h"
+#include "pellucida/bench/TrackingBench.h"
 
 #include <vector>
 
