@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
@@ -54,6 +55,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   events_->setCheckable(true);
   events_->setChecked(true);
   events_->setProperty("lit", true);
+  keep_as(*events_, "toggle_E");
   connect(events_, &QPushButton::toggled, this, actions.show_events);
   QPushButton* cells = add_button(row, words("Cells"), Qt::Key_J, words("Cells of several sessions in one table"));
   cells->setObjectName("cellsButton");
