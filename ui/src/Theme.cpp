@@ -23,7 +23,7 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #recordStrip, #cellDrawer, #nodeFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
@@ -90,6 +90,7 @@ QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-r
 QLabel[figure="true"] { font-size: 23px; font-weight: 700; }
 QLabel[gaugeName="true"] { color: @dim; font-size: 13px; font-weight: 700; }
 QLabel[gaugeAlarm="true"] { font-size: 13px; font-weight: 800; border-radius: 4px; padding: 1px 7px; }
+QLabel[gaugeTruth="true"] { color: @good; font-size: 13px; font-weight: 700; }
 QLabel[gaugeValue="true"] { font-weight: 700; }
 QLabel[gaugeNote="true"] { color: @dim; font-size: 12px; }
 QLabel[fact="true"] { font-size: 15px; font-weight: 700; }
@@ -114,6 +115,11 @@ QLabel[keyMeaning="true"] { font-size: 12px; }
 #startCard QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
 #startCard QLineEdit[blank="true"] { color: @dim; }
 #startCard QLineEdit:hover, #startCard QLineEdit:focus { border-color: @accent; }
+QFrame[message="true"] { background: @raised; border: none; border-left: 6px solid @warning; }
+QFrame[message="true"] QLabel { font-size: 15px; font-weight: 600; }
+#problemStrip { border-left: 6px solid @record; }
+QLineEdit[typed="true"] { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
+QLineEdit[typed="true"]:focus { border-color: @accent; }
 #noteText { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
 #noteText:focus { border-color: @accent; }
 #noteWhere { color: @dim; font-size: 12px; }
@@ -228,9 +234,9 @@ void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale)
 
   QString sheet = QString::fromUtf8(kSheet);
   const std::pair<const char*, Color> names[] = {
-      {"@window", theme.window}, {"@panel", theme.panel},  {"@raised", theme.raised}, {"@border", theme.border},
-      {"@text", theme.text},     {"@dim", theme.text_dim}, {"@accent", theme.accent}, {"@record", theme.record},
-      {"@plan", theme.plan},     {"@faint", theme.faint},  {"@good", theme.good}};
+      {"@window", theme.window}, {"@panel", theme.panel},  {"@raised", theme.raised},   {"@border", theme.border},
+      {"@text", theme.text},     {"@dim", theme.text_dim}, {"@accent", theme.accent},   {"@record", theme.record},
+      {"@plan", theme.plan},     {"@faint", theme.faint},  {"@warning", theme.warning}, {"@good", theme.good}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
   app.setStyleSheet(scaled(sheet, type_scale));
   if (before.is_light != theme.is_light) recolor_labels(before, theme);

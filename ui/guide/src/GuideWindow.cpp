@@ -1,12 +1,17 @@
 #include "GuideWindow.h"
 
+#include <QCloseEvent>
+#include <QHBoxLayout>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "CellControl.h"
+#include "DisplayControl.h"
 #include "HandControl.h"
 #include "HintControl.h"
+#include "PlanControl.h"
 #include "RunControl.h"
 #include "Words.h"
 #include "pellucida/operation/ProfileStrength.h"
@@ -15,13 +20,17 @@
 #include "presenters/ScalePresenter.h"
 #include "presenters/SourcePresenter.h"
 #include "widgets/ButtonKey.h"
+#include "widgets/CellDrawer.h"
 #include "widgets/FactLine.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/ForceCharts.h"
 #include "widgets/GaugeBar.h"
 #include "widgets/HandBar.h"
 #include "widgets/Icons.h"
+#include "widgets/KeySheet.h"
 #include "widgets/MembranePanel.h"
+#include "widgets/MessageStrip.h"
+#include "widgets/RecordStrip.h"
 #include "widgets/StatusLine.h"
 #include "widgets/TopBar.h"
 #include "widgets/ViewWidget.h"
@@ -46,8 +55,13 @@ QString text_of(const std::string& utf8) {
 GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
     : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
   feed_.set_caption(source_caption(run_->source_info()));
-  control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
-                                          [this](const QString& text, bool problem) { notify(text, problem); });
+  control_ = std::make_unique<RunControl>(
+      *run_, *this, options_.session_folder,
+      [this] {
+        cells_->begin_recording();
+        control_->remark(display_->words_for_recording());
+      },
+      [this](const QString& text, bool problem) { problem ? warn(text) : notify(text, false); });
   build();
   clock_.start();
   facts_->show_texts(readout_texts(nullptr, run_->profile()));
@@ -98,22 +112,68 @@ void GuideWindow::build() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(top_bar_ = build_top_bar());
+  close_question_ = new MessageStrip("closeQuestion",
+                                     {{words("End the recording and close"),
+                                       [this] {
+                                         may_close_ = true;
+                                         close();
+                                       }},
+                                      {words("Go on"), {}}},
+                                     page);
+  problem_ = new MessageStrip("problemStrip", {{words("Close"), {}}}, page);
+  column->addWidget(close_question_);
+  column->addWidget(problem_);
   column->addWidget(gauges_ = new GaugeBar(page));
   column->addWidget(facts_ = new FactLine(page));
-  QSplitter* views = build_views();
+  QSplitter* rows = build_rows();
+  build_controls();
+  if (hand_) column->addWidget(hand_->bar());
+  column->addWidget(cells_->strip());
+  auto* middle = new QHBoxLayout;
+  middle->setContentsMargins(0, 4, 0, 0);
+  middle->setSpacing(4);
+  middle->addWidget(rows, 1);
+  middle->addWidget(cells_->drawer());
+  column->addLayout(middle, 1);
+  column->addWidget(status_line_ = new StatusLine(page));
+  setCentralWidget(page);
+  resizeEvent(nullptr);
+}
+
+// What the mouse and the keys do. Of the mouse on the image a later control takes before an earlier one.
+void GuideWindow::build_controls() {
+  const auto say_it = [this](const QString& text, bool problem) { notify(text, problem); };
   if (console_) {
-    hand_ = std::make_unique<HandControl>(*console_, feed_, feed_panel_->view(), *this,
-                                          [this](const QString& text, bool problem) { notify(text, problem); });
-    column->addWidget(hand_->bar());
+    hand_ = std::make_unique<HandControl>(*console_, feed_panel_->view(), *this);
+    plan_ = new PlanControl(*console_, feed_, *feed_panel_, say_it);
   }
   hints_ = new HintControl(
       feed_, *feed_panel_,
       [this](PersonHint::Kind kind, const Eigen::Vector2d& place_um) { give_hint(kind, place_um); },
       [this] { control_->take_back_hint(); });
+  cells_ = new CellControl(
+      *control_, run_->profile().name, *this, [this] { top_bar_->show_cells(false); },
+      [this](const QString& text, bool problem) { problem ? warn(text) : notify(text, false); });
+  add_window_key(*this, QKeySequence("Shift+N"), words("Name the cell in view"), [this] { cells_->begin_name(); });
+  DisplayControl::Parts parts;
+  parts.console = console_.get();
+  parts.hand = hand_.get();
+  parts.space = membrane_panel_;
+  parts.has_truth = static_cast<bool>(options_.true_force_uN);
+  parts.remark = [this](const std::string& text) { control_->remark(text); };
+  parts.changed = [this] {
+    scenes_.poll();
+    show_scene();
+  };
+  display_ = new DisplayControl(std::move(parts), top_bar_->display());
+}
 
-  // Views above, charts below; every border can be dragged.
+// Views above, charts below; every border can be dragged.
+QSplitter* GuideWindow::build_rows() {
+  QSplitter* views = build_views();
   charts_ = new ForceCharts(nullptr);
   auto* all = rows_ = new QSplitter(Qt::Vertical);
+  set_sheet_place(*all);
   all->setHandleWidth(4);
   all->setChildrenCollapsible(false);
   all->addWidget(views);
@@ -129,11 +189,20 @@ void GuideWindow::build() {
   all->setStretchFactor(0, 3);
   all->setStretchFactor(1, 1);
   all->setSizes({520, 250});
-  column->addSpacing(4);
-  column->addWidget(all, 1);
-  column->addWidget(status_line_ = new StatusLine(page));
-  setCentralWidget(page);
-  resizeEvent(nullptr);
+  return all;
+}
+
+void GuideWindow::closeEvent(QCloseEvent* event) {
+  const LiveStatus status = run_->status();
+  // A picture at a time, and an answer, close at once; so does a second wish.
+  if (may_close_ || !options_.screenshot.empty() || !close_question_->isHidden()) return event->accept();
+  if (!status.recording && status.waiting_note_count == 0) return event->accept();
+  event->ignore();
+  close_question_->say_text(status.recording
+                                ? words("This window is recording, and goes on while you decide. Close it? What is "
+                                        "recorded will be whole.")
+                                : words("Notes are waiting for the next recording and would be lost. Close the "
+                                        "window?"));
 }
 
 // A low window has smaller gauges and charts, so that the image keeps its room; what a person has dragged stays.
@@ -158,9 +227,10 @@ TopBar* GuideWindow::build_top_bar() {
   actions.record = shown(&RunControl::toggle_recording);
   actions.pause = shown(&RunControl::toggle_pause);
   if (run_->can_restart()) actions.restart = shown(&RunControl::restart);
-  actions.note = [this] { control_->ask_for_note(); };
+  actions.note = [this] { cells_->begin_note(); };
   actions.scale = [this] { control_->ask_for_scale(scenes_.measured()); };
   actions.picture = [this] { control_->save_picture(); };
+  actions.cells = [this](bool on) { cells_->drawer()->setVisible(on); };
   return new TopBar(text_of(source_label(run_->source_info())), text_of(run_->source_info().name), std::move(actions),
                     nullptr);
 }
@@ -182,15 +252,17 @@ void GuideWindow::tick() {
   QElapsedTimer spent;
   spent.start();
   const double begin_s = now_s();
-  const bool plan_changed = hand_ && hand_->tick();
+  if (hand_) hand_->tick();
+  const bool plan_changed = plan_ && plan_->tick();
   if (scenes_.poll()) {
     show_scene();
   } else if (plan_changed) {
     feed_panel_->view().render();
   }
-  take_events();
-  if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
-    show_gauges();
+  const std::vector<Event> events = take_events();
+  const bool is_due = begin_s - status_shown_s_ >= kStatusPeriod_s;
+  if (is_due || !events.empty()) display_->hear(events, show_gauges(), begin_s);
+  if (is_due) {
     show_status();
     status_shown_s_ = begin_s;
   }
@@ -204,9 +276,10 @@ void GuideWindow::show_scene() {
   facts_->show_texts(readout_texts(scenes_.measured(), run_->profile()));
   facts_->show_scale(scale_texts(scenes_.measured(), run_->profile()));
   if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
+  if (scenes_.measured()) cells_->take(*scenes_.measured(), scenes_.new_rows());
   show_gauges();
   feed_.refresh();
-  membranes_.refresh();
+  if (membrane_panel_->isVisible()) membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();
   membrane_panel_->view().render();
@@ -214,7 +287,7 @@ void GuideWindow::show_scene() {
   ++drawn_count_;
 }
 
-void GuideWindow::show_gauges() {
+std::array<Gauge, 4> GuideWindow::show_gauges() {
   const LiveStatus status = run_->status();
   GaugeInput input;
   input.scene = scenes_.measured();
@@ -238,13 +311,19 @@ void GuideWindow::show_gauges() {
     }
   }
   feed_.set_reported_tip(input.tip_um ? std::optional<Eigen::Vector2d>(input.tip_um->head<2>()) : std::nullopt);
-  gauges_->show_gauges(make_gauges(input));
+  if (display_->shows_truth() && input.scene) {
+    input.true_force_uN = options_.true_force_uN(input.scene->measurement.frame);
+  }
+  const auto gauges = make_gauges(input);
+  gauges_->show_gauges(gauges);
+  return gauges;
 }
 
 // What happened since the last tick: a puncture to keep on screen, what came of a hint.
-void GuideWindow::take_events() {
+std::vector<Event> GuideWindow::take_events() {
   const std::vector<Event> events = run_->events_since(event_count_);
   event_count_ += events.size();
+  cells_->take(events);
   if (!events.empty()) {
     puncture_.take(events);
     facts_->show_puncture(text_of(puncture_.text()));
@@ -257,6 +336,7 @@ void GuideWindow::take_events() {
     hint_until_s_ = 0.0;
     feed_.set_hints({});
   }
+  return events;
 }
 
 void GuideWindow::give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um) {
@@ -272,8 +352,16 @@ void GuideWindow::show_status() {
   const StatusTexts texts = status_.update(status, scenes_.measured(), run_->paused(), drawn_count_, now_s());
   status_line_->show_texts(texts);
   if (now_s() >= notice_until_s_ || status.fault) status_line_->show_notice(texts.notice);
+  if (status.fault && status.fault != shown_fault_) warn(text_of(say_message(*status.fault)));
+  shown_fault_ = status.fault;
+  display_->follow();
   if (hand_) hand_->show_status();
   top_bar_->show_state(status.recording, run_->paused());
+}
+
+// What must not be overlooked: large, and until a person has closed it.
+void GuideWindow::warn(const QString& text) {
+  problem_->say_text(text);
 }
 
 void GuideWindow::notify(const QString& text, bool problem) {

@@ -21,6 +21,8 @@ class QSplitter;
 
 namespace pellucida {
 
+class CellControl;
+class DisplayControl;
 class FeedPanel;
 class ForceCharts;
 class FactLine;
@@ -28,6 +30,8 @@ class GaugeBar;
 class HandControl;
 class HintControl;
 class MembranePanel;
+class MessageStrip;
+class PlanControl;
 class RunControl;
 class StatusLine;
 class TopBar;
@@ -48,20 +52,25 @@ class GuideWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  /// While it records it asks once, in the window: the recording goes on meanwhile.
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void stop_run();
   void build();
   TopBar* build_top_bar();
   QSplitter* build_views();
+  QSplitter* build_rows();
+  void build_controls();
 
   void tick();
   void show_scene();
-  void show_gauges();
-  void take_events();
+  std::array<Gauge, 4> show_gauges();
+  std::vector<Event> take_events();
   void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
   void show_status();
   void notify(const QString& text, bool problem);
+  void warn(const QString& text);
   double now_s() const;
 
   std::unique_ptr<LiveRun> run_;
@@ -78,13 +87,19 @@ class GuideWindow : public QMainWindow {
   TopBar* top_bar_ = nullptr;
   GaugeBar* gauges_ = nullptr;
   FactLine* facts_ = nullptr;
-  HintControl* hints_ = nullptr;  // the feed panel's
+  HintControl* hints_ = nullptr;  // the feed panel's, as the next
+  PlanControl* plan_ = nullptr;   // with a hand
+  CellControl* cells_ = nullptr;
+  DisplayControl* display_ = nullptr;
+  MessageStrip* close_question_ = nullptr;
+  MessageStrip* problem_ = nullptr;
   FeedPanel* feed_panel_ = nullptr;
   MembranePanel* membrane_panel_ = nullptr;
   ForceCharts* charts_ = nullptr;
   StatusLine* status_line_ = nullptr;
   QSplitter* rows_ = nullptr;
   bool is_low_ = false;
+  bool may_close_ = false;  // the question was answered
 
   QTimer timer_;
   QElapsedTimer clock_;
@@ -96,6 +111,7 @@ class GuideWindow : public QMainWindow {
   double status_shown_s_ = -1.0;
   double notice_until_s_ = 0.0;
   std::uint64_t drawn_count_ = 0;
+  std::optional<std::string> shown_fault_;
   std::unique_ptr<TimedScreenshot> screenshot_;
 };
 

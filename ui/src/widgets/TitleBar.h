@@ -15,6 +15,8 @@ class TitleBar : public QWidget {
 
   QPushButton* add_button(const QString& text, const QKeySequence& key, const QString& tip,
                           std::function<void()> action);
+  /// A button that has no key: for a menu.
+  QPushButton* add_menu_button(const QString& text, const QString& tip);
   /// Theme and language, and the sheet of keys; `light_key` changes the theme.
   void add_look_menu(const QKeySequence& light_key = QKeySequence("Ctrl+L"));
   /// A name at the right end, after which nothing is added.

@@ -71,6 +71,10 @@ Gauge force_gauge(const GaugeInput& in) {
   gauge.to = share_of(m.contact_force_upper_uN, limit_uN);
   gauge.inner_from = share_of(m.contact_force_picture_lower_uN, limit_uN);
   gauge.inner_to = share_of(m.contact_force_picture_upper_uN, limit_uN);
+  if (in.true_force_uN) {
+    gauge.truth = say("true ") + readout::number(*in.true_force_uN, 2);
+    gauge.truth_share = share_of(*in.true_force_uN, limit_uN);
+  }
   // The number beside it has the unit.
   if (std::isfinite(gauge.from) && std::isfinite(gauge.to)) {
     gauge.note = "95 %: " + readout::number(m.contact_force_lower_uN, 2) + " \u2013 " +

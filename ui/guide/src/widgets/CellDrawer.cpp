@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <vector>
 
 #include "Theme.h"
@@ -74,9 +75,9 @@ CellDrawer::CellDrawer(Actions actions, QWidget* parent) : QFrame(parent) {
   folder_->setObjectName("recordingsFolder");
   folder_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   place->addWidget(folder_, 1);
-  QPushButton* choose = add_button(words("Change") + QString::fromUtf8("\u2026"),
-                                   words("Choose the folder for recordings, pictures and tables"),
-                                   std::move(actions.choose_folder));
+  QPushButton* choose =
+      add_button(words("Change") + QString::fromUtf8("\u2026"),
+                 words("Choose the folder for recordings, pictures and tables"), std::move(actions.choose_folder));
   choose->setObjectName("chooseFolder");
   place->addWidget(choose);
   column->addLayout(place);

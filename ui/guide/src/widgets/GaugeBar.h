@@ -29,6 +29,7 @@ class GaugeBox : public QFrame {
   int letters_px_ = 0;
   QLabel* name_;
   QLabel* alarm_;
+  QLabel* truth_;
   QLabel* value_;
   QLabel* note_;
   QLabel* limit_;

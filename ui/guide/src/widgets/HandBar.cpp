@@ -104,6 +104,11 @@ QHBoxLayout* HandBar::build_readouts() {
   row->addWidget(force_bar_);
   force_ = add_phrase_label(*row, words("0.00 N of 0.0 N"));
   contact_ = add_phrase_label(*row, words("Punctured, 000 ms old"));
+  plane_ = add_phrase_label(*row, "z +000.0 µm");
+  plane_->setObjectName("tipPlane");
+  plane_->setToolTip(
+      words("How far the tip is out of the image plane, as the manipulator reports it: above 0 behind it, away from "
+            "you; below 0 before it"));
   // The rest of the line; a long text must not widen the window.
   note_ = new QLabel(this);
   note_->setObjectName("statusText");
@@ -191,6 +196,7 @@ void HandBar::show_texts(const HandTexts& texts) {
   force_bar_->setValue(static_cast<int>(kForceSteps * texts.force_share));
   show_phrase(*force_, texts.force);
   show_phrase(*contact_, texts.contact);
+  show_phrase(*plane_, texts.plane);
   show_phrase(*note_, texts.note);
   // A narrow window shows the beginning; the tool tip shows all of it.
   const QString note = QString::fromStdString(texts.note.text);
@@ -225,6 +231,10 @@ void HandBar::set_manual(bool manual) {
   inject_->setEnabled(manual);
   retract_->setEnabled(manual);
   scale_->setEnabled(manual);
+}
+
+void HandBar::set_guided(bool on) {
+  guide_->setChecked(on);
 }
 
 void HandBar::hold_release(bool held) {

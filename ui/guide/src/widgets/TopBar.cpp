@@ -27,9 +27,21 @@ TopBar::TopBar(const QString& source, const QString& source_tip, Actions actions
       ->setIcon(make_icon(Pictogram::kScale));
   add_button(words("Screenshot"), QKeySequence::Save, words("Save the window as a picture"), std::move(actions.picture))
       ->setIcon(make_icon(Pictogram::kCamera));
+  cells_ = add_button(words("Cells"), Qt::Key_E,
+                      words("Cells of this run with their outcome, and the recordings' folder"), {});
+  cells_->setObjectName("cellList");
+  cells_->setCheckable(true);
+  cells_->setProperty("lit", true);
+  connect(cells_, &QPushButton::toggled, this, std::move(actions.cells));
+  display_ = add_menu_button(words("Display \u25BE"), words("What is shown, felt and heard"));
+  display_->setObjectName("display");
   add_look_menu();
   add_name(source, source_tip);
   show_state(false, false);
+}
+
+void TopBar::show_cells(bool shown) {
+  cells_->setChecked(shown);
 }
 
 void TopBar::show_state(bool recording, bool paused) {

@@ -15,15 +15,21 @@ class TopBar : public TitleBar {
     std::function<void()> note;
     std::function<void()> scale;
     std::function<void()> picture;
+    std::function<void(bool)> cells;  ///< shows or hides their list
   };
 
   TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent);
 
   void show_state(bool recording, bool paused);
+  void show_cells(bool shown);
+  /// Where the menu of what is shown, felt and heard hangs.
+  QPushButton& display() noexcept { return *display_; }
 
  private:
   QPushButton* record_;
   QPushButton* pause_;
+  QPushButton* cells_;
+  QPushButton* display_;
 };
 
 }  // namespace pellucida
