@@ -5,6 +5,12 @@
     <name>Pellucida</name>
     <message>
         <source>
+Choose another folder: Cells (E), Change.</source>
+        <translation>
+Wählen Sie einen anderen Ordner: Zellen (E), Ändern.</translation>
+    </message>
+    <message>
+        <source>
 No force: </source>
         <translation>
 Keine Kraft: </translation>
@@ -212,6 +218,10 @@ und </translation>
         <translation> µm jenseits des Randes</translation>
     </message>
     <message>
+        <source> µm beyond the entry</source>
+        <translation> µm hinter dem Eintritt</translation>
+    </message>
+    <message>
         <source> µm replaces it.</source>
         <translation> µm ersetzen sie.</translation>
     </message>
@@ -318,6 +328,22 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
     </message>
     <message>
+        <source>2-D image</source>
+        <translation>2-D-Bild</translation>
+    </message>
+    <message>
+        <source>3-D + haptics</source>
+        <translation>3-D + Haptik</translation>
+    </message>
+    <message>
+        <source>3-D + haptics + guide</source>
+        <translation>3-D + Haptik + Führung</translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation>3-D-Ansicht</translation>
+    </message>
+    <message>
         <source>3-D view as PNG</source>
         <translation>3-D-Ansicht als PNG</translation>
     </message>
@@ -396,6 +422,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
     </message>
     <message>
+        <source>A remark for the session's events; Enter writes it</source>
+        <translation>Bemerkung zu den Ereignissen der Sitzung; Eingabe schreibt sie</translation>
+    </message>
+    <message>
         <source>A simulated cell to poke</source>
         <translation>Eine simulierte Zelle zum Anstupsen</translation>
     </message>
@@ -418,6 +448,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Add a remark to the session's events</source>
         <translation>Fügt den Ereignissen der Sitzung eine Bemerkung hinzu</translation>
+    </message>
+    <message>
+        <source>All keys of this window</source>
+        <translation>Alle Tasten dieses Fensters</translation>
     </message>
     <message>
         <source>All kinds</source>
@@ -448,6 +482,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Pfeile ▾</translation>
     </message>
     <message>
+        <source>As at the start</source>
+        <translation>Wie am Anfang</translation>
+    </message>
+    <message>
         <source>Aspiration</source>
         <translation>Aspiration</translation>
     </message>
@@ -472,12 +510,36 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Beginnen</translation>
     </message>
     <message>
+        <source>Beside the measured one, from the specimen's own finite elements; never recorded</source>
+        <translation>Neben der gemessenen, aus den Finiten Elementen des Präparats; wird nie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Black and white follow the image</source>
+        <translation>Schwarz und Weiß folgen dem Bild</translation>
+    </message>
+    <message>
         <source>Blown up</source>
         <translation>Instabil</translation>
     </message>
     <message>
         <source>Blown up after </source>
         <translation>Instabil geworden nach </translation>
+    </message>
+    <message>
+        <source>Both views, and the cell's force on the hand</source>
+        <translation>Beide Ansichten, und die Kraft der Zelle an der Hand</translation>
+    </message>
+    <message>
+        <source>Both views, the force, and the guide along the planned line</source>
+        <translation>Beide Ansichten, die Kraft und die Führung entlang der geplanten Linie</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Bringing the needle back into view</source>
+        <translation>Nadel kommt ins Bild zurück</translation>
     </message>
     <message>
         <source>CELL LOST</source>
@@ -516,6 +578,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zelle</translation>
     </message>
     <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of this run</source>
+        <translation>Zellen dieses Laufs</translation>
+    </message>
+    <message>
+        <source>Cells of this run with their outcome, and the recordings' folder</source>
+        <translation>Zellen dieses Laufs mit ihrem Ausgang, und der Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
         <source>Chart of the node as SVG, PDF or PNG</source>
         <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
     </message>
@@ -530,6 +608,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Choose a folder</source>
         <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose card %1</source>
+        <translation>Karte %1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings, pictures and tables</source>
+        <translation>Ordner für Aufnahmen, Bilder und Tabellen wählen</translation>
     </message>
     <message>
         <source>Choose the folder of a session, or drop it on this window.</source>
@@ -562,6 +648,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the list</source>
+        <translation>Liste schließen</translation>
+    </message>
+    <message>
+        <source>Close the sheet</source>
+        <translation>Blatt schließen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Close: nothing typed is kept</source>
+        <translation>Schließen: Getipptes wird nicht behalten</translation>
     </message>
     <message>
         <source>Coarse 100:1</source>
@@ -616,6 +718,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Konturen</translation>
     </message>
     <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
+    <message>
         <source>DEPTH</source>
         <translation>TIEFE</translation>
     </message>
@@ -664,6 +774,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Tiefenanschlag</translation>
     </message>
     <message>
+        <source>Depth stop </source>
+        <translation>Tiefenanschlag </translation>
+    </message>
+    <message>
+        <source>Depth stop set</source>
+        <translation>Tiefenanschlag gesetzt</translation>
+    </message>
+    <message>
         <source>Device lost, pipette held: plug it in or choose another hand</source>
         <translation>Gerät verloren, Pipette gehalten: stecken Sie es ein oder wählen Sie eine andere Hand</translation>
     </message>
@@ -696,12 +814,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Verschiebung (µm)</translation>
     </message>
     <message>
+        <source>Display ▾</source>
+        <translation>Darstellung ▾</translation>
+    </message>
+    <message>
         <source>Done; a new cell follows</source>
         <translation>Fertig; eine neue Zelle folgt</translation>
     </message>
     <message>
         <source>Doubt, low confidence</source>
         <translation>Zweifel, geringe Sicherheit</translation>
+    </message>
+    <message>
+        <source>Drag a ring</source>
+        <translation>Ring ziehen</translation>
+    </message>
+    <message>
+        <source>Drag, wheel</source>
+        <translation>Ziehen, Rad</translation>
     </message>
     <message>
         <source>Drag: needle</source>
@@ -736,6 +866,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Aufnahme beenden</translation>
     </message>
     <message>
+        <source>End the recording and close</source>
+        <translation>Aufnahme beenden und schließen</translation>
+    </message>
+    <message>
         <source>Engaged</source>
         <translation>Gekuppelt</translation>
     </message>
@@ -758,6 +892,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Export ▾</source>
         <translation>Export ▾</translation>
+    </message>
+    <message>
+        <source>F1 closes the sheet. Esc does too, and stops the needle.</source>
+        <translation>F1 schließt das Blatt. Esc auch, und hält die Nadel an.</translation>
+    </message>
+    <message>
+        <source>F1 or Esc closes the sheet.</source>
+        <translation>F1 oder Esc schließt das Blatt.</translation>
     </message>
     <message>
         <source>FASTEST NODE</source>
@@ -808,6 +950,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ordner ...</translation>
     </message>
     <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufnahmen</translation>
+    </message>
+    <message>
         <source>Folder for the tables</source>
         <translation>Ordner für die Tabellen</translation>
     </message>
@@ -822,6 +968,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Force (µN)</source>
         <translation>Kraft (µN)</translation>
+    </message>
+    <message>
+        <source>Force at the puncture; without one, the largest</source>
+        <translation>Kraft beim Durchstich; ohne ihn die größte</translation>
     </message>
     <message>
         <source>Force in doubt: </source>
@@ -904,6 +1054,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Bildrate</translation>
     </message>
     <message>
+        <source>Frames a second that were measured, and that this window has drawn</source>
+        <translation>Bilder je Sekunde, die gemessen und von diesem Fenster gezeichnet wurden</translation>
+    </message>
+    <message>
+        <source>Frames that were not measured, that the source lost, or that are recorded in part</source>
+        <translation>Bilder, die nicht gemessen, von der Quelle verloren oder nur zum Teil aufgezeichnet wurden</translation>
+    </message>
+    <message>
         <source>Frames/s: </source>
         <translation>Bilder/s: </translation>
     </message>
@@ -918,6 +1076,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Free, </source>
         <translation>Frei, </translation>
+    </message>
+    <message>
+        <source>From a frame's arrival to its force on screen</source>
+        <translation>Von der Ankunft eines Bildes bis zu seiner Kraft auf dem Schirm</translation>
     </message>
     <message>
         <source>From the end on from the beginning</source>
@@ -936,6 +1098,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Nachgiebigkeit der Hand</translation>
     </message>
     <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
         <source>Guide</source>
         <translation>Führung</translation>
     </message>
@@ -946,6 +1112,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>HAND</source>
         <translation>HAND</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
     </message>
     <message>
         <source>Held</source>
@@ -996,12 +1166,24 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Wie weit die Nadel die äußere Membran eingedrückt hat, längs der Nadel, von ihrer Ruhelage aus.</translation>
     </message>
     <message>
+        <source>How far the tip is out of the image plane, as the manipulator reports it: above 0 behind it, away from you; below 0 before it</source>
+        <translation>Wie weit die Spitze außerhalb der Bildebene liegt, wie der Manipulator meldet: über 0 dahinter, von Ihnen weg; unter 0 davor</translation>
+    </message>
+    <message>
         <source>How far the tip stays behind the hand for each µN</source>
         <translation>Wie weit die Spitze je µN hinter der Hand bleibt</translation>
     </message>
     <message>
+        <source>How much of the image is shown, and how bright: the measurement stays the same</source>
+        <translation>Wie viel vom Bild gezeigt wird und wie hell: die Messung bleibt gleich</translation>
+    </message>
+    <message>
         <source>How sure the tracking is of cell and needle in this frame. Below 50 % look at the image before you use a number.</source>
         <translation>Wie sicher die Bildverfolgung in diesem Bild bei Zelle und Nadel ist. Unter 50 % sehen Sie sich das Bild an, bevor Sie eine Zahl verwenden.</translation>
+    </message>
+    <message>
+        <source>How the contact with the cell ended</source>
+        <translation>Wie der Kontakt mit der Zelle endete</translation>
     </message>
     <message>
         <source>How the forces on the membrane are drawn</source>
@@ -1014,6 +1196,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>INDENTATION</source>
         <translation>EINDELLUNG</translation>
+    </message>
+    <message>
+        <source>Image ▾</source>
+        <translation>Bild ▾</translation>
     </message>
     <message>
         <source>Implicit Euler</source>
@@ -1034,6 +1220,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Indentation (µm)</source>
         <translation>Eindellung (µm)</translation>
+    </message>
+    <message>
+        <source>Indentation at that force</source>
+        <translation>Eindellung bei dieser Kraft</translation>
     </message>
     <message>
         <source>Indentation of the cell</source>
@@ -1076,6 +1266,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Hält die Spitze auf der geplanten Linie, hinein und hinaus</translation>
     </message>
     <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Keys of this window</source>
+        <translation>Tasten dieses Fensters</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Art</translation>
     </message>
@@ -1116,6 +1314,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Lektion</translation>
     </message>
     <message>
+        <source>Lesson before</source>
+        <translation>Vorige Lektion</translation>
+    </message>
+    <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
     </message>
@@ -1134,6 +1336,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Liquid keeps its volume</source>
         <translation>Flüssigkeit behält ihr Volumen</translation>
+    </message>
+    <message>
+        <source>List of cells saved: </source>
+        <translation>Liste der Zellen gespeichert: </translation>
     </message>
     <message>
         <source>Look ▾</source>
@@ -1224,12 +1430,36 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Maus und Tastatur</translation>
     </message>
     <message>
+        <source>Move target, entry or depth stop of the plan</source>
+        <translation>Ziel, Eintritt oder Tiefenanschlag des Plans verschieben</translation>
+    </message>
+    <message>
+        <source>Move the image, zoom</source>
+        <translation>Bild verschieben, vergrößern</translation>
+    </message>
+    <message>
         <source>NEEDLE NOT SEEN</source>
         <translation>NADEL NICHT ZU SEHEN</translation>
     </message>
     <message>
         <source>NO FORCE</source>
         <translation>KEINE KRAFT</translation>
+    </message>
+    <message>
+        <source>Name of the cell in view</source>
+        <translation>Name der Zelle im Bild</translation>
+    </message>
+    <message>
+        <source>Name the cell in view</source>
+        <translation>Die Zelle im Bild benennen</translation>
+    </message>
+    <message>
+        <source>Name, or number in this run</source>
+        <translation>Name, oder Nummer in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>Name; Enter takes it</source>
+        <translation>Name; Eingabe übernimmt ihn</translation>
     </message>
     <message>
         <source>Needle</source>
@@ -1244,6 +1474,22 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Nadel und Haltepipette</translation>
     </message>
     <message>
+        <source>Needle back by 1 µm</source>
+        <translation>Nadel 1 µm zurück</translation>
+    </message>
+    <message>
+        <source>Needle down by 1 µm</source>
+        <translation>Nadel 1 µm abwärts</translation>
+    </message>
+    <message>
+        <source>Needle forwards by 1 µm</source>
+        <translation>Nadel 1 µm vor</translation>
+    </message>
+    <message>
+        <source>Needle up by 1 µm</source>
+        <translation>Nadel 1 µm aufwärts</translation>
+    </message>
+    <message>
         <source>New cell</source>
         <translation>Neue Zelle</translation>
     </message>
@@ -1254,6 +1500,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Next event</source>
         <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
     </message>
     <message>
         <source>No camera</source>
@@ -1400,6 +1650,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Notiz ▾</translation>
     </message>
     <message>
+        <source>Notes are waiting for the next recording and would be lost. Close the window?</source>
+        <translation>Notizen warten auf die nächste Aufnahme und gingen verloren. Fenster schließen?</translation>
+    </message>
+    <message>
         <source>Nothing is recording: the note goes into the next recording</source>
         <translation>Es läuft keine Aufnahme: die Notiz kommt in die nächste</translation>
     </message>
@@ -1422,6 +1676,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Of the zona; scales every force and no shape</source>
         <translation>Der Zona; skaliert jede Kraft und keine Form</translation>
+    </message>
+    <message>
+        <source>On the screen alone: the measurement stays the same.</source>
+        <translation>Nur auf dem Schirm: die Messung bleibt gleich.</translation>
     </message>
     <message>
         <source>One frame back</source>
@@ -1462,6 +1720,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Opening </source>
         <translation>Wird geöffnet: </translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
     </message>
     <message>
         <source>Outer membrane</source>
@@ -1556,6 +1818,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Plan ▾</source>
+        <translation>Plan ▾</translation>
+    </message>
+    <message>
         <source>Play</source>
         <translation>Start</translation>
     </message>
@@ -1632,18 +1898,22 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Aufnahme nach </translation>
     </message>
     <message>
+        <source>Recordings in</source>
+        <translation>Aufnahmen in</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo the plan's change</source>
+        <translation>Änderung des Plans wiederholen</translation>
     </message>
     <message>
         <source>Release
 (hold)</source>
         <translation>Lösen
 (halten)</translation>
-    </message>
-    <message>
-        <source>Remark for the session's events:</source>
-        <translation>Bemerkung zu den Ereignissen der Sitzung:</translation>
     </message>
     <message>
         <source>Replace?</source>
@@ -1710,6 +1980,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>GESTOPPT</translation>
     </message>
     <message>
+        <source>Save as CSV</source>
+        <translation>Als CSV speichern</translation>
+    </message>
+    <message>
         <source>Save the difference as SVG, PDF or PNG</source>
         <translation>Die Differenz als SVG, PDF oder PNG speichern</translation>
     </message>
@@ -1758,6 +2032,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Schnitt durch das mechanische Modell</translation>
     </message>
     <message>
+        <source>Set the target</source>
+        <translation>Ziel setzen</translation>
+    </message>
+    <message>
         <source>Set up again</source>
         <translation>Neu aufbauen</translation>
     </message>
@@ -1770,6 +2048,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Zeigt Ereignisse und Zweifel neben den Ansichten</translation>
     </message>
     <message>
+        <source>Show the plan</source>
+        <translation>Plan zeigen</translation>
+    </message>
+    <message>
         <source>Sigma</source>
         <translation>Sigma</translation>
     </message>
@@ -1780,6 +2062,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Slower</source>
         <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Sounds at contact, puncture and alarms</source>
+        <translation>Töne bei Kontakt, Durchstich und Alarmen</translation>
     </message>
     <message>
         <source>Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a node</source>
@@ -1806,6 +2092,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Neu beginnen</translation>
     </message>
     <message>
+        <source>Start the chosen card, or press the button that has the focus</source>
+        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
+    </message>
+    <message>
         <source>Start the source again from its first frame</source>
         <translation>Beginnt die Quelle wieder bei ihrem ersten Bild</translation>
     </message>
@@ -1828,6 +2118,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Suction</source>
         <translation>Sog</translation>
+    </message>
+    <message>
+        <source>Suggested: Enter takes it</source>
+        <translation>Vorschlag: Eingabe übernimmt ihn</translation>
     </message>
     <message>
         <source>Sum: residual</source>
@@ -1880,6 +2174,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Taking the needle out</source>
         <translation>Herausziehen der Nadel</translation>
+    </message>
+    <message>
+        <source>Taking the needle out for a new cell</source>
+        <translation>Nadel wird für eine neue Zelle herausgezogen</translation>
+    </message>
+    <message>
+        <source>Target </source>
+        <translation>Ziel </translation>
     </message>
     <message>
         <source>Target set</source>
@@ -1938,6 +2240,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Die Haltepipette saugt mit bekanntem Sog eine Zunge der Zona in ihre Mündung. Finite Elemente der angesaugten Schale geben den Modul; das dauert einige Sekunden.</translation>
     </message>
     <message>
+        <source>The image, and the membranes in 3-D</source>
+        <translation>Das Bild, und die Membranen in 3-D</translation>
+    </message>
+    <message>
         <source>The kind's scale again</source>
         <translation>Wieder die Skala der Zellart</translation>
     </message>
@@ -1958,6 +2264,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Die Membran</translation>
     </message>
     <message>
+        <source>The microscope's image alone</source>
+        <translation>Das Bild des Mikroskops allein</translation>
+    </message>
+    <message>
         <source>The needle moves as the scenario describes, again and again.</source>
         <translation>Die Nadel bewegt sich, wie es das Szenario beschreibt, immer wieder.</translation>
     </message>
@@ -1968,6 +2278,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>The needle pushes this cell, and another instrument gives the force (or leave it 0 and give the stiffness, the rise of the force with depth).</source>
         <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
+    </message>
+    <message>
+        <source>The next recording goes into </source>
+        <translation>Die nächste Aufnahme kommt in </translation>
     </message>
     <message>
         <source>The next window has it</source>
@@ -1982,8 +2296,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Das Bild zeigt Formen, nicht wie steif diese Zelle ist. Eine Messung macht alle Kräfte zu ihren eigenen. Mehrere ergänzen sich.</translation>
     </message>
     <message>
+        <source>The planned way: drag its rings while the cell is untouched</source>
+        <translation>Der geplante Weg: ziehen Sie seine Ringe, solange die Zelle unberührt ist</translation>
+    </message>
+    <message>
         <source>The recording was interrupted, or is still being written</source>
         <translation>Die Aufnahme wurde unterbrochen oder läuft noch</translation>
+    </message>
+    <message>
+        <source>The same, on the number pad</source>
+        <translation>Dasselbe, auf dem Ziffernblock</translation>
     </message>
     <message>
         <source>The scenario's own motion</source>
@@ -2012,10 +2334,6 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>The tip goes no deeper than this beyond the entry</source>
         <translation>Die Spitze geht nicht tiefer als so weit hinter den Eintritt</translation>
-    </message>
-    <message>
-        <source>The whole image instead of the cell</source>
-        <translation>Das ganze Bild statt der Zelle</translation>
     </message>
     <message>
         <source>Theme and language</source>
@@ -2074,6 +2392,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Die Anmerkungen dieser Sitzung sind nicht lesbar: berichtigen oder entfernen Sie zuerst annotations.csv</translation>
     </message>
     <message>
+        <source>This window is recording, and goes on while you decide. Close it? What is recorded will be whole.</source>
+        <translation>Dieses Fenster nimmt auf, auch während Sie entscheiden. Schließen? Das Aufgenommene bleibt vollständig.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -2094,8 +2416,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Werkzeuge</translation>
     </message>
     <message>
+        <source>True force of the virtual cell</source>
+        <translation>Wahre Kraft der virtuellen Zelle</translation>
+    </message>
+    <message>
         <source>Try the virtual microscope</source>
         <translation>Virtuelles Mikroskop ausprobieren</translation>
+    </message>
+    <message>
+        <source>Turn the view, zoom</source>
+        <translation>Ansicht drehen, vergrößern</translation>
     </message>
     <message>
         <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
@@ -2112,6 +2442,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Undo panning and zooming</source>
         <translation>Macht Verschieben und Vergrößern rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the plan's change</source>
+        <translation>Änderung des Plans zurücknehmen</translation>
     </message>
     <message>
         <source>Use this measurement</source>
@@ -2158,6 +2492,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Warten auf eine Zelle</translation>
     </message>
     <message>
+        <source>Waiting for an untouched cell</source>
+        <translation>Wartet auf eine unberührte Zelle</translation>
+    </message>
+    <message>
         <source>Waiting for the first frame</source>
         <translation>Warten auf das erste Bild</translation>
     </message>
@@ -2168,6 +2506,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>What is shown of the other session</source>
         <translation>Was von der anderen Sitzung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What is shown, felt and heard</source>
+        <translation>Was man sieht, fühlt und hört</translation>
     </message>
     <message>
         <source>What moves the needle</source>
@@ -2182,6 +2524,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Was die Farbe der äußeren Membran zeigt</translation>
     </message>
     <message>
+        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
+        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+    </message>
+    <message>
+        <source>When it was, since the source began</source>
+        <translation>Wann das war, seit Beginn der Quelle</translation>
+    </message>
+    <message>
         <source>Which frames of both sessions belong together</source>
         <translation>Welche Bilder beider Sitzungen zusammengehören</translation>
     </message>
@@ -2192,6 +2542,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Whole frame</source>
         <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>Window as PNG</source>
@@ -2206,12 +2560,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Ohne dies entweicht die Flüssigkeit ungehindert, und es gibt keinen Druck</translation>
     </message>
     <message>
+        <source>Work of the needle up to it</source>
+        <translation>Arbeit der Nadel bis dahin</translation>
+    </message>
+    <message>
         <source>Write a note into the session: at this time, on a node or at a place in the image</source>
         <translation>Schreibt eine Notiz in die Sitzung: zu diesem Zeitpunkt, an einem Knoten oder an einer Stelle im Bild</translation>
     </message>
     <message>
         <source>Write frames, shapes and forces to a session folder</source>
         <translation>Schreibt Bilder, Formen und Kräfte in einen Sitzungsordner</translation>
+    </message>
+    <message>
+        <source>Write the list as a table, with the columns of a report's cells.csv</source>
+        <translation>Liste als Tabelle schreiben, mit den Spalten der cells.csv eines Berichts</translation>
     </message>
     <message>
         <source>Writing tables</source>
@@ -2386,6 +2748,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>von der Quelle verloren</translation>
     </message>
     <message>
+        <source>lost in contact</source>
+        <translation>im Kontakt verloren</translation>
+    </message>
+    <message>
         <source>magnification</source>
         <translation>Vergrößerung</translation>
     </message>
@@ -2474,6 +2840,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Durchstich </translation>
     </message>
     <message>
+        <source>punctured</source>
+        <translation>durchstochen</translation>
+    </message>
+    <message>
         <source>quasi-static</source>
         <translation>quasistatisch</translation>
     </message>
@@ -2492,6 +2862,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>recorded without their surface</source>
         <translation>ohne Oberfläche aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>retracted</source>
+        <translation>zurückgezogen</translation>
     </message>
     <message>
         <source>same indentation</source>
@@ -2524,6 +2898,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>stiffer than the device can render</source>
         <translation>steifer, als das Gerät darstellen kann</translation>
+    </message>
+    <message>
+        <source>still in contact</source>
+        <translation>noch in Kontakt</translation>
     </message>
     <message>
         <source>such as 0.825</source>
@@ -2604,6 +2982,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>tip beyond the entry</source>
         <translation>ab Eintritt</translation>
+    </message>
+    <message>
+        <source>true </source>
+        <translation>wahr </translation>
     </message>
     <message>
         <source>unknown</source>

@@ -58,7 +58,7 @@ QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
-QPushButton#record:checked { border-color: @record; font-weight: 700; }
+QPushButton#record:checked { border-color: @record; }
 QPushButton#guide:checked { border-color: @plan; color: @plan; font-weight: 600; }
 QPushButton#emergencyStop { background: @record; border-color: @record; color: @window; font-weight: 800; font-size: 17px; letter-spacing: 1px; }
 QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; border-width: 2px; font-size: 15px; }
@@ -120,6 +120,7 @@ QFrame[message="true"] QLabel { font-size: 15px; font-weight: 600; }
 #problemStrip { border-left: 6px solid @record; }
 QLineEdit[typed="true"] { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
 QLineEdit[typed="true"]:focus { border-color: @accent; }
+QLineEdit[typed="true"][blank="true"] { color: @dim; }
 #noteText { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
 #noteText:focus { border-color: @accent; }
 #noteWhere { color: @dim; font-size: 12px; }

@@ -14,6 +14,12 @@
 #include "widgets/RecordStrip.h"
 
 namespace pellucida {
+namespace {
+
+// How often the list that is shown is made anew without an event.
+constexpr int kRenewed_ms = 2000;
+
+}  // namespace
 
 CellControl::CellControl(RunControl& run, const std::string& profile, QWidget& window,
                          std::function<void()> close_drawer, Notify notify)
@@ -33,6 +39,8 @@ void CellControl::take(const Scene& scene, std::span<const Measurement> rows) {
   if (scene.run_index != run_index_) log_.begin_anew(scene.measurement.frame);
   run_index_ = scene.run_index;
   log_.take(rows, {});
+  // The cell in view changes without an event: its size, its time, a force that rises.
+  if (drawer_->isVisible() && (!evaluated_.isValid() || evaluated_.elapsed() > kRenewed_ms)) is_stale_ = true;
 }
 
 void CellControl::take(std::span<const Event> events) {
@@ -46,6 +54,7 @@ void CellControl::take(std::span<const Event> events) {
 
 void CellControl::evaluate() {
   is_stale_ = false;
+  evaluated_.start();
   task_.run(
       [this, pending = log_.pending()](const BackgroundTask::Control&) mutable -> std::function<void()> {
         auto cells = std::make_shared<std::vector<CellPassport>>(CellLog::evaluate(std::move(pending)));

@@ -1,4 +1,5 @@
 #pragma once
+#include <QElapsedTimer>
 #include <QObject>
 #include <functional>
 #include <span>
@@ -48,6 +49,7 @@ class CellControl : public QObject {
   CellLog log_;
   long run_index_ = 0;
   bool is_stale_ = false;
+  QElapsedTimer evaluated_;
   BackgroundTask task_;
   CellDrawer* drawer_;
   RecordStrip* strip_;

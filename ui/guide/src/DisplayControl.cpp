@@ -25,6 +25,11 @@ bool has_guide(Modality modality) {
   return modality == Modality::kSpaceAndFixture;
 }
 
+// In the words of simulation/ModalityName, for lupdate.
+[[maybe_unused]] constexpr const char* kModalityNames[] = {PELLUCIDA_WORDS("2-D image"), PELLUCIDA_WORDS("3-D view"),
+                                                           PELLUCIDA_WORDS("3-D + haptics"),
+                                                           PELLUCIDA_WORDS("3-D + haptics + guide")};
+
 // What each adds, for its tip.
 const char* modality_tip(Modality modality) {
   switch (modality) {

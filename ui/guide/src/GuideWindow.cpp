@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "CellControl.h"
 #include "DisplayControl.h"
@@ -89,6 +90,9 @@ void GuideWindow::end_run() {
 // The hand first: its last ticks belong to the recording.
 void GuideWindow::stop_run() {
   timer_.stop();
+  // What acts on the console.
+  delete std::exchange(plan_, nullptr);
+  delete std::exchange(display_, nullptr);
   hand_.reset();
   console_.reset();
   run_->stop();
@@ -241,6 +245,7 @@ QSplitter* GuideWindow::build_views() {
   views->setChildrenCollapsible(false);
   views->addWidget(feed_panel_ = new FeedPanel(feed_, nullptr));
   views->addWidget(membrane_panel_ = new MembranePanel(membranes_, nullptr));
+  membrane_panel_->setObjectName("space");
   return views;
 }
 

@@ -76,7 +76,10 @@ struct LimitWords {
                                                         PELLUCIDA_WORDS("Inserting"),
                                                         PELLUCIDA_WORDS("Depositing"),
                                                         PELLUCIDA_WORDS("Taking the needle out"),
-                                                        PELLUCIDA_WORDS("Done; a new cell follows")};
+                                                        PELLUCIDA_WORDS("Done; a new cell follows"),
+                                                        PELLUCIDA_WORDS("Taking the needle out for a new cell"),
+                                                        PELLUCIDA_WORDS("Bringing the needle back into view"),
+                                                        PELLUCIDA_WORDS("Waiting for an untouched cell")};
 
 // Those the user can act on, the gravest first; the others are in the events and the recording.
 constexpr LimitWords kLimits[] = {

@@ -7,12 +7,11 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QVariant>
-#include <vector>
+#include <algorithm>
 
 #include "Theme.h"
 #include "Words.h"
 #include "pellucida/visualization/Palette.h"
-#include "presenters/CellLog.h"
 #include "widgets/KeySheet.h"
 
 namespace pellucida {
@@ -94,6 +93,9 @@ QPushButton* CellDrawer::add_button(const QString& text, const QString& tip, std
 
 void CellDrawer::show_cells(std::span<const CellRow> cells) {
   save_->setEnabled(!cells.empty());
+  // A list that stays the same keeps its place.
+  if (std::equal(cells.begin(), cells.end(), shown_.begin(), shown_.end())) return;
+  shown_.assign(cells.begin(), cells.end());
   list_->clear();
   for (const CellRow& cell : cells) {
     auto* item = new QTreeWidgetItem(list_);

@@ -17,6 +17,7 @@
 #include "widgets/ButtonKey.h"
 #include "widgets/Choice.h"
 #include "widgets/HoldButton.h"
+#include "widgets/KeySheet.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
@@ -53,6 +54,7 @@ HandBar::HandBar(const QStringList& hands, const QStringList& scales, Actions ac
   setObjectName("handBar");
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(76);
+  set_key_group(*this, words("Hand"));
   // What the hand does above, what can be done below; the stop beside both.
   auto* bar = new QHBoxLayout(this);
   bar->setContentsMargins(16, 7, 16, 8);
@@ -140,7 +142,8 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   depth_stop_->setDecimals(0);
   depth_stop_->setSuffix(QString::fromUtf8(" \u00b5m"));
   depth_stop_->setToolTip(words("The tip goes no deeper than this beyond the entry"));
-  depth_stop_->setFocusPolicy(Qt::ClickFocus);
+  depth_stop_->setAccessibleName(words("Depth stop"));
+  depth_stop_->setFocusPolicy(Qt::StrongFocus);
   depth_stop_->setKeyboardTracking(false);
   depth_stop_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // wheel, arrow keys, digits
   depth_stop_->setFixedSize(68, 28);
@@ -171,6 +174,7 @@ QComboBox* HandBar::add_choice(QHBoxLayout* row, const QStringList& names, const
   auto* choice = new Choice(this);
   for (const QString& name : names) choice->addItem(words(name.toUtf8().constData()));
   choice->setToolTip(tip);
+  choice->setAccessibleName(tip);
   choice->setFocusPolicy(Qt::TabFocus);
   choice->setFixedHeight(28);
   row->addWidget(choice);

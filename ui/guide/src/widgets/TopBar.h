@@ -1,4 +1,5 @@
 #pragma once
+#include <QList>
 #include <functional>
 
 #include "widgets/TitleBar.h"
@@ -25,11 +26,18 @@ class TopBar : public TitleBar {
   /// Where the menu of what is shown, felt and heard hangs.
   QPushButton& display() noexcept { return *display_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fit();
+
   QPushButton* record_;
   QPushButton* pause_;
   QPushButton* cells_;
   QPushButton* display_;
+  QList<QPushButton*> shrinking_;
+  bool is_paused_ = false;
 };
 
 }  // namespace pellucida

@@ -63,6 +63,7 @@ class FeedView : public View {
   void show_legend(bool shown);
   /// The injection plan: the straight path with its corridor, entry, depth stop and target. Nothing: none is drawn.
   void set_plan(const std::optional<PlanMarks>& plan);
+  const std::optional<PlanMarks>& plan() const noexcept { return plan_; }
 
   /// Where a person pointed.
   void set_hints(std::vector<HintMark> marks) { hints_ = std::move(marks); }
