@@ -112,20 +112,22 @@ WindowOptions window_of(const WorkstationArguments& arguments) {
   return window;
 }
 
-void require_closed_well(int status) {
-  if (status != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+// True when the person wants the start page next.
+bool leads_to_page(int status) {
+  if (status != 0 && status != kToStartPage) throw Error(ExitCode::kOurFault, "the window ended with an error");
+  return status == kToStartPage;
 }
 
-void run_teach_mode(const WorkstationArguments& arguments) {
+bool run_teach_mode(const WorkstationArguments& arguments) {
   TeachOptions options;
   static_cast<WindowOptions&>(options) = window_of(arguments);
   options.lesson = arguments.lesson;
   options.large_letters = arguments.large_letters;
-  require_closed_well(run_teach(options));
+  return leads_to_page(run_teach(options));
 }
 
 // A recorded session in the window; nothing is measured.
-void run_review_mode(const WorkstationArguments& arguments) {
+bool run_review_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
     throw DeviceError(
         "--mode review needs a window: set DISPLAY to a running X server; without one, use pellucida "
@@ -138,16 +140,16 @@ void run_review_mode(const WorkstationArguments& arguments) {
   options.speed_ratio = arguments.speed_ratio;
   options.loop = arguments.playback.loop_count != 1;
   options.backwards = arguments.playback.backwards;
-  require_closed_well(run_review(arguments.session, options));
+  return leads_to_page(run_review(arguments.session, options));
 }
 
-void run_guide_mode(const WorkstationArguments& arguments) {
+bool run_guide_mode(const WorkstationArguments& arguments) {
   GuideOptions options;
   options.session_folder = arguments.session;
   static_cast<WindowOptions&>(options) = window_of(arguments);
   // A microscope does not end: the virtual one shows its scenario again and again.
   options.repeat = is_virtual_source(arguments.source);
-  require_closed_well(run_window(arguments, options));
+  return leads_to_page(run_window(arguments, options));
 }
 
 // The arguments that the command line would have for a choice.
@@ -169,23 +171,27 @@ WorkstationArguments arguments_of(const StartChoice& choice, const WorkstationAr
   return arguments;
 }
 
-}  // namespace
-
-void run_workstation(const WorkstationArguments& arguments) {
-  // A window closes with the first signal, and its recording with it.
-  const InterruptScope scope;
-  if (arguments.mode == "teach") {
-    run_teach_mode(arguments);
-  } else if (arguments.mode == "review") {
-    run_review_mode(arguments);
-  } else if (has_display()) {
-    run_guide_mode(arguments);
-  } else {
-    run_headless(arguments);
-  }
+// The session that a path names: its folder, or one of its files.
+std::optional<std::filesystem::path> session_at(const std::filesystem::path& path) {
+  if (path.empty()) return std::nullopt;
+  if (is_session(path)) return path;
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  return is_session(folder) ? std::optional(folder) : std::nullopt;
 }
 
-void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
+}  // namespace
+
+bool run_workstation(const WorkstationArguments& arguments) {
+  // A window closes with the first signal, and its recording with it.
+  const InterruptScope scope;
+  if (arguments.mode == "teach") return run_teach_mode(arguments);
+  if (arguments.mode == "review") return run_review_mode(arguments);
+  if (has_display()) return run_guide_mode(arguments);
+  run_headless(arguments);
+  return false;
+}
+
+void run_start_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
     throw DeviceError(
         "--mode start needs a window: set DISPLAY to a running X server; without one, use pellucida workstation "
@@ -194,7 +200,14 @@ void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
   const InterruptScope scope;
   StartOptions options;
   static_cast<WindowOptions&>(options) = window_of(arguments);
-  options.remembered_size = !states_size;
+  if (const auto session = session_at(arguments.path)) {
+    WorkstationArguments review = arguments;
+    review.mode = "review";
+    review.session = session->string();
+    if (!run_workstation(review) || interrupted() != 0) return;
+  } else {
+    options.recording = arguments.path;
+  }
   while (const auto choice = run_start(options)) {
     options.problem.clear();
     std::error_code ignored;

@@ -58,6 +58,10 @@ und </translation>
         <translation> %). Die Formel hält die Zona für eine ebene, eingespannte Membran: Dutzende Prozent sind üblich.</translation>
     </message>
     <message>
+        <source> (Esc: no more)</source>
+        <translation> (Esc: beenden)</translation>
+    </message>
+    <message>
         <source> (spread </source>
         <translation> (Streuung </translation>
     </message>
@@ -78,6 +82,10 @@ und </translation>
         <translation> N von </translation>
     </message>
     <message>
+        <source> The window measures with the usual cell's profile and does not know: Scale finds it out.</source>
+        <translation> Das Fenster misst mit dem Profil der üblichen Zelle und weiß davon nichts: „Skala“ findet es heraus.</translation>
+    </message>
+    <message>
         <source> and offered here. Any other session can be dropped on this window.</source>
         <translation> und hier angeboten. Jede andere Sitzung lässt sich auf dieses Fenster ziehen.</translation>
     </message>
@@ -88,6 +96,14 @@ und </translation>
     <message>
         <source> can't be read and are left out; pellucida check names them</source>
         <translation> sind nicht lesbar und fehlen; pellucida check nennt sie</translation>
+    </message>
+    <message>
+        <source> cell</source>
+        <translation> Zelle</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> Zellen</translation>
     </message>
     <message>
         <source> drawn</source>
@@ -220,6 +236,12 @@ und </translation>
     <message>
         <source> µm beyond the entry</source>
         <translation> µm hinter dem Eintritt</translation>
+        <source> µm per px</source>
+        <translation> µm je px</translation>
+    </message>
+    <message>
+        <source> µm per px, which no microscope has: check the length and its unit.</source>
+        <translation> µm je px, was kein Mikroskop hat: Länge und Einheit prüfen.</translation>
     </message>
     <message>
         <source> µm replaces it.</source>
@@ -230,12 +252,24 @@ und </translation>
         <translation> µs; Energiereserve </translation>
     </message>
     <message>
+        <source> · 5 to 95 %: </source>
+        <translation> · 5 bis 95 %: </translation>
+    </message>
+    <message>
         <source> · frame rate not in the file</source>
         <translation> · Bildrate nicht in der Datei</translation>
     </message>
     <message>
+        <source> · median </source>
+        <translation> · Median </translation>
+    </message>
+    <message>
         <source> · pixel size not in the file</source>
         <translation> · Pixelgröße nicht in der Datei</translation>
+    </message>
+    <message>
+        <source> · quartiles </source>
+        <translation> · Quartile </translation>
     </message>
     <message>
         <source>" is no number: give the </source>
@@ -244,6 +278,10 @@ und </translation>
     <message>
         <source>%1  ·  frame %2  ·  %3 of %4</source>
         <translation>%1  ·  Bild %2  ·  %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 blocks, longest %2</source>
+        <translation>%1 Stockungen, längste %2</translation>
     </message>
     <message>
         <source>%1 frames changed; written to %2</source>
@@ -260,6 +298,10 @@ und </translation>
     <message>
         <source>%1 tables written to %2</source>
         <translation>%1 Tabellen geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
     </message>
     <message>
         <source>(1) &amp;nbsp;&lt;b&gt;f&lt;sub&gt;ij&lt;/sub&gt;&lt;/b&gt; = k (L/|p| − 1) p − b (v·p)/(p·p) p&lt;br&gt;(2) &amp;nbsp;&lt;b&gt;m a&lt;/b&gt; = Σ &lt;b&gt;f&lt;/b&gt;</source>
@@ -324,6 +366,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>00000 Bilder ausgelassen</translation>
     </message>
     <message>
+        <source>1 block, %1</source>
+        <translation>1 Stockung, %1</translation>
+    </message>
+    <message>
         <source>1 to 4 choose a card, Enter starts it; or drop a file or a folder here</source>
         <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
     </message>
@@ -342,10 +388,16 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     <message>
         <source>3-D view</source>
         <translation>3-D-Ansicht</translation>
+        <source>1.5 times as stiff</source>
+        <translation>1.5-mal so steif</translation>
     </message>
     <message>
         <source>3-D view as PNG</source>
         <translation>3-D-Ansicht als PNG</translation>
+    </message>
+    <message>
+        <source>95 % from (µN)</source>
+        <translation>95 % von (µN)</translation>
     </message>
     <message>
         <source>95 % interval</source>
@@ -358,6 +410,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     <message>
         <source>95 % interval, the whole</source>
         <translation>95-%-Intervall, gesamt</translation>
+    </message>
+    <message>
+        <source>95 % to (µN)</source>
+        <translation>95 % bis (µN)</translation>
     </message>
     <message>
         <source>: all forces are scaled to cells of this kind.
@@ -414,6 +470,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine Zelle zum Anstupsen, mit Lektionen darüber, wie ihre Kraft zustande kommt.</translation>
     </message>
     <message>
+        <source>A distance: two clicks</source>
+        <translation>Ein Abstand: zwei Klicks</translation>
+    </message>
+    <message>
+        <source>A double click opens the session at the touch; a click on a column's title sorts</source>
+        <translation>Ein Doppelklick öffnet die Sitzung beim Kontakt; ein Klick auf den Titel einer Spalte sortiert</translation>
+    </message>
+    <message>
         <source>A profile's geometry and constants</source>
         <translation>Geometrie und Konstanten eines Profils</translation>
     </message>
@@ -424,6 +488,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>A remark for the session's events; Enter writes it</source>
         <translation>Bemerkung zu den Ereignissen der Sitzung; Eingabe schreibt sie</translation>
+        <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
+        <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
+        <source>A recording is running. Everything recorded so far is kept.</source>
+        <translation>Eine Aufzeichnung läuft. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
     </message>
     <message>
         <source>A simulated cell to poke</source>
@@ -452,6 +520,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>All keys of this window</source>
         <translation>Alle Tasten dieses Fensters</translation>
+        <source>Add sessions</source>
+        <translation>Sitzungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add sessions, or drop them here: a row for each cell</source>
+        <translation>Fügen Sie Sitzungen hinzu, oder ziehen Sie sie hierher: eine Zeile je Zelle</translation>
+    </message>
+    <message>
+        <source>All columns of the report's cells.csv, with the group of each</source>
+        <translation>Alle Spalten der cells.csv des Berichts, mit der Gruppe jeder Zelle</translation>
     </message>
     <message>
         <source>All kinds</source>
@@ -462,8 +540,20 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Den ganzen Bildschirm nutzen, und zurück</translation>
     </message>
     <message>
+        <source>All tables as CSV</source>
+        <translation>Alle Tabellen als CSV</translation>
+    </message>
+    <message>
         <source>Along x, y, z</source>
         <translation>Längs x, y, z</translation>
+    </message>
+    <message>
+        <source>An angle: three clicks, the second at its vertex</source>
+        <translation>Ein Winkel: drei Klicks, der zweite am Scheitel</translation>
+    </message>
+    <message>
+        <source>Angle </source>
+        <translation>Winkel </translation>
     </message>
     <message>
         <source>Angle from the needle (°)</source>
@@ -484,6 +574,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>As at the start</source>
         <translation>Wie am Anfang</translation>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
     </message>
     <message>
         <source>Aspiration</source>
@@ -496,6 +588,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>At this time, on the node picked</source>
         <translation>Zu diesem Zeitpunkt, am gewählten Knoten</translation>
+    </message>
+    <message>
+        <source>Axis of the node's chart</source>
+        <translation>Achse des Diagramms des Knotens</translation>
     </message>
     <message>
         <source>Back to its kind</source>
@@ -540,6 +636,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Bringing the needle back into view</source>
         <translation>Nadel kommt ins Bild zurück</translation>
+        <source>By a scale bar, or a needle of known diameter</source>
+        <translation>An einem Maßstabsbalken oder einer Nadel bekannten Durchmessers</translation>
     </message>
     <message>
         <source>CELL LOST</source>
@@ -596,6 +694,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Chart of the node as SVG, PDF or PNG</source>
         <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
+        <source>Cells of several sessions in one table</source>
+        <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
+    </message>
+    <message>
+        <source>Cells read: %1, from sessions: %2</source>
+        <translation>Gelesene Zellen: %1, aus Sitzungen: %2</translation>
+    </message>
+    <message>
+        <source>Chart of the node as SVG, PDF, PNG or CSV</source>
+        <translation>Diagramm des Knotens als SVG, PDF, PNG oder CSV</translation>
     </message>
     <message>
         <source>Choose a file</source>
@@ -604,6 +712,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Choose a file or a folder first, or drop one on this window.</source>
         <translation>Wählen Sie zuerst eine Datei oder einen Ordner, oder ziehen Sie sie auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Choose a file or a folder of images first.</source>
+        <translation>Zuerst eine Datei oder einen Ordner mit Bildern wählen.</translation>
     </message>
     <message>
         <source>Choose a folder</source>
@@ -630,8 +742,28 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Klicken Sie in die Zelle</translation>
     </message>
     <message>
+        <source>Click one end of the distance</source>
+        <translation>Klicken Sie ein Ende des Abstands an</translation>
+    </message>
+    <message>
+        <source>Click the angle's vertex</source>
+        <translation>Klicken Sie den Scheitel des Winkels an</translation>
+    </message>
+    <message>
+        <source>Click the end of one leg</source>
+        <translation>Klicken Sie das Ende eines Schenkels an</translation>
+    </message>
+    <message>
+        <source>Click the end of the other leg</source>
+        <translation>Klicken Sie das Ende des anderen Schenkels an</translation>
+    </message>
+    <message>
         <source>Click the needle's tip</source>
         <translation>Klicken Sie auf die Nadelspitze</translation>
+    </message>
+    <message>
+        <source>Click the other end</source>
+        <translation>Klicken Sie das andere Ende an</translation>
     </message>
     <message>
         <source>Click the place of the note (Shift+A: not now)</source>
@@ -644,6 +776,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Click: forces on a node</source>
         <translation>Klick: Kräfte an einem Knoten</translation>
+    </message>
+    <message>
+        <source>Cliff's delta against the first</source>
+        <translation>Cliffs Delta gegen die erste</translation>
     </message>
     <message>
         <source>Close</source>
@@ -692,6 +828,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Confidence</source>
         <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Confidence (%)</source>
+        <translation>Sicherheit (%)</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -770,6 +910,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Abgeben</translation>
     </message>
     <message>
+        <source>Depth at peak (µm)</source>
+        <translation>Tiefe beim Höchstwert (µm)</translation>
+    </message>
+    <message>
         <source>Depth stop</source>
         <translation>Tiefenanschlag</translation>
     </message>
@@ -816,6 +960,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Display ▾</source>
         <translation>Darstellung ▾</translation>
+        <source>Displacement of a node (µm)</source>
+        <translation>Verschiebung eines Knotens (µm)</translation>
+    </message>
+    <message>
+        <source>Displacement of the nodes</source>
+        <translation>Verschiebung der Knoten</translation>
+    </message>
+    <message>
+        <source>Distance </source>
+        <translation>Abstand </translation>
+    </message>
+    <message>
+        <source>Distances and angles</source>
+        <translation>Abstände und Winkel</translation>
+    </message>
+    <message>
+        <source>Distances and angles on the image, kept with the session's notes</source>
+        <translation>Abstände und Winkel im Bild, aufbewahrt bei den Notizen der Sitzung</translation>
     </message>
     <message>
         <source>Done; a new cell follows</source>
@@ -832,10 +994,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drag, wheel</source>
         <translation>Ziehen, Rad</translation>
+        <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
+        <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
     </message>
     <message>
         <source>Drag: needle</source>
         <translation>Ziehen: Nadel</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png);;Table (*.csv)</source>
+        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png);;Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Drawn anew at this size: lines and letters stay sharp.</source>
+        <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
+        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
+        <translation>Eine Linie von mindestens 20 px ziehen; je länger, desto genauer.</translation>
     </message>
     <message>
         <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png)</source>
@@ -862,6 +1036,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Nothalt: Pipette gehalten</translation>
     </message>
     <message>
+        <source>End it and close</source>
+        <translation>Beenden und schließen</translation>
+    </message>
+    <message>
         <source>End recording</source>
         <translation>Aufnahme beenden</translation>
     </message>
@@ -884,6 +1062,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Events and doubts</source>
         <translation>Ereignisse und Zweifel</translation>
+    </message>
+    <message>
+        <source>Every push needs four times the force.</source>
+        <translation>Jeder Stoß braucht die vierfache Kraft.</translation>
+    </message>
+    <message>
+        <source>Every push needs half the force.</source>
+        <translation>Jeder Stoß braucht die halbe Kraft.</translation>
+    </message>
+    <message>
+        <source>Every push needs one and a half times the force.</source>
+        <translation>Jeder Stoß braucht die anderthalbfache Kraft.</translation>
+    </message>
+    <message>
+        <source>Every push needs twice the force.</source>
+        <translation>Jeder Stoß braucht die doppelte Kraft.</translation>
     </message>
     <message>
         <source>Excess pressure inside the cell, by the model: the push raises it, since the volume stays.</source>
@@ -978,6 +1172,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kraft zweifelhaft: </translation>
     </message>
     <message>
+        <source>Force of a node (µN)</source>
+        <translation>Kraft eines Knotens (µN)</translation>
+    </message>
+    <message>
         <source>Force of the needle on the cell against that at which this kind of cell gives way. Light band: the whole 95 % interval; dark band: what the picture leaves open.</source>
         <translation>Kraft der Nadel auf die Zelle, gemessen an jener, bei der diese Zellart nachgibt. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt.</translation>
     </message>
@@ -994,6 +1192,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
 </translation>
     </message>
     <message>
+        <source>Force of the nodes</source>
+        <translation>Kraft der Knoten</translation>
+    </message>
+    <message>
         <source>Force on the hand; full: the largest force of the device</source>
         <translation>Kraft auf die Hand; voll: die größte Kraft des Geräts</translation>
     </message>
@@ -1006,16 +1208,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Kraft über der Eindellung</translation>
     </message>
     <message>
-        <source>Force over indentation as SVG, PDF or PNG</source>
-        <translation>Kraft über der Eindellung als SVG, PDF oder PNG</translation>
-    </message>
-    <message>
         <source>Force over time</source>
         <translation>Kraft über der Zeit</translation>
     </message>
     <message>
-        <source>Force over time as SVG, PDF or PNG</source>
-        <translation>Kraft über der Zeit als SVG, PDF oder PNG</translation>
+        <source>Force over time as SVG, PDF, PNG or CSV</source>
+        <translation>Kraft über der Zeit als SVG, PDF, PNG oder CSV</translation>
     </message>
     <message>
         <source>Force too old: released</source>
@@ -1032,6 +1230,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Forget this cell's own scale: for another cell</source>
         <translation>Vergisst die eigene Skala dieser Zelle: für eine andere Zelle</translation>
+    </message>
+    <message>
+        <source>Four times as stiff</source>
+        <translation>Viermal so steif</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -1060,6 +1262,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Frames that were not measured, that the source lost, or that are recorded in part</source>
         <translation>Bilder, die nicht gemessen, von der Quelle verloren oder nur zum Teil aufgezeichnet wurden</translation>
+        <source>Frames</source>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Frames/s: </source>
@@ -1100,6 +1304,18 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Go on</source>
         <translation>Weiter</translation>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Groups by </source>
+        <translation>Gruppen nach </translation>
+        <source>Go on recording</source>
+        <translation>Weiter aufzeichnen</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -1116,6 +1332,22 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Hand</source>
         <translation>Hand</translation>
+        <source>Half the 95 % interval (µN)</source>
+        <translation>Halbes 95-%-Intervall (µN)</translation>
+    </message>
+    <message>
+        <source>Half-width of the force's interval</source>
+        <translation>Halbe Breite des Intervalls der Kraft</translation>
+    </message>
+    <message>
+        <source>Hedges' g against the first</source>
+        <translation>Hedges’ g gegen die erste</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+        <source>Half as stiff</source>
+        <translation>Halb so steif</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1140,6 +1372,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Hint: </source>
         <translation>Hinweis: </translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Histogram: </source>
+        <translation>Histogramm: </translation>
     </message>
     <message>
         <source>Hold for a second to release the emergency stop</source>
@@ -1176,6 +1416,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>How much of the image is shown, and how bright: the measurement stays the same</source>
         <translation>Wie viel vom Bild gezeigt wird und wie hell: die Messung bleibt gleich</translation>
+        <source>How often this window was busy for more than %1 ms, in the last %2 s; the longest ended after %3 s.
+Meanwhile keys and clicks wait. The emergency stop, the hand and the recording do not.</source>
+        <translation>Wie oft dieses Fenster länger als %1 ms beschäftigt war, in den letzten %2 s; das längste Mal endete nach %3 s.
+Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.</translation>
     </message>
     <message>
         <source>How sure the tracking is of cell and needle in this frame. Below 50 % look at the image before you use a number.</source>
@@ -1190,6 +1434,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
     </message>
     <message>
+        <source>Hysteresis (pJ)</source>
+        <translation>Hysterese (pJ)</translation>
+    </message>
+    <message>
         <source>IN DOUBT</source>
         <translation>ZWEIFELHAFT</translation>
     </message>
@@ -1200,6 +1448,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Image ▾</source>
         <translation>Bild ▾</translation>
+        <source>Images along the session's time</source>
+        <translation>Bilder längs der Zeit der Sitzung</translation>
+        <source>Image with a line</source>
+        <translation>Bild mit einer Linie</translation>
     </message>
     <message>
         <source>Implicit Euler</source>
@@ -1258,6 +1510,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Ungültige Messwerte des Geräts: Pipette gehalten</translation>
     </message>
     <message>
+        <source>Its length</source>
+        <translation>Ihre Länge</translation>
+    </message>
+    <message>
         <source>Keep the newest frame on screen</source>
         <translation>Hält das neueste Bild fest</translation>
     </message>
@@ -1302,6 +1558,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Lernen</translation>
     </message>
     <message>
+        <source>Left chart as SVG, PDF, PNG or CSV</source>
+        <translation>Linkes Diagramm als SVG, PDF, PNG oder CSV</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1340,6 +1600,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>List of cells saved: </source>
         <translation>Liste der Zellen gespeichert: </translation>
+        <source>Loading</source>
+        <translation>Belastung</translation>
     </message>
     <message>
         <source>Look ▾</source>
@@ -1374,6 +1636,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Masse eines Knotens</translation>
     </message>
     <message>
+        <source>Measure a pixel</source>
+        <translation>Pixel ausmessen</translation>
+    </message>
+    <message>
         <source>Measure again</source>
         <translation>Neu messen</translation>
     </message>
@@ -1382,12 +1648,30 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Misst, wie steif diese Zelle ist, sodass die Kräfte ihre eigenen sind</translation>
     </message>
     <message>
+        <source>Measure ▾</source>
+        <translation>Messen ▾</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+        <source>Measure on the image ...</source>
+        <translation>Im Bild messen ...</translation>
+    </message>
+    <message>
+        <source>Measured: %1</source>
+        <translation>Gemessen: %1</translation>
+    </message>
+    <message>
         <source>Measures the session once more with these hints, into a new session, and opens it</source>
         <translation>Misst die Sitzung mit diesen Hinweisen noch einmal, in eine neue Sitzung, und öffnet diese</translation>
     </message>
     <message>
         <source>Measuring again</source>
         <translation>Wird neu gemessen</translation>
+    </message>
+    <message>
+        <source>Median (quartiles), number</source>
+        <translation>Median (Quartile), Anzahl</translation>
     </message>
     <message>
         <source>Membranes found in the image</source>
@@ -1416,6 +1700,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Model section</source>
         <translation>Modellschnitt</translation>
+    </message>
+    <message>
+        <source>Model, profile's cell</source>
+        <translation>Modell, Zelle des Profils</translation>
+    </message>
+    <message>
+        <source>Model, this cell's sizes</source>
+        <translation>Modell, Maße dieser Zelle</translation>
     </message>
     <message>
         <source>Most arrows</source>
@@ -1504,6 +1796,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Next lesson</source>
         <translation>Nächste Lektion</translation>
+        <source>Next note of this frame</source>
+        <translation>Nächste Notiz dieses Bildes</translation>
     </message>
     <message>
         <source>No camera</source>
@@ -1550,6 +1844,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Kein Bild an gleicher Stelle</translation>
     </message>
     <message>
+        <source>No frame has this number</source>
+        <translation>Kein Bild hat diese Zahl</translation>
+    </message>
+    <message>
+        <source>No frame of this session has such a number</source>
+        <translation>Kein Bild dieser Sitzung hat eine solche Zahl</translation>
+    </message>
+    <message>
         <source>No frame yet</source>
         <translation>Noch kein Bild</translation>
     </message>
@@ -1564,6 +1866,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>No node</source>
         <translation>Kein Knoten</translation>
+    </message>
+    <message>
+        <source>No node has this number</source>
+        <translation>Kein Knoten hat diese Zahl</translation>
     </message>
     <message>
         <source>No surface at the same place</source>
@@ -1600,6 +1906,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Node forces</source>
         <translation>Knotenkräfte</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
     </message>
     <message>
         <source>Nodes of the network; the profile's constants hold for its own mesh of 812</source>
@@ -1774,8 +2084,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Angehalten</translation>
     </message>
     <message>
+        <source>Peak force (µN)</source>
+        <translation>Höchste Kraft (µN)</translation>
+    </message>
+    <message>
         <source>Pellucida - </source>
         <translation>Pellucida - </translation>
+    </message>
+    <message>
+        <source>Pellucida - Cells of several sessions</source>
+        <translation>Pellucida - Zellen mehrerer Sitzungen</translation>
     </message>
     <message>
         <source>Pellucida - Review</source>
@@ -1846,12 +2164,28 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Druck</translation>
     </message>
     <message>
+        <source>Pressure (Pa)</source>
+        <translation>Druck (Pa)</translation>
+    </message>
+    <message>
         <source>Profile of the cell</source>
         <translation>Profil der Zelle</translation>
     </message>
     <message>
         <source>Pull of a connector (µN)</source>
         <translation>Zug einer Verbindung (µN)</translation>
+    </message>
+    <message>
+        <source>Puncture depth (µm)</source>
+        <translation>Tiefe beim Durchstich (µm)</translation>
+    </message>
+    <message>
+        <source>Puncture force (µN)</source>
+        <translation>Kraft beim Durchstich (µN)</translation>
+    </message>
+    <message>
+        <source>Puncture work (pJ)</source>
+        <translation>Arbeit bis zum Durchstich (pJ)</translation>
     </message>
     <message>
         <source>Punctured</source>
@@ -1874,6 +2208,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>FRAGE</translation>
     </message>
     <message>
+        <source>Quantity of the node</source>
+        <translation>Größe des Knotens</translation>
+    </message>
+    <message>
+        <source>Reading </source>
+        <translation>Liest </translation>
+        <source>Reading an image ...</source>
+        <translation>Ein Bild wird gelesen ...</translation>
+    </message>
+    <message>
         <source>Reading the session</source>
         <translation>Die Sitzung wird gelesen</translation>
     </message>
@@ -1888,6 +2232,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Recorded in </source>
         <translation>Aufgezeichnet in </translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>Recording paused, </source>
@@ -2034,6 +2382,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Set the target</source>
         <translation>Ziel setzen</translation>
+        <source>Session</source>
+        <translation>Sitzung</translation>
     </message>
     <message>
         <source>Set up again</source>
@@ -2056,8 +2406,24 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Sigma</translation>
     </message>
     <message>
+        <source>Sigma of a node's force (µN)</source>
+        <translation>Sigma der Kraft eines Knotens (µN)</translation>
+    </message>
+    <message>
+        <source>Sigma of the nodes' forces</source>
+        <translation>Sigma der Kräfte der Knoten</translation>
+    </message>
+    <message>
         <source>Simulated seconds a second, at most: slow motion</source>
         <translation>Simulierte Sekunden je Sekunde, höchstens: Zeitlupe</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>Größe des Bildes</translation>
     </message>
     <message>
         <source>Slower</source>
@@ -2070,6 +2436,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a node</source>
         <translation>Leertaste spielt ab, Pfeiltasten gehen Bild für Bild, ein Druck auf die Zeitleiste oder auf die Kraft über der Zeit springt dorthin, ein Klick auf die Membran wählt einen Knoten</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Speed of the tip, as its manipulator reports it, else as it is seen. The mark is the largest speed of the hand: in contact, that of the push.</source>
@@ -2094,6 +2464,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Start the chosen card, or press the button that has the focus</source>
         <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Start page: choose another source, session or lesson</source>
+        <translation>Startseite: andere Quelle, Sitzung oder Lektion wählen</translation>
     </message>
     <message>
         <source>Start the source again from its first frame</source>
@@ -2102,6 +2478,28 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness (µN/µm)</source>
+        <translation>Steifigkeit (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Stiffness at 10 µm (µN/µm)</source>
+        <translation>Steifigkeit bei 10 µm (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Stiffness at 20 µm (µN/µm)</source>
+        <translation>Steifigkeit bei 20 µm (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Stiffness at 30 µm (µN/µm)</source>
+        <translation>Steifigkeit bei 30 µm (µN/µm)</translation>
+        <source>Stiffness of the cell</source>
+        <translation>Steifigkeit der Zelle</translation>
     </message>
     <message>
         <source>Stiffness of the fibre</source>
@@ -2152,8 +2550,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
-        <source>Tables as CSV</source>
-        <translation>Tabellen als CSV</translation>
+        <source>Table as CSV</source>
+        <translation>Tabelle als CSV</translation>
     </message>
     <message>
         <source>Take a shorter step than </source>
@@ -2164,12 +2562,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Letzten Hinweis zurücknehmen</translation>
     </message>
     <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
         <source>Take the needle out, then replace the cell by an intact one</source>
         <translation>Nimmt die Nadel heraus und ersetzt die Zelle durch eine unversehrte</translation>
     </message>
     <message>
         <source>Take the pipette out along its axis while held down</source>
         <translation>Zieht die Pipette längs ihrer Achse heraus, solange gedrückt</translation>
+    </message>
+    <message>
+        <source>Takes the rows chosen out of the table</source>
+        <translation>Nimmt die gewählten Zeilen aus der Tabelle</translation>
     </message>
     <message>
         <source>Taking the needle out</source>
@@ -2212,12 +2618,28 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Spannung (µN/µm)</translation>
     </message>
     <message>
+        <source>Tension at a node (µN/µm)</source>
+        <translation>Spannung an einem Knoten (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Tension of the nodes</source>
+        <translation>Spannung der Knoten</translation>
+    </message>
+    <message>
         <source>Text</source>
         <translation>Text</translation>
     </message>
     <message>
+        <source>That would be </source>
+        <translation>Das wären </translation>
+    </message>
+    <message>
         <source>The cell at rest</source>
         <translation>Die Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>The cell is as stiff as its profile says.</source>
+        <translation>Die Zelle ist so steif, wie ihr Profil sagt.</translation>
     </message>
     <message>
         <source>The cell's own mass would be 10⁻¹² kg a node</source>
@@ -2266,6 +2688,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>The microscope's image alone</source>
         <translation>Das Bild des Mikroskops allein</translation>
+        <source>The model's curves: with this cell's sizes as seen, and of the profile's own cell</source>
+        <translation>Die Kurven des Modells: mit den gesehenen Maßen dieser Zelle und für die Zelle des Profils</translation>
     </message>
     <message>
         <source>The needle moves as the scenario describes, again and again.</source>
@@ -2324,6 +2748,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Die Sitzung enthält diese Größe für den Knoten nicht</translation>
     </message>
     <message>
+        <source>The session's images along its time; a press seeks</source>
+        <translation>Die Bilder der Sitzung längs ihrer Zeit; ein Druck springt dorthin</translation>
+    </message>
+    <message>
         <source>The source has ended</source>
         <translation>Die Quelle ist zu Ende</translation>
     </message>
@@ -2376,6 +2804,18 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Diese Zelle: was nach dem Messen ihrer Skala von ihrer unbekannten Steifigkeit bleibt.</translation>
     </message>
     <message>
+        <source>This frame and its charts as CSV</source>
+        <translation>Dieses Bild und seine Diagramme als CSV</translation>
+    </message>
+    <message>
+        <source>This frame has several notes: the next one</source>
+        <translation>Dieses Bild hat mehrere Notizen: die nächste</translation>
+    </message>
+    <message>
+        <source>This frame's surface holds no such numbers</source>
+        <translation>Die Oberfläche dieses Bildes enthält keine solchen Zahlen</translation>
+    </message>
+    <message>
         <source>This is no cell</source>
         <translation>Das ist keine Zelle</translation>
     </message>
@@ -2404,6 +2844,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Zeit (s)</translation>
     </message>
     <message>
+        <source>Time in contact (s)</source>
+        <translation>Zeit in Kontakt (s)</translation>
+    </message>
+    <message>
         <source>Time step</source>
         <translation>Zeitschritt</translation>
     </message>
@@ -2426,10 +2870,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Turn the view, zoom</source>
         <translation>Ansicht drehen, vergrößern</translation>
+        <source>Twice as stiff</source>
+        <translation>Doppelt so steif</translation>
     </message>
     <message>
         <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
         <translation>Geben Sie die Kantenlänge eines Kamerapixels in µm ein; sie steht im Datenblatt.</translation>
+    </message>
+    <message>
+        <source>Type the length of the line in µm.</source>
+        <translation>Die Länge der Linie in µm eingeben.</translation>
     </message>
     <message>
         <source>Type the size of a pixel in µm, or choose the objective.</source>
@@ -2446,6 +2896,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Undo the plan's change</source>
         <translation>Änderung des Plans zurücknehmen</translation>
+        <source>Unloading</source>
+        <translation>Entlastung</translation>
+        <source>Use it</source>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Use this measurement</source>
@@ -2530,6 +2984,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>When it was, since the source began</source>
         <translation>Wann das war, seit Beginn der Quelle</translation>
+        <source>What the left chart shows</source>
+        <translation>Was das linke Diagramm zeigt</translation>
+    </message>
+    <message>
+        <source>What the left chart shows (H: histogram and back)</source>
+        <translation>Was das linke Diagramm zeigt (H: Histogramm und zurück)</translation>
+    </message>
+    <message>
+        <source>What was measured as CSV…</source>
+        <translation>Gemessenes als CSV …</translation>
     </message>
     <message>
         <source>Which frames of both sessions belong together</source>
@@ -2546,6 +3010,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width and height</source>
+        <translation>Breite und Höhe</translation>
     </message>
     <message>
         <source>Window as PNG</source>
@@ -2562,6 +3032,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Work of the needle up to it</source>
         <translation>Arbeit der Nadel bis dahin</translation>
+        <source>Work to the largest depth (pJ)</source>
+        <translation>Arbeit bis zur größten Tiefe (pJ)</translation>
     </message>
     <message>
         <source>Write a note into the session: at this time, on a node or at a place in the image</source>
@@ -2600,12 +3072,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>eine Zahl wuchs über alle Grenzen</translation>
     </message>
     <message>
+        <source>a size of your own</source>
+        <translation>eine eigene Größe</translation>
+    </message>
+    <message>
         <source>along the meridian</source>
         <translation>längs des Meridians</translation>
     </message>
     <message>
         <source>annotation</source>
         <translation>Anmerkung</translation>
+    </message>
+    <message>
+        <source>as on screen</source>
+        <translation>wie auf dem Bildschirm</translation>
     </message>
     <message>
         <source>at rest</source>
@@ -2654,6 +3134,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>contact without a force in </source>
         <translation>Kontakt ohne Kraft in </translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>damped for stability</source>
@@ -2736,12 +3220,22 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>größte Kraft des Geräts</translation>
     </message>
     <message>
+        <source>left out: </source>
+        <translation>ausgelassen: </translation>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
         <source>lessons</source>
         <translation>lessons/de</translation>
     </message>
     <message>
         <source>limit </source>
         <translation>Grenze </translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
     </message>
     <message>
         <source>lost by the source</source>
@@ -2754,6 +3248,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>magnification</source>
         <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
     </message>
     <message>
         <source>no cell</source>
@@ -2772,12 +3270,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>keine Hand, keine Grenze</translation>
     </message>
     <message>
+        <source>no holder seen: taken to be opposite the needle</source>
+        <translation>keine Haltepipette gesehen: der Nadel gegenüber angenommen</translation>
+    </message>
+    <message>
         <source>no interval</source>
         <translation>kein Intervall</translation>
     </message>
     <message>
         <source>no needle in sight</source>
         <translation>keine Nadel in Sicht</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>keine Zahl</translation>
     </message>
     <message>
         <source>no plan without a hand</source>
@@ -2908,6 +3414,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>etwa 0.825</translation>
     </message>
     <message>
+        <source>such as 100</source>
+        <translation>etwa 100</translation>
+    </message>
+    <message>
         <source>such as 3.45</source>
         <translation>etwa 3.45</translation>
     </message>
@@ -2964,6 +3474,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>das Fenster wird nicht von einem X-Server gezeichnet</translation>
     </message>
     <message>
+        <source>the zona's thickness is the profile's</source>
+        <translation>die Dicke der Zona ist die des Profils</translation>
+    </message>
+    <message>
         <source>this cell </source>
         <translation>diese Zelle </translation>
     </message>
@@ -2986,6 +3500,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>true </source>
         <translation>wahr </translation>
+        <source>unfinished</source>
+        <translation>unbeendet</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -2994,6 +3510,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>unknown membrane</source>
         <translation>unbekannte Membran</translation>
+    </message>
+    <message>
+        <source>untouched</source>
+        <translation>unberührt</translation>
     </message>
     <message>
         <source>σ of that</source>

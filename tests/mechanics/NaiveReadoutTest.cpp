@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "RevolvedContour.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/mechanics/ForceCrossCheck.h"

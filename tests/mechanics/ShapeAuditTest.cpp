@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "RevolvedContour.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 #include "SectionContours.h"
 #include "pellucida/membrane/Indenter.h"
 #include "support/TestProfiles.h"

@@ -11,10 +11,12 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
 
+#include "Closing.h"
 #include "GuideFixture.h"
 #include "HandControl.h"
 #include "pellucida/visualization/Readout.h"
@@ -43,6 +45,40 @@ TEST_F(GuideWindowTest, NoKeyIsGivenTwice) {
   for (const auto* keys : {&with_hand, &without}) {
     for (const auto& [key, count] : *keys) EXPECT_EQ(count, 1) << key.toStdString();
   }
+}
+
+TEST_F(GuideWindowTest, ClosingAsksOnceWhileARecordingRuns) {
+  const TemporaryFolder folder;
+  auto run = std::make_unique<LiveRun>(open_any_source("virtual:default", {}), PipelineOptions{});
+  GuideOptions options;
+  options.session_folder = (folder / "S").string();
+  GuideWindow window(std::move(run), nullptr, options);
+  show(window);
+  auto* record = window.findChild<QPushButton*>("record");
+  record->click();
+  ASSERT_TRUE(pass_until([&] { return std::filesystem::exists(folder / "S"); }));
+  const auto ask = [&]() -> QWidget* {
+    auto* question = window.findChild<QWidget*>("closingQuestion");
+    return question && question->isVisible() ? question : nullptr;
+  };
+  // The way to the start page asks as well, and is forgotten with a no.
+  close_for_start_page(window);
+  ASSERT_TRUE(window.isVisible());
+  ASSERT_TRUE(pass_until([&] { return ask() != nullptr; }));
+  EXPECT_FALSE(ask()->isModal()) << "no dialog blocks a live cell";
+  ask()->findChild<QPushButton*>("goOn")->click();
+  ASSERT_TRUE(pass_until([&] { return ask() == nullptr; }));
+  EXPECT_FALSE(leads_to_start_page(window));
+  EXPECT_TRUE(record->isChecked());
+  EXPECT_FALSE(window.close());
+  EXPECT_FALSE(window.close());
+  ASSERT_TRUE(pass_until([&] { return ask() != nullptr; }));
+  EXPECT_EQ(window.findChildren<QWidget*>("closingQuestion").size(), 1);
+  keep_picture(*ask(), "closing-question");
+  ask()->findChild<QPushButton*>("endAndClose")->click();
+  ASSERT_TRUE(pass_until([&] { return !window.isVisible(); }));
+  window.end_run();
+  EXPECT_TRUE(std::filesystem::exists(folder / "S" / "session.json"));
 }
 
 TEST_F(GuideWindowTest, TipsNameTheKeys) {

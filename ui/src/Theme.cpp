@@ -23,11 +23,11 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #recordStrip, #cellDrawer, #nodeFacts { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #recordStrip, #cellDrawer, #nodeFacts, #chartFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
-#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName { color: @dim; font-size: 12px; }
+#sourceCaption, #statusText, #notice, #facts, #place, #nodeFactName, #chartFacts { color: @dim; font-size: 12px; }
 #sourceName { font-size: 13px; font-weight: 600; }
 #panelTitle { font-size: 13px; font-weight: 600; }
 #readoutName { color: @dim; font-size: 11px; font-weight: 600; }
@@ -112,9 +112,9 @@ QLabel[keyMeaning="true"] { font-size: 12px; }
 #fieldProblem, #cardProblem { color: @record; font-size: 12px; }
 #fieldUnit { color: @dim; font-size: 12px; }
 #computedSize { color: @accent; font-size: 13px; font-weight: 600; }
-#startCard QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
-#startCard QLineEdit[blank="true"] { color: @dim; }
-#startCard QLineEdit:hover, #startCard QLineEdit:focus { border-color: @accent; }
+#startCard QLineEdit, #pixelSizeDialog QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
+#startCard QLineEdit[blank="true"], #pixelSizeDialog QLineEdit[blank="true"] { color: @dim; }
+#startCard QLineEdit:hover, #startCard QLineEdit:focus, #pixelSizeDialog QLineEdit:hover, #pixelSizeDialog QLineEdit:focus { border-color: @accent; }
 QFrame[message="true"] { background: @raised; border: none; border-left: 6px solid @warning; }
 QFrame[message="true"] QLabel { font-size: 15px; font-weight: 600; }
 #problemStrip { border-left: 6px solid @record; }
@@ -213,6 +213,10 @@ QColor to_qt(const Color& color) {
 
 double applied_type_scale() noexcept {
   return type_scale_applied;
+}
+
+void set_sheet(QWidget& widget, const QString& sheet) {
+  if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
 }
 
 void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale) {

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include "pellucida/core/NewFiles.h"
+
 namespace pellucida {
 namespace {
 
@@ -116,6 +118,14 @@ void replace_file(const fs::path& file, std::string_view content) {
   OutputFile output(file, OutputFile::Link::kReplace);
   output.write(content);
   output.finish(false);
+}
+
+void require_new(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (file.empty() || !fs::is_regular_file(file, ignored)) continue;
+    throw UsageError(file.string() + ": already there; give another --output, or --replace to replace it");
+  }
 }
 
 void require_apart(const fs::path& output, const fs::path& input, const std::string& option) {

@@ -14,7 +14,7 @@
 #include "ForceReport.h"
 #include "ObservationCheck.h"
 #include "PunctureVerdict.h"
-#include "RevolvedContour.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 #include "pellucida/core/Error.h"
 
 namespace pellucida {

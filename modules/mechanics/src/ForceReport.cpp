@@ -6,7 +6,7 @@
 
 #include "ErrorBudget.h"
 #include "NodalField.h"
-#include "RevolvedContour.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 
 namespace pellucida {
 namespace {

@@ -1,4 +1,4 @@
-#include "RevolvedContour.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -7,12 +7,7 @@ CellSnapshot snapshot_of(const PokedCell& cell, std::optional<int> node) {
   s.mesh = cell.mesh();
   s.parameters = cell.parameters();
   s.x_um = cell.state().x_um;
-  const auto& springs = cell.model().springs().springs();
-  s.spring_pull_uN.resize(static_cast<Eigen::Index>(springs.size()));
-  for (std::size_t k = 0; k < springs.size(); ++k) {
-    const double length_um = (s.x_um.col(springs[k].i) - s.x_um.col(springs[k].j)).norm();
-    s.spring_pull_uN[static_cast<Eigen::Index>(k)] = springs[k].pull_uN(length_um);
-  }
+  s.spring_pull_uN = spring_pulls_uN(cell.model().springs(), s.x_um);
   s.depth_um = cell.depth_um();
   // Out of the cell the needle is where it is; in it, where the bond has it.
   s.tip_um = cell.depth_um() < 0.0 ? Eigen::Vector3d(cell.depth_um() * s.mesh->push) : cell.tip_displacement_um();

@@ -38,8 +38,8 @@ Eigen::Vector3d NodeForces::residual_uN() const {
   return std::accumulate(force_uN.begin(), force_uN.end(), Eigen::Vector3d(Eigen::Vector3d::Zero()));
 }
 
-NodeForces node_forces(const MembraneModel& model, const std::vector<SpringDirection>& directions,
-                       const Dynamics& dynamics, const MotionState& state,
+NodeForces node_forces(const MembraneModel& model, const std::vector<SpringDirection>& directions, double node_mass_kg,
+                       double damping_uN_s_per_um, const MotionState& state,
                        const Eigen::Matrix3Xd& acceleration_um_per_s2, int node) {
   NodeForces forces;
   forces.node = node;
@@ -59,10 +59,19 @@ NodeForces node_forces(const MembraneModel& model, const std::vector<SpringDirec
   at(ForceTerm::kNeedle) = force_of(model.tip(), state.x_um, node);
   at(ForceTerm::kHolder) = force_of(model.holder(), state.x_um, node);
   Eigen::Matrix3Xd damping_uN = Eigen::Matrix3Xd::Zero(3, state.x_um.cols());
-  model.springs().add_damping(state.x_um, state.v_um_per_s, dynamics.damping_uN_s_per_um, damping_uN);
+  model.springs().add_damping(state.x_um, state.v_um_per_s, damping_uN_s_per_um, damping_uN);
   at(ForceTerm::kDampers) = damping_uN.col(node);
-  at(ForceTerm::kInertia) = -dynamics.node_mass_kg * acceleration_um_per_s2.col(node);
+  at(ForceTerm::kInertia) = -node_mass_kg * acceleration_um_per_s2.col(node);
   return forces;
+}
+
+Eigen::VectorXd spring_pulls_uN(const SpringTerm& springs, const Eigen::Matrix3Xd& x_um) {
+  const auto& all = springs.springs();
+  Eigen::VectorXd pulls_uN(static_cast<Eigen::Index>(all.size()));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    pulls_uN[static_cast<Eigen::Index>(k)] = all[k].pull_uN((x_um.col(all[k].i) - x_um.col(all[k].j)).norm());
+  }
+  return pulls_uN;
 }
 
 }  // namespace pellucida

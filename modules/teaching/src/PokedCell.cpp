@@ -199,7 +199,8 @@ NodeForces PokedCell::forces_on(int node) const {
   if (node < 0 || node >= state_.x_um.cols()) {
     throw UsageError("node " + std::to_string(node) + ": give 0 to " + std::to_string(state_.x_um.cols() - 1));
   }
-  return node_forces(*model_, mesh_->directions, *dynamics_, state_, acceleration_um_per_s2_, node);
+  return node_forces(*model_, mesh_->directions, dynamics_->node_mass_kg, dynamics_->damping_uN_s_per_um, state_,
+                     acceleration_um_per_s2_, node);
 }
 
 }  // namespace pellucida

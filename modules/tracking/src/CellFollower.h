@@ -97,6 +97,7 @@ class CellFollower {
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
   bool is_before(const Eigen::Vector2d& center, double most_px) const;
+  bool is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const;
   void read_tip_width(const FrameInput& frame, bool is_clear);
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
@@ -109,6 +110,7 @@ class CellFollower {
   void measure_dent();
   double flank_depth() const;
   void follow_flanks();
+  bool has_deep_flanks() const;
   bool are_flanks_back() const;
   Eigen::Vector2d apex() const;
   double apex_sigma() const;

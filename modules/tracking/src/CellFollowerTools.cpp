@@ -84,11 +84,29 @@ NeedleZone CellFollower::zone() const {
 void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle& circle) {
   const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
   motion_ = {};
-  holder_ = find_holder(frame.image, frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools, circle,
-                        frame.noise);
-  if (holder_ && frame.seen) check_width(*holder_, *frame.seen);
+  const auto find_among = [&](const std::vector<FoundTool>& candidates) {
+    holder_ = find_holder(frame.image, candidates, circle, frame.noise);
+    if (holder_ && frame.seen) check_width(*holder_, *frame.seen);
+  };
+  find_among(frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools);
   find_needle(frame, circle, tools);
+  // The scene may show a broad shaft as both: the needle holds nothing.
+  if (holder_ && is_along_needle(*holder_, circle.center)) {
+    std::vector<FoundTool> others;
+    std::copy_if(tools.begin(), tools.end(), std::back_inserter(others), [&](const FoundTool& tool) {
+      return -tool.direction.dot(needle_.estimate().direction) < kAlongHolder;
+    });
+    find_among(others);
+  }
   read_tip_width(frame, true);
+}
+
+bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const {
+  if (!needle_.valid()) return false;
+  const NeedleEstimate& n = needle_.estimate();
+  const Eigen::Vector2d across(-holder.direction.y(), holder.direction.x());
+  return -holder.direction.dot(n.direction) > kAlongHolder &&
+         std::abs((n.tip - center).dot(across) - holder.offset) < holder.half_width;
 }
 
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.

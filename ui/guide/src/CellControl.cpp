@@ -108,7 +108,7 @@ void CellControl::choose_folder() {
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
     run_.set_place(folder.toStdString());
-    guide_memory::keep_recordings(folder.toStdString());
+    remember_recordings(folder.toStdString());
     drawer_->show_folder(folder);
     notify_(words("The next recording goes into ") + folder, false);
   });

@@ -6,8 +6,8 @@
 #include <QPushButton>
 
 #include "EventSound.h"
-#include "GuideMemory.h"
 #include "HandControl.h"
+#include "WindowMemory.h"
 #include "Words.h"
 #include "pellucida/operation/OperatorConsole.h"
 #include "pellucida/simulation/ModalityName.h"
@@ -68,9 +68,8 @@ DisplayControl::DisplayControl(Parts parts, QPushButton& button)
   connect(sounds_, &QAction::toggled, this, [this](bool on) {
     if (on && !sound_) sound_ = std::make_unique<EventSound>();
     if (!on) sound_.reset();
-    guide_memory::keep_sounds(on);
   });
-  sounds_->setChecked(guide_memory::sounds());
+  keep_as(*sounds_, "sounds");
   // Keys of a menu that isn't open act too.
   button.addActions(menu->actions());
   button.setMenu(menu);

@@ -3,15 +3,10 @@
 
 namespace pellucida {
 
-/// What Guide keeps from one start to the next, in `Pellucida/guide.ini` in the user's settings. What is missing or
-/// damaged there counts as not chosen; settings that can't be written stay as they are.
-namespace guide_memory {
-/// The folder of recordings; empty: none was chosen.
-std::filesystem::path recordings();
-void keep_recordings(const std::filesystem::path& folder);
-/// Sounds at contact, puncture and alarms: off until they were chosen.
-bool sounds();
-void keep_sounds(bool on);
-}  // namespace guide_memory
+/// The folder of recordings that a person chose last, kept in `Pellucida/guide.ini` in the user's settings; empty: none
+/// was chosen, or the settings are damaged.
+std::filesystem::path remembered_recordings();
+/// Settings that can't be written stay as they are.
+void remember_recordings(const std::filesystem::path& folder);
 
 }  // namespace pellucida

@@ -40,6 +40,8 @@ namespace pellucida {
 namespace {
 
 constexpr int kTick_ms = 33;
+// What the mouse and the other threads get after a long tick at most.
+constexpr int kLongestPause_ms = 8;
 constexpr double kStatusPeriod_s = 0.1;
 constexpr double kNotice_s = 6.0, kProblem_s = 20.0;
 // A window lower than this has smaller gauges.
@@ -54,7 +56,11 @@ QString text_of(const std::string& utf8) {
 }  // namespace
 
 GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options)
-    : run_(std::move(run)), console_(std::move(console)), options_(std::move(options)), scenes_(*run_, source_) {
+    : run_(std::move(run)),
+      console_(std::move(console)),
+      options_(std::move(options)),
+      scenes_(*run_, source_),
+      closing_(*this, [this] { control_->end_recording(); }) {
   feed_.set_caption(source_caption(run_->source_info()));
   control_ = std::make_unique<RunControl>(
       *run_, *this, options_.session_folder,
@@ -78,6 +84,7 @@ GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorC
   screenshot_ = std::make_unique<TimedScreenshot>(*this, options_, [this] {
     scenes_.poll();
     show_scene();
+    charts_->render();
     show_status();
   });
 }
@@ -116,16 +123,7 @@ void GuideWindow::build() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(top_bar_ = build_top_bar());
-  close_question_ = new MessageStrip("closeQuestion",
-                                     {{words("End the recording and close"),
-                                       [this] {
-                                         may_close_ = true;
-                                         close();
-                                       }},
-                                      {words("Go on"), {}}},
-                                     page);
   problem_ = new MessageStrip("problemStrip", {{words("Close"), {}}}, page);
-  column->addWidget(close_question_);
   column->addWidget(problem_);
   column->addWidget(gauges_ = new GaugeBar(page));
   column->addWidget(facts_ = new FactLine(page));
@@ -196,19 +194,6 @@ QSplitter* GuideWindow::build_rows() {
   return all;
 }
 
-void GuideWindow::closeEvent(QCloseEvent* event) {
-  const LiveStatus status = run_->status();
-  // A picture at a time, and an answer, close at once; so does a second wish.
-  if (may_close_ || !options_.screenshot.empty() || !close_question_->isHidden()) return event->accept();
-  if (!status.recording && status.waiting_note_count == 0) return event->accept();
-  event->ignore();
-  close_question_->say_text(status.recording
-                                ? words("This window is recording, and goes on while you decide. Close it? What is "
-                                        "recorded will be whole.")
-                                : words("Notes are waiting for the next recording and would be lost. Close the "
-                                        "window?"));
-}
-
 // A low window has smaller gauges and charts, so that the image keeps its room; what a person has dragged stays.
 void GuideWindow::resizeEvent(QResizeEvent*) {
   const bool is_low = height() < kLow_px;
@@ -217,6 +202,11 @@ void GuideWindow::resizeEvent(QResizeEvent*) {
   gauges_->set_low(is_low);
   charts_->set_low(is_low);
   rows_->setSizes(is_low ? QList<int>{700, 100} : QList<int>{520, 250});
+}
+
+// What was recorded is whole once the run has ended.
+void GuideWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(closing_.may_close(run_->status().recording));
 }
 
 TopBar* GuideWindow::build_top_bar() {
@@ -259,21 +249,24 @@ void GuideWindow::tick() {
   const double begin_s = now_s();
   if (hand_) hand_->tick();
   const bool plan_changed = plan_ && plan_->tick();
-  if (scenes_.poll()) {
+  const bool has_scene = scenes_.poll();
+  if (has_scene) {
     show_scene();
   } else if (plan_changed) {
     feed_panel_->view().render();
   }
   const std::vector<Event> events = take_events();
   const bool is_due = begin_s - status_shown_s_ >= kStatusPeriod_s;
-  if (is_due || !events.empty()) display_->hear(events, show_gauges(), begin_s);
+  if (is_due && !has_scene) show_gauges();
+  display_->hear(events, gauges_->gauges(), begin_s);
   if (is_due) {
     show_status();
+    figures_.look();
     status_shown_s_ = begin_s;
   }
   // A slow renderer must leave time for the mouse and the other threads.
   const int spent_ms = static_cast<int>(spent.elapsed());
-  timer_.start(std::max(kTick_ms - spent_ms, spent_ms / 3));
+  timer_.start(std::max(kTick_ms - spent_ms, std::min(spent_ms / 3, kLongestPause_ms)));
 }
 
 // All of the window that shows a scene, in one go.
@@ -284,15 +277,16 @@ void GuideWindow::show_scene() {
   if (scenes_.measured()) cells_->take(*scenes_.measured(), scenes_.new_rows());
   show_gauges();
   feed_.refresh();
+  membranes_.set_plan(feed_.plan());
   if (membrane_panel_->isVisible()) membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();
   membrane_panel_->view().render();
-  charts_->render();
   ++drawn_count_;
+  if (scenes_.measured()) figures_.drew();
 }
 
-std::array<Gauge, 4> GuideWindow::show_gauges() {
+void GuideWindow::show_gauges() {
   const LiveStatus status = run_->status();
   GaugeInput input;
   input.scene = scenes_.measured();
@@ -319,9 +313,7 @@ std::array<Gauge, 4> GuideWindow::show_gauges() {
   if (display_->shows_truth() && input.scene) {
     input.true_force_uN = options_.true_force_uN(input.scene->measurement.frame);
   }
-  const auto gauges = make_gauges(input);
-  gauges_->show_gauges(gauges);
-  return gauges;
+  gauges_->show_gauges(make_gauges(input));
 }
 
 // What happened since the last tick: a puncture to keep on screen, what came of a hint.

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "ClosingQuestion.h"
 #include "TimedScreenshot.h"
+#include "WindowFigures.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/guide/Guide.h"
 #include "pellucida/visualization_vtk/FeedView.h"
@@ -44,6 +46,7 @@ class GuideWindow : public QMainWindow {
   GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options);
   ~GuideWindow() override;
 
+  const WindowFigures& figures() const noexcept { return figures_; }
   const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
 
   /// Ends the run for good, once the window is closed. Throws OutputError where its recording could not be closed
@@ -52,7 +55,6 @@ class GuideWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  /// While it records it asks once, in the window: the recording goes on meanwhile.
   void closeEvent(QCloseEvent* event) override;
 
  private:
@@ -65,7 +67,7 @@ class GuideWindow : public QMainWindow {
 
   void tick();
   void show_scene();
-  std::array<Gauge, 4> show_gauges();
+  void show_gauges();
   std::vector<Event> take_events();
   void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
   void show_status();
@@ -76,6 +78,7 @@ class GuideWindow : public QMainWindow {
   std::unique_ptr<LiveRun> run_;
   std::unique_ptr<OperatorConsole> console_;
   GuideOptions options_;
+  WindowFigures figures_{options_.figures};
   vtkNew<StageSource> source_;
   SceneFeed scenes_;
   FeedView feed_{source_};
@@ -83,6 +86,7 @@ class GuideWindow : public QMainWindow {
   StatusPresenter status_;
 
   std::unique_ptr<RunControl> control_;
+  ClosingQuestion closing_;
   std::unique_ptr<HandControl> hand_;
   TopBar* top_bar_ = nullptr;
   GaugeBar* gauges_ = nullptr;
@@ -91,7 +95,6 @@ class GuideWindow : public QMainWindow {
   PlanControl* plan_ = nullptr;   // with a hand
   CellControl* cells_ = nullptr;
   DisplayControl* display_ = nullptr;
-  MessageStrip* close_question_ = nullptr;
   MessageStrip* problem_ = nullptr;
   FeedPanel* feed_panel_ = nullptr;
   MembranePanel* membrane_panel_ = nullptr;
@@ -99,7 +102,6 @@ class GuideWindow : public QMainWindow {
   StatusLine* status_line_ = nullptr;
   QSplitter* rows_ = nullptr;
   bool is_low_ = false;
-  bool may_close_ = false;  // the question was answered
 
   QTimer timer_;
   QElapsedTimer clock_;

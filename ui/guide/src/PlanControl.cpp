@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QUndoCommand>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "pellucida/operation/OperatorConsole.h"
 #include "pellucida/visualization_vtk/FeedView.h"
@@ -60,6 +61,7 @@ void PlanControl::add_menu() {
   shown->setChecked(true);
   shown->setShortcut(Qt::Key_P);
   connect(shown, &QAction::toggled, this, [this](bool on) { is_shown_ = on; });
+  keep_as(*shown, "plan");
   menu->addSeparator();
   QAction* undo = menu->addAction(words("Undo the plan's change"));
   undo->setObjectName("planUndo");

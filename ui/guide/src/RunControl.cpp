@@ -25,7 +25,7 @@ RunControl::RunControl(LiveRun& run, QWidget& window, const std::string& session
       recordings_(session_folder, QDir::homePath().toStdString()),
       begun_(std::move(begun)),
       notify_(std::move(notify)) {
-  if (const auto chosen = guide_memory::recordings(); session_folder.empty() && !chosen.empty()) set_place(chosen);
+  if (const auto chosen = remembered_recordings(); session_folder.empty() && !chosen.empty()) set_place(chosen);
 }
 
 void RunControl::toggle_recording() {

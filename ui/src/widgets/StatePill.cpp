@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "Theme.h"
 #include "Words.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/visualization/Readout.h"
@@ -27,7 +28,7 @@ StatePill::StatePill(QWidget* parent) : QLabel(parent) {
 
 void StatePill::show_state(const Phrase& state) {
   setText(QString::fromStdString(state.text));
-  setStyleSheet("background: " + QString::fromStdString(state.color.css()));
+  set_sheet(*this, "background: " + QString::fromStdString(state.color.css()));
 }
 
 }  // namespace pellucida

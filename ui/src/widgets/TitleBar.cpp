@@ -5,10 +5,12 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
 
@@ -45,13 +47,18 @@ QPushButton* TitleBar::add_menu_button(const QString& text, const QString& tip) 
   return button;
 }
 
+void TitleBar::add_start_button() {
+  row_->addWidget(make_start_button(this));
+}
+
 void TitleBar::add_look_menu(const QKeySequence& light_key) {
   row_->addWidget(make_look_button(light_key, this));
   row_->addWidget(make_keys_button(this));
 }
 
-void TitleBar::add_name(const QString& name, const QString& tip) {
+void TitleBar::add_name(const QString& name, const QString& tip, bool shows_blocks) {
   row_->addStretch(1);
+  if (shows_blocks) row_->addWidget(new BlockLabel(this));
   auto* label = new QLabel(name, this);
   label->setObjectName("sourceName");
   label->setToolTip(tip);

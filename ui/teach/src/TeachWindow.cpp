@@ -134,6 +134,7 @@ void TeachWindow::build(LessonChoice& lessons) {
 
 QWidget* TeachWindow::build_top_bar() {
   auto* bar = new TitleBar(nullptr);
+  bar->add_start_button();
   bar->add_button(words("Start again"), Qt::Key_Home, words("The cell at rest"), [this] { restart(); })
       ->setObjectName("restart");
   bar->add_button(words("Withdraw"), Qt::Key_W, words("The needle out of the cell"),
@@ -150,7 +151,7 @@ QWidget* TeachWindow::build_top_bar() {
   bar->add_button(words("Full screen"), Qt::Key_F11, words("All of the screen, and back"),
                   [this] { isFullScreen() ? showNormal() : showFullScreen(); });
   bar->add_look_menu(Qt::Key_L);
-  bar->add_name(words("Teach"), words("A simulated cell to poke"));
+  bar->add_name(words("Teach"), words("A simulated cell to poke"), true);
   return bar;
 }
 

@@ -1,6 +1,7 @@
 #include "PokedCellActors.h"
 
 #include <vtkCellData.h>
+#include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -49,6 +50,7 @@ void PokedCellActors::build(vtkRenderer* renderer) {
   spring_actor->VisibilityOff();
   renderer->AddActor(spring_actor);
   arrows.build(renderer);
+  build_field(renderer);
 
   // Clear bodies come after solid ones, the cell's skin before the glass.
   normals->SetInputData(surface);
@@ -63,6 +65,38 @@ void PokedCellActors::build(vtkRenderer* renderer) {
   holder.build(renderer, current_theme().glass, 0.75);
   needle.build(renderer, current_theme().glass, 0.80);
   for (auto& side : needle.sides) side->SetUserTransform(needle_pose);
+}
+
+void PokedCellActors::build_field(vtkRenderer* renderer) {
+  field_uN->SetName("field_uN");
+  field_uN->SetNumberOfComponents(3);
+  field->SetPoints(points);
+  field->GetPointData()->SetVectors(field_uN);
+  field_arrow->SetShaftRadius(0.05);
+  field_arrow->SetTipRadius(0.14);
+  field_arrow->SetTipLength(0.36);
+  field_mapper->SetInputData(field);
+  field_mapper->SetSourceConnection(field_arrow->GetOutputPort());
+  field_mapper->SetOrientationArray("field_uN");
+  field_mapper->SetOrientationModeToDirection();
+  field_mapper->SetScaleArray("field_uN");
+  field_mapper->SetScaleModeToScaleByMagnitude();
+  field_mapper->SetScalarModeToUsePointFieldData();
+  field_mapper->SelectColorArray("field_uN");
+  field_colors->SetVectorModeToMagnitude();
+  field_mapper->SetLookupTable(field_colors);
+  field_mapper->UseLookupTableScalarRangeOn();
+  field_actor->SetMapper(field_mapper);
+  field_actor->GetProperty()->SetAmbient(0.45);
+  field_actor->GetProperty()->SetDiffuse(0.65);
+  field_actor->PickableOff();
+  field_actor->VisibilityOff();
+  renderer->AddActor(field_actor);
+}
+
+void PokedCellActors::scale_field(double longest_um, double full_uN) {
+  field_mapper->SetScaleFactor(longest_um / full_uN);
+  field_colors->SetTableRange(0.0, full_uN);
 }
 
 void PokedCellActors::set_mesh(std::shared_ptr<const CellMesh> next) {
@@ -97,6 +131,7 @@ void PokedCellActors::set_theme(const ThemeColors& theme, double spring_width_px
   for (ClearWall* glass : {&needle, &holder}) {
     for (auto& side : glass->sides) set_actor_color(side, theme.glass);
   }
+  fill_lookup_table(field_colors, ColorMapKind::kForce);
   spring_actor->GetProperty()->SetLineWidth(static_cast<float>(spring_width_px));
 }
 

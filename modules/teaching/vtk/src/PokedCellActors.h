@@ -1,7 +1,9 @@
 #pragma once
 #include <vtkActor.h>
+#include <vtkArrowSource.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -37,6 +39,13 @@ struct PokedCellActors {
   vtkNew<vtkActor> spring_actor;
   vtkSmartPointer<vtkLookupTable> pull_colors = make_lookup_table(ColorMapKind::kPull);
 
+  vtkNew<vtkPolyData> field;
+  vtkNew<vtkDoubleArray> field_uN;  // three a node
+  vtkNew<vtkArrowSource> field_arrow;
+  vtkNew<vtkGlyph3DMapper> field_mapper;
+  vtkNew<vtkActor> field_actor;
+  vtkSmartPointer<vtkLookupTable> field_colors = make_lookup_table(ColorMapKind::kForce);
+
   ClearWall needle;
   vtkNew<vtkTransform> needle_pose;
   ClearWall holder;
@@ -46,9 +55,14 @@ struct PokedCellActors {
   void build(vtkRenderer* renderer);
   /// Another mesh: triangles, connectors, tools.
   void set_mesh(std::shared_ptr<const CellMesh> mesh);
+  /// Arrows of this length for a force of `full_uN`.
+  void scale_field(double longest_um, double full_uN);
   void set_theme(const ThemeColors& theme, double spring_width_px);
 
   std::shared_ptr<const CellMesh> mesh;
+
+ private:
+  void build_field(vtkRenderer* renderer);
 };
 
 }  // namespace pellucida

@@ -24,6 +24,8 @@ constexpr double kSpringWidth_px = 1.4;
 constexpr double kExplainedSprings = 0.45;  // opacity, beside arrows
 // The colour scale ends above all but the few connectors at the tip.
 constexpr double kPullShare = 0.98;
+// The longest arrow of a field, of the cell's radius.
+constexpr double kLongestFieldArrow_ratio = 0.4;
 // The hand shows once it is so far from the tip.
 constexpr double kLagShown_um = 0.7;
 
@@ -52,6 +54,7 @@ Color term_color(ForceTerm term, const ThemeColors& theme) noexcept {
 
 PokedCellView::PokedCellView() : actors_(std::make_unique<PokedCellActors>()) {
   actors_->build(main_);
+  hints_ = {say("Drag: needle"), say("Click: forces on a node"), say("Right drag: turn")};
   main_->GradientBackgroundOn();
   main_->AutomaticLightCreationOff();
   vtkNew<vtkLight> key;
@@ -104,10 +107,14 @@ void PokedCellView::refresh() {
   p.holder.show(shown);
   if (!shown) {
     p.arrows.hide();
+    p.field_actor->VisibilityOff();
     return;
   }
   if (p.mesh != snapshot_->mesh) p.set_mesh(snapshot_->mesh);
+  const Scales own = scales_for(*snapshot_);
+  used_ = scales_ ? *scales_ : Scales{pull_range_uN_.update(own.pull_uN), field_range_uN_.update(own.field_uN)};
   refresh_surface();
+  refresh_field();
   refresh_arrows();
   const Eigen::Vector3d tip_um = contact_um() + snapshot_->tip_um;
   p.needle_pose->Identity();
@@ -124,8 +131,28 @@ void PokedCellView::refresh_surface() {
   const Eigen::VectorXd& pulls_uN = snapshot_->spring_pull_uN;
   for (Eigen::Index k = 0; k < pulls_uN.size(); ++k) p.pulls_uN->SetValue(k, pulls_uN[k]);
   p.pulls_uN->Modified();
-  const double upper_uN = pull_range_uN_.update(quantile_of_sizes(pulls_uN, kPullShare));
-  p.pull_colors->SetTableRange(-upper_uN, upper_uN);
+  p.pull_colors->SetTableRange(-used_.pull_uN, used_.pull_uN);
+}
+
+void PokedCellView::refresh_field() {
+  PokedCellActors& p = *actors_;
+  const Eigen::Matrix3Xd& field_uN = snapshot_->field_uN;
+  p.field_actor->SetVisibility(field_uN.cols() > 0);
+  if (field_uN.cols() == 0) return;
+  p.field_uN->SetNumberOfTuples(field_uN.cols());
+  for (Eigen::Index n = 0; n < field_uN.cols(); ++n) p.field_uN->SetTuple(n, field_uN.col(n).data());
+  p.field_uN->Modified();
+  p.scale_field(kLongestFieldArrow_ratio * snapshot_->mesh->mid_radius_um, used_.field_uN);
+}
+
+PokedCellView::Scales PokedCellView::scales_for(const CellSnapshot& s) {
+  const double strongest_uN = s.field_uN.cols() > 0 ? s.field_uN.colwise().norm().maxCoeff() : 0.0;
+  return {quantile_of_sizes(s.spring_pull_uN, kPullShare), strongest_uN};
+}
+
+void PokedCellView::set_scales(const std::optional<Scales>& scales) {
+  scales_ = scales;
+  refresh();
 }
 
 void PokedCellView::refresh_arrows() {
@@ -205,20 +232,29 @@ void PokedCellView::prepare(double, double) {
 
 void PokedCellView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!snapshot_) return;
-  const double bar_height = std::clamp(0.42 * height_px, 70.0, 200.0);
-  if (springs_shown_) {
-    draw_color_bar(hud, ColorMapKind::kPull, 16.0, height_px - bar_height - 40.0, bar_height, pull_range_uN_.upper(),
-                   say("Pull of a connector (µN)"), HudAlign::kLeft, true, *theme_);
-  }
+  draw_scales(hud, width_px, height_px);
   draw_hand(hud);
   // As much of it as there is room for.
   const HudText style{.color = theme_->text_dim};
   double x = 16.0;
-  for (const std::string& hint : {say("Drag: needle"), say("Click: forces on a node"), say("Right drag: turn")}) {
+  for (const std::string& hint : hints_) {
     const double width = hud.text_width_px(hint, style);
     if (x + width > width_px) break;
     hud.text(x, 18.0, hint, style);
     x += width + 20.0;
+  }
+}
+
+void PokedCellView::draw_scales(HudCanvas& hud, double width_px, double height_px) const {
+  const double bar_height = std::clamp(0.42 * height_px, 70.0, 200.0);
+  const double y = height_px - bar_height - 40.0;
+  if (springs_shown_) {
+    draw_color_bar(hud, ColorMapKind::kPull, 16.0, y, bar_height, used_.pull_uN, say("Pull of a connector (µN)"),
+                   HudAlign::kLeft, true, *theme_);
+  }
+  if (snapshot_->field_uN.cols() > 0) {
+    draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, y, bar_height, used_.field_uN,
+                   say("Node force (µN)"), HudAlign::kRight, false, *theme_);
   }
 }
 

@@ -19,9 +19,9 @@ constexpr std::array<std::string_view, 8> kTellingKinds{
     event_kind::kLost,    event_kind::kFound,   event_kind::kStarted,  event_kind::kResumed};
 
 // In the words of report/CellPassport, for lupdate.
-[[maybe_unused]] constexpr const char* kOutcomes[] = {PELLUCIDA_WORDS("punctured"), PELLUCIDA_WORDS("retracted"),
-                                                      PELLUCIDA_WORDS("lost in contact"),
-                                                      PELLUCIDA_WORDS("still in contact"), PELLUCIDA_WORDS("not touched")};
+[[maybe_unused]] constexpr const char* kOutcomes[] = {
+    PELLUCIDA_WORDS("punctured"), PELLUCIDA_WORDS("retracted"), PELLUCIDA_WORDS("lost in contact"),
+    PELLUCIDA_WORDS("still in contact"), PELLUCIDA_WORDS("not touched")};
 
 bool tells_of_cells(const Event& event) {
   return begins_new_cell(event) || named_cell(event) ||

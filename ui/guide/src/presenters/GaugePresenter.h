@@ -42,6 +42,9 @@ struct Gauge {
   double limit_share = kNothing;
   double truth_share = kNothing;  ///< a mark of its own
   double usual_share = kNothing;  ///< a fine mark: where this kind of cell gives way
+
+  /// Looks the same, NaN beside NaN included.
+  bool operator==(const Gauge& other) const;
 };
 
 /// What the gauges are made from. No number is the gauges' own: limits come from the hand's settings, the profile and

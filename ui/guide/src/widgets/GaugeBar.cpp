@@ -83,6 +83,7 @@ GaugeBox::GaugeBox(QWidget* parent) : QFrame(parent) {
 }
 
 void GaugeBox::show_gauge(const Gauge& gauge) {
+  if (gauge == gauge_) return;
   gauge_ = gauge;
   value_->setObjectName(QString::fromStdString(gauge.key));
   note_->setObjectName(QString::fromStdString(gauge.key + "Note"));
@@ -97,8 +98,8 @@ void GaugeBox::show_gauge(const Gauge& gauge) {
   truth_->setVisible(!gauge.truth.empty());
   alarm_->setVisible(!gauge.alarm.empty());
   const ThemeColors& theme = current_theme();
-  alarm_->setStyleSheet(
-      QString::fromStdString("background: " + level_color(gauge.level).css() + "; color: " + theme.window.css()));
+  set_sheet(*alarm_,
+            QString::fromStdString("background: " + level_color(gauge.level).css() + "; color: " + theme.window.css()));
   setToolTip(QString::fromStdString(gauge.tip));
   setAccessibleName(QString::fromStdString(gauge.name + " " + gauge.value + " " + gauge.note + " " + gauge.alarm));
   fit_number();
@@ -132,8 +133,7 @@ void GaugeBox::fit_number() {
     letters.setPixelSize(size_px);
     if (QFontMetrics(letters).horizontalAdvance(widest) <= room_px) break;
   }
-  const QString sheet = QString("font-size: %1px").arg(size_px);
-  if (value_->styleSheet() != sheet) value_->setStyleSheet(sheet);
+  set_sheet(*value_, QString("font-size: %1px").arg(size_px));
 }
 
 void GaugeBox::paintEvent(QPaintEvent*) {
@@ -208,6 +208,7 @@ void GaugeBar::set_low(bool low) {
 }
 
 void GaugeBar::show_gauges(const std::array<Gauge, 4>& gauges) {
+  gauges_ = gauges;
   for (std::size_t k = 0; k < boxes_.size(); ++k) boxes_[k]->show_gauge(gauges[k]);
 }
 

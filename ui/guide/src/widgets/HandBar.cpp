@@ -196,7 +196,7 @@ QPushButton* HandBar::add_button(QHBoxLayout* row, const QString& text) {
 
 void HandBar::show_texts(const HandTexts& texts) {
   state_->setText(QString::fromStdString(texts.state.text));
-  state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
+  set_sheet(*state_, "background: " + QString::fromStdString(texts.state.color.css()));
   force_bar_->setValue(static_cast<int>(kForceSteps * texts.force_share));
   show_phrase(*force_, texts.force);
   show_phrase(*contact_, texts.contact);

@@ -5,6 +5,7 @@
 
 #include "Words.h"
 #include "presenters/StatusPresenter.h"
+#include "widgets/BlockLabel.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
@@ -27,6 +28,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   notice_->setObjectName("notice");
   notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   row->addStretch(1);
+  row->addWidget(new BlockLabel(this));
   recording_ = add_phrase_label(*row);
   recording_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 }

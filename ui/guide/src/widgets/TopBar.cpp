@@ -5,12 +5,14 @@
 #include <QLayout>
 #include <QPushButton>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "widgets/Icons.h"
 
 namespace pellucida {
 
 TopBar::TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent) : TitleBar(parent) {
+  add_start_button();
   record_ = add_button(words("Record"), Qt::Key_R, words("Write frames, shapes and forces to a session folder"),
                        std::move(actions.record));
   record_->setObjectName("record");
@@ -40,6 +42,7 @@ TopBar::TopBar(const QString& source, const QString& source_tip, Actions actions
   cells_->setObjectName("cellList");
   cells_->setCheckable(true);
   cells_->setProperty("lit", true);
+  keep_as(*cells_, "cells");
   connect(cells_, &QPushButton::toggled, this, std::move(actions.cells));
   display_ = add_menu_button(words("Display \u25BE"), words("What is shown, felt and heard"));
   display_->setObjectName("display");

@@ -10,11 +10,13 @@
 #include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
 
@@ -32,6 +34,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   brand->setObjectName("brand");
   row->addWidget(brand);
   row->addSpacing(18);
+  row->addWidget(make_start_button(this));
   QPushButton* open = add_button(row, words("Open"), QKeySequence::Open, words("Open another session"));
   open->setIcon(make_icon(Pictogram::kOpen));
   connect(open, &QPushButton::clicked, this, actions.open);
@@ -47,6 +50,10 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   events_->setChecked(true);
   events_->setProperty("lit", true);
   connect(events_, &QPushButton::toggled, this, actions.show_events);
+  QPushButton* cells = add_button(row, words("Cells"), Qt::Key_J, words("Cells of several sessions in one table"));
+  cells->setObjectName("cellsButton");
+  last_ = cells;
+  connect(cells, &QPushButton::clicked, this, actions.cells);
   row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
   row->addWidget(make_keys_button(this));
   row->addSpacing(8);
@@ -66,6 +73,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
     session->addWidget(label);
   }
   row->addLayout(session, 1);
+  row->addWidget(new BlockLabel(this));
   show_session(nullptr);
 }
 
@@ -97,12 +105,13 @@ void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
   add(words("Microscope image as PNG") + dots, "exportFeed", actions.export_feed);
   add(words("3-D view as PNG") + dots, "exportView", actions.export_view);
   menu->addSeparator();
-  add(words("Force over time as SVG, PDF or PNG") + dots, "exportTime", actions.export_time);
-  add(words("Force over indentation as SVG, PDF or PNG") + dots, "exportTouch", actions.export_touch);
-  node_ = add(words("Chart of the node as SVG, PDF or PNG") + dots, "exportNode", actions.export_node);
+  add(words("Force over time as SVG, PDF, PNG or CSV") + dots, "exportTime", actions.export_time);
+  add(words("Left chart as SVG, PDF, PNG or CSV") + dots, "exportTouch", actions.export_touch);
+  node_ = add(words("Chart of the node as SVG, PDF, PNG or CSV") + dots, "exportNode", actions.export_node);
   menu->addSeparator();
   add(words("Video of the views") + dots, "exportVideo", actions.export_video);
-  add(words("Tables as CSV") + dots, "exportTables", actions.export_tables);
+  add(words("This frame and its charts as CSV") + dots, "exportSeen", actions.export_seen);
+  add(words("All tables as CSV") + dots, "exportTables", actions.export_tables);
   QAction* report = add(words("Report") + dots, "report", actions.report);
   report->setShortcut(QKeySequence::Print);
   // Keys of a menu that isn't open act too.
@@ -132,6 +141,8 @@ void ReviewBar::show_session(const RecordedSession* session) {
 
 void ReviewBar::add(QPushButton& button) {
   row_->insertWidget(row_->count() - 3, &button);
+  setTabOrder(last_, &button);
+  last_ = &button;
 }
 
 void ReviewBar::show_events(bool shown) {

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "Theme.h"
 #include "Words.h"
 #include "presenters/TeachPresenter.h"
 #include "widgets/PhraseLabel.h"
@@ -61,7 +62,7 @@ void TeachReadouts::show_what_fits() {
 
 void TeachReadouts::show_texts(const TeachTexts& texts) {
   state_->setText(QString::fromStdString(texts.state.text));
-  state_->setStyleSheet("background: " + QString::fromStdString(texts.state.color.css()));
+  set_sheet(*state_, "background: " + QString::fromStdString(texts.state.color.css()));
   show_what_fits();
   show_phrase(*depth_.value, texts.depth);
   show_phrase(*force_.value, texts.force);

@@ -24,6 +24,7 @@ struct CellSnapshot {
   double hand_along_um = 0.0;
   double hand_across_um = 0.0;
   std::optional<NodeForces> node_forces;  ///< of the node asked for
+  Eigen::Matrix3Xd field_uN;              ///< (3 x n) a force on every node to be shown; empty: none
 
   double time_s = 0.0;
   double depth_um = 0.0;

@@ -37,8 +37,11 @@ struct NodeForces {
 
 /// The forces on `node` at a state whose nodes have the acceleration `acceleration_um_per_s2` (3 x n). Evaluates every
 /// term of the model once. Precondition: `directions` are those of the model's springs, `node` one of its nodes.
-NodeForces node_forces(const MembraneModel& model, const std::vector<SpringDirection>& directions,
-                       const Dynamics& dynamics, const MotionState& state,
+NodeForces node_forces(const MembraneModel& model, const std::vector<SpringDirection>& directions, double node_mass_kg,
+                       double damping_uN_s_per_um, const MotionState& state,
                        const Eigen::Matrix3Xd& acceleration_um_per_s2, int node);
+
+/// Tension of each connector at a shape, uN: above 0 where it pulls.
+Eigen::VectorXd spring_pulls_uN(const SpringTerm& springs, const Eigen::Matrix3Xd& x_um);
 
 }  // namespace pellucida

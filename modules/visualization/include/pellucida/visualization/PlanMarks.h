@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace pellucida {
 
@@ -25,6 +26,8 @@ struct PlanMarks {
 struct HintMark {
   Eigen::Vector2d place_um = Eigen::Vector2d::Zero();  ///< frame W, image plane
   std::string text;                                    ///< UTF-8
+  /// Further places, joined to it by a line: in place of the ring each has a dot. Empty: the ring.
+  std::vector<Eigen::Vector2d> further_um;
 };
 
 }  // namespace pellucida

@@ -19,7 +19,7 @@ struct GuideOptions : WindowOptions {
   int hand = -1;               ///< index of the console's hand at the start; -1: none
 };
 
-/// Opens the window in Guide mode on `run`, starts the run, and returns the event loop's exit status when the window is
+/// Opens the window in Guide mode on `run`, starts the run, and returns the event loop's exit status, or `kToStartPage`, when the window is
 /// closed. `console`: the hand on that run's pipette; nullptr: none. Needs an X server; main thread only. Throws
 /// DeviceError when no window can be opened, OutputError when the screenshot can't be written or the recording can't be
 /// closed whole.

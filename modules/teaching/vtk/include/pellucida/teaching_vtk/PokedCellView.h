@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pellucida/teaching/CellRunner.h"
 #include "pellucida/visualization/Scaling.h"
@@ -32,6 +33,18 @@ class PokedCellView : public View {
   void set_head_to_tail(bool on);
   void reset_camera();
 
+  /// Scales that two views share, so that they can be compared: at the ends of the connectors' colours and of the
+  /// arrows of `CellSnapshot::field_uN`; above 0. Nothing: each view its own.
+  struct Scales {
+    double pull_uN = 0.0;
+    double field_uN = 0.0;
+  };
+  void set_scales(const std::optional<Scales>& scales);
+  /// What the scales would have to hold for this snapshot: all but the few connectors at the tip, and every arrow.
+  static Scales scales_for(const CellSnapshot& snapshot);
+  /// What the mouse does, at the bottom; the default is said for a cell to be poked.
+  void set_hints(std::vector<std::string> utf8) { hints_ = std::move(utf8); }
+
   /// The motion of the hand (um along the push, um across) that moves the needle by so many device pixels on screen.
   Eigen::Vector2d hand_motion_um(double dx_px, double dy_px) const;
   /// The node nearest to a place on screen (device pixels, origin at the bottom left) on the near side of the cell;
@@ -51,12 +64,18 @@ class PokedCellView : public View {
   void refresh();
   void refresh_surface();
   void refresh_arrows();
+  void refresh_field();
   void draw_hand(HudCanvas& hud) const;
+  void draw_scales(HudCanvas& hud, double width_px, double height_px) const;
 
   CellSnapshotPtr snapshot_;
   const ThemeColors* theme_ = &current_theme();
   std::unique_ptr<PokedCellActors> actors_;
   NiceRange pull_range_uN_{0.001};
+  NiceRange field_range_uN_{0.001};
+  std::optional<Scales> scales_;
+  Scales used_;
+  std::vector<std::string> hints_;
   bool springs_shown_ = true;
   bool surface_shown_ = true;
   bool head_to_tail_ = false;

@@ -69,6 +69,7 @@ class FeedView : public View {
   void set_hints(std::vector<HintMark> marks) { hints_ = std::move(marks); }
   /// What a click is waited for, large at the top; empty for nothing.
   void set_prompt(std::string utf8) { prompt_ = std::move(utf8); }
+  const std::string& prompt() const noexcept { return prompt_; }
   /// Where the manipulator says that the tip is: for the arrow at the edge while the needle isn't seen.
   void set_reported_tip(const std::optional<Eigen::Vector2d>& tip_um) { reported_tip_um_ = tip_um; }
   /// Where a place of the view, logical pixels from its upper left corner, lies in the image plane, um.
