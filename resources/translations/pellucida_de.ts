@@ -5,6 +5,12 @@
     <name>Pellucida</name>
     <message>
         <source>
+Choose another folder: Cells (E), Change.</source>
+        <translation>
+Wählen Sie einen anderen Ordner: Zellen (E), Ändern.</translation>
+    </message>
+    <message>
+        <source>
 No force: </source>
         <translation>
 Keine Kraft: </translation>
@@ -228,6 +234,8 @@ und </translation>
         <translation> µm jenseits des Randes</translation>
     </message>
     <message>
+        <source> µm beyond the entry</source>
+        <translation> µm hinter dem Eintritt</translation>
         <source> µm per px</source>
         <translation> µm je px</translation>
     </message>
@@ -366,6 +374,20 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
     </message>
     <message>
+        <source>2-D image</source>
+        <translation>2-D-Bild</translation>
+    </message>
+    <message>
+        <source>3-D + haptics</source>
+        <translation>3-D + Haptik</translation>
+    </message>
+    <message>
+        <source>3-D + haptics + guide</source>
+        <translation>3-D + Haptik + Führung</translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation>3-D-Ansicht</translation>
         <source>1.5 times as stiff</source>
         <translation>1.5-mal so steif</translation>
     </message>
@@ -476,6 +498,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine Aufnahme enthält das Netz des Modells nicht</translation>
     </message>
     <message>
+        <source>A remark for the session's events; Enter writes it</source>
+        <translation>Bemerkung zu den Ereignissen der Sitzung; Eingabe schreibt sie</translation>
         <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
         <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
     </message>
@@ -504,6 +528,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Fügt den Ereignissen der Sitzung eine Bemerkung hinzu</translation>
     </message>
     <message>
+        <source>All keys of this window</source>
+        <translation>Alle Tasten dieses Fensters</translation>
         <source>Add sessions</source>
         <translation>Sitzungen hinzufügen</translation>
     </message>
@@ -568,6 +594,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Pfeile: die nächste Kraft</translation>
     </message>
     <message>
+        <source>As at the start</source>
+        <translation>Wie am Anfang</translation>
         <source>As usual</source>
         <translation>Wie üblich</translation>
     </message>
@@ -600,6 +628,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Beginnen</translation>
     </message>
     <message>
+        <source>Beside the measured one, from the specimen's own finite elements; never recorded</source>
+        <translation>Neben der gemessenen, aus den Finiten Elementen des Präparats; wird nie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Black and white follow the image</source>
+        <translation>Schwarz und Weiß folgen dem Bild</translation>
+    </message>
+    <message>
         <source>Blown up</source>
         <translation>Instabil</translation>
     </message>
@@ -608,6 +644,20 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Instabil geworden nach </translation>
     </message>
     <message>
+        <source>Both views, and the cell's force on the hand</source>
+        <translation>Beide Ansichten, und die Kraft der Zelle an der Hand</translation>
+    </message>
+    <message>
+        <source>Both views, the force, and the guide along the planned line</source>
+        <translation>Beide Ansichten, die Kraft und die Führung entlang der geplanten Linie</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Bringing the needle back into view</source>
+        <translation>Nadel kommt ins Bild zurück</translation>
         <source>By a scale bar, or a needle of known diameter</source>
         <translation>An einem Maßstabsbalken oder einer Nadel bekannten Durchmessers</translation>
     </message>
@@ -652,6 +702,20 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zellen</translation>
     </message>
     <message>
+        <source>Cells of this run</source>
+        <translation>Zellen dieses Laufs</translation>
+    </message>
+    <message>
+        <source>Cells of this run with their outcome, and the recordings' folder</source>
+        <translation>Zellen dieses Laufs mit ihrem Ausgang, und der Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Chart of the node as SVG, PDF or PNG</source>
+        <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
         <source>Cells of several sessions in one table</source>
         <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
     </message>
@@ -682,6 +746,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Choose a folder</source>
         <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose card %1</source>
+        <translation>Karte %1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings, pictures and tables</source>
+        <translation>Ordner für Aufnahmen, Bilder und Tabellen wählen</translation>
     </message>
     <message>
         <source>Choose the folder of a session, or drop it on this window.</source>
@@ -740,6 +812,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Schließen</translation>
     </message>
     <message>
+        <source>Close the list</source>
+        <translation>Liste schließen</translation>
+    </message>
+    <message>
+        <source>Close the sheet</source>
+        <translation>Blatt schließen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Close: nothing typed is kept</source>
+        <translation>Schließen: Getipptes wird nicht behalten</translation>
+    </message>
+    <message>
         <source>Coarse 100:1</source>
         <translation>Grob 100:1</translation>
     </message>
@@ -796,6 +884,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Konturen</translation>
     </message>
     <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
+    <message>
         <source>DEPTH</source>
         <translation>TIEFE</translation>
     </message>
@@ -848,6 +944,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Tiefenanschlag</translation>
     </message>
     <message>
+        <source>Depth stop </source>
+        <translation>Tiefenanschlag </translation>
+    </message>
+    <message>
+        <source>Depth stop set</source>
+        <translation>Tiefenanschlag gesetzt</translation>
+    </message>
+    <message>
         <source>Device lost, pipette held: plug it in or choose another hand</source>
         <translation>Gerät verloren, Pipette gehalten: stecken Sie es ein oder wählen Sie eine andere Hand</translation>
     </message>
@@ -880,6 +984,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Verschiebung (µm)</translation>
     </message>
     <message>
+        <source>Display ▾</source>
+        <translation>Darstellung ▾</translation>
         <source>Displacement of a node (µm)</source>
         <translation>Verschiebung eines Knotens (µm)</translation>
     </message>
@@ -908,6 +1014,12 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zweifel, geringe Sicherheit</translation>
     </message>
     <message>
+        <source>Drag a ring</source>
+        <translation>Ring ziehen</translation>
+    </message>
+    <message>
+        <source>Drag, wheel</source>
+        <translation>Ziehen, Rad</translation>
         <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
         <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
     </message>
@@ -952,6 +1064,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Aufnahme beenden</translation>
     </message>
     <message>
+        <source>End the recording and close</source>
+        <translation>Aufnahme beenden und schließen</translation>
+    </message>
+    <message>
         <source>Engaged</source>
         <translation>Gekuppelt</translation>
     </message>
@@ -990,6 +1106,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Export ▾</source>
         <translation>Export ▾</translation>
+    </message>
+    <message>
+        <source>F1 closes the sheet. Esc does too, and stops the needle.</source>
+        <translation>F1 schließt das Blatt. Esc auch, und hält die Nadel an.</translation>
+    </message>
+    <message>
+        <source>F1 or Esc closes the sheet.</source>
+        <translation>F1 oder Esc schließt das Blatt.</translation>
     </message>
     <message>
         <source>FASTEST NODE</source>
@@ -1040,6 +1164,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ordner ...</translation>
     </message>
     <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufnahmen</translation>
+    </message>
+    <message>
         <source>Folder for the tables</source>
         <translation>Ordner für die Tabellen</translation>
     </message>
@@ -1054,6 +1182,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Force (µN)</source>
         <translation>Kraft (µN)</translation>
+    </message>
+    <message>
+        <source>Force at the puncture; without one, the largest</source>
+        <translation>Kraft beim Durchstich; ohne ihn die größte</translation>
     </message>
     <message>
         <source>Force in doubt: </source>
@@ -1144,6 +1276,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Bildrate</translation>
     </message>
     <message>
+        <source>Frames a second that were measured, and that this window has drawn</source>
+        <translation>Bilder je Sekunde, die gemessen und von diesem Fenster gezeichnet wurden</translation>
+    </message>
+    <message>
+        <source>Frames that were not measured, that the source lost, or that are recorded in part</source>
+        <translation>Bilder, die nicht gemessen, von der Quelle verloren oder nur zum Teil aufgezeichnet wurden</translation>
         <source>Frames</source>
         <translation>Bilder</translation>
     </message>
@@ -1164,6 +1302,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Frei, </translation>
     </message>
     <message>
+        <source>From a frame's arrival to its force on screen</source>
+        <translation>Von der Ankunft eines Bildes bis zu seiner Kraft auf dem Schirm</translation>
+    </message>
+    <message>
         <source>From the end on from the beginning</source>
         <translation>Vom Ende wieder an den Anfang</translation>
     </message>
@@ -1180,6 +1322,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Nachgiebigkeit der Hand</translation>
     </message>
     <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
@@ -1204,6 +1348,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>HAND</translation>
     </message>
     <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
         <source>Half the 95 % interval (µN)</source>
         <translation>Halbes 95-%-Intervall (µN)</translation>
     </message>
@@ -1284,10 +1430,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Wie weit die Nadel die äußere Membran eingedrückt hat, längs der Nadel, von ihrer Ruhelage aus.</translation>
     </message>
     <message>
+        <source>How far the tip is out of the image plane, as the manipulator reports it: above 0 behind it, away from you; below 0 before it</source>
+        <translation>Wie weit die Spitze außerhalb der Bildebene liegt, wie der Manipulator meldet: über 0 dahinter, von Ihnen weg; unter 0 davor</translation>
+    </message>
+    <message>
         <source>How far the tip stays behind the hand for each µN</source>
         <translation>Wie weit die Spitze je µN hinter der Hand bleibt</translation>
     </message>
     <message>
+        <source>How much of the image is shown, and how bright: the measurement stays the same</source>
+        <translation>Wie viel vom Bild gezeigt wird und wie hell: die Messung bleibt gleich</translation>
         <source>How often this window was busy for more than %1 ms, in the last %2 s; the longest ended after %3 s.
 Meanwhile keys and clicks wait. The emergency stop, the hand and the recording do not.</source>
         <translation>Wie oft dieses Fenster länger als %1 ms beschäftigt war, in den letzten %2 s; das längste Mal endete nach %3 s.
@@ -1304,6 +1456,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>How the stretched membrane pulls on its own points. It balances pressure and tools, so on a taut cell it points inwards although nothing pushes from outside. At rest it is zero: this is also its change from rest.</source>
         <translation>Wie die gespannte Membran an ihren eigenen Punkten zieht. Sie hält Druck und Werkzeugen das Gleichgewicht und zeigt bei einer prallen Zelle nach innen, obwohl nichts von außen drückt. In Ruhe ist sie null: Dies ist auch ihre Änderung gegenüber der Ruhe.</translation>
+        <source>How the contact with the cell ended</source>
+        <translation>Wie der Kontakt mit der Zelle endete</translation>
+    </message>
+    <message>
+        <source>How the forces on the membrane are drawn</source>
+        <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
     </message>
     <message>
         <source>Hysteresis (pJ)</source>
@@ -1318,6 +1476,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>EINDELLUNG</translation>
     </message>
     <message>
+        <source>Image ▾</source>
+        <translation>Bild ▾</translation>
         <source>Images along the session's time</source>
         <translation>Bilder längs der Zeit der Sitzung</translation>
     </message>
@@ -1340,6 +1500,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Indentation (µm)</source>
         <translation>Eindellung (µm)</translation>
+    </message>
+    <message>
+        <source>Indentation at that force</source>
+        <translation>Eindellung bei dieser Kraft</translation>
     </message>
     <message>
         <source>Indentation of the cell</source>
@@ -1386,6 +1550,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Hält die Spitze auf der geplanten Linie, hinein und hinaus</translation>
     </message>
     <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Keys of this window</source>
+        <translation>Tasten dieses Fensters</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Art</translation>
     </message>
@@ -1430,6 +1602,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Lektion</translation>
     </message>
     <message>
+        <source>Lesson before</source>
+        <translation>Vorige Lektion</translation>
+    </message>
+    <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
     </message>
@@ -1450,6 +1626,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Flüssigkeit behält ihr Volumen</translation>
     </message>
     <message>
+        <source>List of cells saved: </source>
+        <translation>Liste der Zellen gespeichert: </translation>
         <source>Loading</source>
         <translation>Belastung</translation>
     </message>
@@ -1582,12 +1760,36 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Maus und Tastatur</translation>
     </message>
     <message>
+        <source>Move target, entry or depth stop of the plan</source>
+        <translation>Ziel, Eintritt oder Tiefenanschlag des Plans verschieben</translation>
+    </message>
+    <message>
+        <source>Move the image, zoom</source>
+        <translation>Bild verschieben, vergrößern</translation>
+    </message>
+    <message>
         <source>NEEDLE NOT SEEN</source>
         <translation>NADEL NICHT ZU SEHEN</translation>
     </message>
     <message>
         <source>NO FORCE</source>
         <translation>KEINE KRAFT</translation>
+    </message>
+    <message>
+        <source>Name of the cell in view</source>
+        <translation>Name der Zelle im Bild</translation>
+    </message>
+    <message>
+        <source>Name the cell in view</source>
+        <translation>Die Zelle im Bild benennen</translation>
+    </message>
+    <message>
+        <source>Name, or number in this run</source>
+        <translation>Name, oder Nummer in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>Name; Enter takes it</source>
+        <translation>Name; Eingabe übernimmt ihn</translation>
     </message>
     <message>
         <source>Needle</source>
@@ -1604,6 +1806,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Needle on membrane (µN)</source>
         <translation>Nadel auf Membran (µN)</translation>
+        <source>Needle back by 1 µm</source>
+        <translation>Nadel 1 µm zurück</translation>
+    </message>
+    <message>
+        <source>Needle down by 1 µm</source>
+        <translation>Nadel 1 µm abwärts</translation>
+    </message>
+    <message>
+        <source>Needle forwards by 1 µm</source>
+        <translation>Nadel 1 µm vor</translation>
+    </message>
+    <message>
+        <source>Needle up by 1 µm</source>
+        <translation>Nadel 1 µm aufwärts</translation>
     </message>
     <message>
         <source>New cell</source>
@@ -1618,6 +1834,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Nächstes Ereignis</translation>
     </message>
     <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
         <source>Next note of this frame</source>
         <translation>Nächste Notiz dieses Bildes</translation>
     </message>
@@ -1782,6 +2000,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Notiz ▾</translation>
     </message>
     <message>
+        <source>Notes are waiting for the next recording and would be lost. Close the window?</source>
+        <translation>Notizen warten auf die nächste Aufnahme und gingen verloren. Fenster schließen?</translation>
+    </message>
+    <message>
         <source>Nothing is recording: the note goes into the next recording</source>
         <translation>Es läuft keine Aufnahme: die Notiz kommt in die nächste</translation>
     </message>
@@ -1804,6 +2026,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Of the zona; scales every force and no shape</source>
         <translation>Der Zona; skaliert jede Kraft und keine Form</translation>
+    </message>
+    <message>
+        <source>On the screen alone: the measurement stays the same.</source>
+        <translation>Nur auf dem Schirm: die Messung bleibt gleich.</translation>
     </message>
     <message>
         <source>One frame back</source>
@@ -1950,6 +2176,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Plan ▾</source>
+        <translation>Plan ▾</translation>
+    </message>
+    <message>
         <source>Play</source>
         <translation>Start</translation>
     </message>
@@ -2058,18 +2288,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Aufnahme nach </translation>
     </message>
     <message>
+        <source>Recordings in</source>
+        <translation>Aufnahmen in</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo the plan's change</source>
+        <translation>Änderung des Plans wiederholen</translation>
     </message>
     <message>
         <source>Release
 (hold)</source>
         <translation>Lösen
 (halten)</translation>
-    </message>
-    <message>
-        <source>Remark for the session's events:</source>
-        <translation>Bemerkung zu den Ereignissen der Sitzung:</translation>
     </message>
     <message>
         <source>Replace?</source>
@@ -2136,6 +2370,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>GESTOPPT</translation>
     </message>
     <message>
+        <source>Save as CSV</source>
+        <translation>Als CSV speichern</translation>
+    </message>
+    <message>
         <source>Save the difference as SVG, PDF or PNG</source>
         <translation>Die Differenz als SVG, PDF oder PNG speichern</translation>
     </message>
@@ -2188,6 +2426,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Schnitt durch das mechanische Modell</translation>
     </message>
     <message>
+        <source>Set the target</source>
+        <translation>Ziel setzen</translation>
         <source>Session</source>
         <translation>Sitzung</translation>
     </message>
@@ -2206,6 +2446,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Show the events and doubts beside the views</source>
         <translation>Zeigt Ereignisse und Zweifel neben den Ansichten</translation>
+    </message>
+    <message>
+        <source>Show the plan</source>
+        <translation>Plan zeigen</translation>
     </message>
     <message>
         <source>Sigma</source>
@@ -2236,6 +2480,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Langsamer</translation>
     </message>
     <message>
+        <source>Sounds at contact, puncture and alarms</source>
+        <translation>Töne bei Kontakt, Durchstich und Alarmen</translation>
+    </message>
+    <message>
         <source>Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a node</source>
         <translation>Leertaste spielt ab, Pfeiltasten gehen Bild für Bild, ein Druck auf die Zeitleiste oder auf die Kraft über der Zeit springt dorthin, ein Klick auf die Membran wählt einen Knoten</translation>
     </message>
@@ -2264,6 +2512,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Neu beginnen</translation>
     </message>
     <message>
+        <source>Start the chosen card, or press the button that has the focus</source>
+        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
         <source>Start page</source>
         <translation>Startseite</translation>
     </message>
@@ -2314,6 +2564,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Suction</source>
         <translation>Sog</translation>
+    </message>
+    <message>
+        <source>Suggested: Enter takes it</source>
+        <translation>Vorschlag: Eingabe übernimmt ihn</translation>
     </message>
     <message>
         <source>Sum: residual</source>
@@ -2374,6 +2628,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Taking the needle out</source>
         <translation>Herausziehen der Nadel</translation>
+    </message>
+    <message>
+        <source>Taking the needle out for a new cell</source>
+        <translation>Nadel wird für eine neue Zelle herausgezogen</translation>
+    </message>
+    <message>
+        <source>Target </source>
+        <translation>Ziel </translation>
     </message>
     <message>
         <source>Target set</source>
@@ -2448,6 +2710,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Haltepipette saugt mit bekanntem Sog eine Zunge der Zona in ihre Mündung. Finite Elemente der angesaugten Schale geben den Modul; das dauert einige Sekunden.</translation>
     </message>
     <message>
+        <source>The image, and the membranes in 3-D</source>
+        <translation>Das Bild, und die Membranen in 3-D</translation>
+    </message>
+    <message>
         <source>The kind's scale again</source>
         <translation>Wieder die Skala der Zellart</translation>
     </message>
@@ -2476,6 +2742,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Das Netz, auf dem die Kräfte berechnet werden, als Draht: Wo es von der gesehenen Oberfläche abweicht, widersprechen sich Modell und Bild</translation>
     </message>
     <message>
+        <source>The microscope's image alone</source>
+        <translation>Das Bild des Mikroskops allein</translation>
         <source>The model's curves: with this cell's sizes as seen, and of the profile's own cell</source>
         <translation>Die Kurven des Modells: mit den gesehenen Maßen dieser Zelle und für die Zelle des Profils</translation>
     </message>
@@ -2496,6 +2764,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
     </message>
     <message>
+        <source>The next recording goes into </source>
+        <translation>Die nächste Aufnahme kommt in </translation>
+    </message>
+    <message>
         <source>The next window has it</source>
         <translation>Gilt ab dem nächsten Fenster</translation>
     </message>
@@ -2508,8 +2780,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Das Bild zeigt Formen, nicht wie steif diese Zelle ist. Eine Messung macht alle Kräfte zu ihren eigenen. Mehrere ergänzen sich.</translation>
     </message>
     <message>
+        <source>The planned way: drag its rings while the cell is untouched</source>
+        <translation>Der geplante Weg: ziehen Sie seine Ringe, solange die Zelle unberührt ist</translation>
+    </message>
+    <message>
         <source>The recording was interrupted, or is still being written</source>
         <translation>Die Aufnahme wurde unterbrochen oder läuft noch</translation>
+    </message>
+    <message>
+        <source>The same, on the number pad</source>
+        <translation>Dasselbe, auf dem Ziffernblock</translation>
     </message>
     <message>
         <source>The scenario's own motion</source>
@@ -2542,10 +2822,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The tip goes no deeper than this beyond the entry</source>
         <translation>Die Spitze geht nicht tiefer als so weit hinter den Eintritt</translation>
-    </message>
-    <message>
-        <source>The whole image instead of the cell</source>
-        <translation>Das ganze Bild statt der Zelle</translation>
     </message>
     <message>
         <source>Theme and language</source>
@@ -2616,6 +2892,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Anmerkungen dieser Sitzung sind nicht lesbar: berichtigen oder entfernen Sie zuerst annotations.csv</translation>
     </message>
     <message>
+        <source>This window is recording, and goes on while you decide. Close it? What is recorded will be whole.</source>
+        <translation>Dieses Fenster nimmt auf, auch während Sie entscheiden. Schließen? Das Aufgenommene bleibt vollständig.</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -2642,12 +2922,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Tools on membrane (µN)</source>
         <translation>Werkzeuge auf Membran (µN)</translation>
+        <source>True force of the virtual cell</source>
+        <translation>Wahre Kraft der virtuellen Zelle</translation>
     </message>
     <message>
         <source>Try the virtual microscope</source>
         <translation>Virtuelles Mikroskop ausprobieren</translation>
     </message>
     <message>
+        <source>Turn the view, zoom</source>
+        <translation>Ansicht drehen, vergrößern</translation>
         <source>Twice as stiff</source>
         <translation>Doppelt so steif</translation>
     </message>
@@ -2672,6 +2956,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Macht Verschieben und Vergrößern rückgängig</translation>
     </message>
     <message>
+        <source>Undo the plan's change</source>
+        <translation>Änderung des Plans zurücknehmen</translation>
         <source>Unloading</source>
         <translation>Entlastung</translation>
     </message>
@@ -2720,6 +3006,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Warten auf eine Zelle</translation>
     </message>
     <message>
+        <source>Waiting for an untouched cell</source>
+        <translation>Wartet auf eine unberührte Zelle</translation>
+    </message>
+    <message>
         <source>Waiting for the first frame</source>
         <translation>Warten auf das erste Bild</translation>
     </message>
@@ -2734,6 +3024,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>What is shown of the other session</source>
         <translation>Was von der anderen Sitzung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What is shown, felt and heard</source>
+        <translation>Was man sieht, fühlt und hört</translation>
     </message>
     <message>
         <source>What moves the needle</source>
@@ -2752,6 +3046,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Haltepipette rund um ihre Öffnung mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
     </message>
     <message>
+        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
+        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+    </message>
+    <message>
+        <source>When it was, since the source began</source>
+        <translation>Wann das war, seit Beginn der Quelle</translation>
         <source>What the left chart shows</source>
         <translation>Was das linke Diagramm zeigt</translation>
     </message>
@@ -2784,6 +3084,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ganzes Bild</translation>
     </message>
     <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -2804,6 +3106,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ohne dies entweicht die Flüssigkeit ungehindert, und es gibt keinen Druck</translation>
     </message>
     <message>
+        <source>Work of the needle up to it</source>
+        <translation>Arbeit der Nadel bis dahin</translation>
         <source>Work to the largest depth (pJ)</source>
         <translation>Arbeit bis zur größten Tiefe (pJ)</translation>
     </message>
@@ -2814,6 +3118,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Write frames, shapes and forces to a session folder</source>
         <translation>Schreibt Bilder, Formen und Kräfte in einen Sitzungsordner</translation>
+    </message>
+    <message>
+        <source>Write the list as a table, with the columns of a report's cells.csv</source>
+        <translation>Liste als Tabelle schreiben, mit den Spalten der cells.csv eines Berichts</translation>
     </message>
     <message>
         <source>Writing tables</source>
@@ -3012,6 +3320,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>von der Quelle verloren</translation>
     </message>
     <message>
+        <source>lost in contact</source>
+        <translation>im Kontakt verloren</translation>
+    </message>
+    <message>
         <source>magnification</source>
         <translation>Vergrößerung</translation>
     </message>
@@ -3188,6 +3500,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>steifer, als das Gerät darstellen kann</translation>
     </message>
     <message>
+        <source>still in contact</source>
+        <translation>noch in Kontakt</translation>
+    </message>
+    <message>
         <source>such as 0.825</source>
         <translation>etwa 0.825</translation>
     </message>
@@ -3274,6 +3590,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>tip beyond the entry</source>
         <translation>ab Eintritt</translation>
+    </message>
+    <message>
+        <source>true </source>
+        <translation>wahr </translation>
+        <source>unfinished</source>
+        <translation>unbeendet</translation>
     </message>
     <message>
         <source>unknown</source>
