@@ -17,6 +17,9 @@
 #include <functional>
 #include <map>
 
+#include "CellPage.h"
+#include "ReadoutPage.h"
+#include "SnakePage.h"
 #include "Theme.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/visualization_vtk/MessageLog.h"
@@ -48,10 +51,10 @@ class TeachWindowTest : public test::DisplayTest {
     pass(300);
   }
 
-  CellSnapshotPtr newest() { return window_->runner().newest(); }
+  CellSnapshotPtr newest() { return window_->cell().runner().newest(); }
 
   QPoint on_screen(const Eigen::Vector2d& device_px) {
-    ViewWidget& widget = window_->cell_widget();
+    ViewWidget& widget = window_->cell().view_widget();
     const double ratio = widget.devicePixelRatioF();
     return widget.mapToGlobal(
         QPoint(qRound(device_px.x() / ratio), widget.height() - 1 - qRound(device_px.y() / ratio)));
@@ -59,7 +62,7 @@ class TeachWindowTest : public test::DisplayTest {
 
   // The node on the near side that is furthest on screen from all others: a click on it can mean no other.
   int node_by_itself() {
-    const PokedCellView& view = window_->cell_view();
+    const PokedCellView& view = window_->cell().view();
     const int count = static_cast<int>(newest()->x_um.cols());
     int best = 0;
     double furthest_px = 0.0;
@@ -94,7 +97,7 @@ TEST_F(TeachWindowTest, DraggingPokesTheCellAndItsForceRises) {
   EXPECT_EQ(child<QLabel>("statePill").text(), "Free");
 
   // From the tip to the left, into the cell.
-  const QPoint from = on_screen(window_->cell_view().tip_on_screen_px());
+  const QPoint from = on_screen(window_->cell().view().tip_on_screen_px());
   input_.move(from.x(), from.y());
   input_.left_button(true);
   pass(100);
@@ -126,7 +129,7 @@ TEST_F(TeachWindowTest, TheTimeStepBlowsUpIsExplainedAndStartsAgain) {
   EXPECT_FALSE(child<QWidget>("banner").isVisible());
   ASSERT_TRUE(pass_until([&] { return newest()->depth_um > 2.0; }));
   // As a person moves it.
-  QSlider& step = window_->parameters().slider(TeachSlider::kTimeStep).slider();
+  QSlider& step = window_->cell().parameters().slider(TeachSlider::kTimeStep).slider();
   step.setValue(static_cast<int>(1000 * ParameterScale(TeachSlider::kTimeStep).place_of(220.0)));
   ASSERT_TRUE(pass_until([&] { return newest()->blow_up.has_value(); }));
   EXPECT_TRUE(newest()->blow_up->is_beyond_limit());
@@ -196,7 +199,7 @@ TEST_F(TeachWindowTest, AClickOnANodeShowsItsForces) {
   open("how-sure");
   ASSERT_TRUE(pass_until([&] { return newest()->depth_um > 43.9 && newest()->largest_speed_um_per_s < 0.5; }));
   const int node = node_by_itself();
-  const QPoint place = on_screen(window_->cell_view().node_on_screen_px(node));
+  const QPoint place = on_screen(window_->cell().view().node_on_screen_px(node));
   input_.move(place.x(), place.y());
   input_.left_button(true);
   pass(50);

@@ -276,7 +276,9 @@ void CurveChart::draw_names(HudCanvas& hud) const {
   const double x = left->GetPoint2()[0] / hud_ratio() + 10.0;
   double y = left->GetPoint2()[1] / hud_ratio() - 26.0;
   for (const auto& [name, color] : {std::pair(&data.curve_name, &current_theme().curve),
-                                    std::pair(&data.other_name, &current_theme().curve_other)}) {
+                                    std::pair(&data.other_name, &current_theme().curve_other),
+                                    std::pair(&data.faint_name, &current_theme().curve_before)}) {
+    if (name->empty()) continue;
     hud.line(x, y, x + 16.0, y, 3.0, *color);
     hud.text(x + 22.0, y, *name);
     y -= 17.0;

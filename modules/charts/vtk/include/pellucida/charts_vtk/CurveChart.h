@@ -26,6 +26,7 @@ struct CurveChartData {
   Curve inner;                         ///< the same points with a narrower band, drawn over it; empty: none
   Curve other;                         ///< what it is held against, in another colour, with its band
   std::string curve_name, other_name;  ///< where there are two curves, each is named
+  std::string faint_name;              ///< of the grey one beside them; may be empty
   std::vector<CurveMark> marks;
   double x_begin = 0.0;  ///< ends of the x axis; equal: 0 and a round number above the data
   double x_end = 0.0;

@@ -45,6 +45,9 @@ class FeedView : public View {
   /// Default: kCell.
   void set_framing(FeedFraming framing);
 
+  /// Frames this place in place of the cell that is found, until a picture of another size comes.
+  void frame_place(const Eigen::Vector2d& middle_um, double radius_um);
+
   void show_contours(bool shown);
   void show_model_section(bool shown);
   void show_tools(bool shown);
@@ -98,6 +101,7 @@ class FeedView : public View {
   FeedFraming framing_ = FeedFraming::kCell;
   double cell_um_[2] = {0.0, 0.0};  // middle of the framed cell
   double cell_radius_um_ = 0.0;     // 0 before one was found
+  bool cell_given_ = false;         // by `frame_place`
   double window_low_ = 0.0;
   double window_high_ = 0.0;
   double fitted_scale_um_ = 0.0;
