@@ -132,6 +132,8 @@ QWidget* CellPage::make_side() {
 }
 
 void CellPage::set_shown(bool shown) {
+  // Opened by hand, without a lesson of its own.
+  if (shown && !curve_orders_.peek()) begin(Lesson{});
   runner_.set_paused(!shown);
 }
 

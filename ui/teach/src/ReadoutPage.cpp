@@ -42,6 +42,9 @@ ReadoutPage::ReadoutPage()
     : stage_(step_, orders_, [this](ReadoutPairPtr pair) { pairs_.publish(std::move(pair)); }, clock_),
       curve_stage_(
           curve_step_, curve_orders_, [this](ReadoutCurvesPtr curves) { curves_.publish(std::move(curves)); }, clock_) {
+  // The scales are the same: each view has room for one.
+  views_[0].show_scales(true, false);
+  views_[1].show_scales(false, true);
   // Turned together.
   views_[1].renderer()->SetActiveCamera(views_[0].renderer()->GetActiveCamera());
   stage_.start();

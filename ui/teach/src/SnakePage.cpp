@@ -78,6 +78,7 @@ QWidget* SnakePage::make_stage() {
                      step();
                    });
   run_button_ = panel->add_toggle(words("Run"), words("Steps until it rests, or until it is stopped"), Qt::Key_R, false);
+  run_button_->setObjectName("runSnake");
   QObject::connect(run_button_, &QToolButton::toggled, panel, [this](bool on) { run(on); });
   QObject::connect(
       panel->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)),
@@ -103,7 +104,7 @@ QWidget* SnakePage::make_side() {
   };
   add(SnakeSlider::kMoment);
   fault_ = new QLabel(page);
-  fault_->setObjectName("wrongAnswer");
+  fault_->setObjectName("pictureFault");
   fault_->setWordWrap(true);
   fault_->hide();
   page->add(fault_);
@@ -237,6 +238,8 @@ void SnakePage::take_picture() {
 
 void SnakePage::set_shown(bool shown) {
   if (!shown) run(false);
+  // Opened by hand, without a lesson of its own.
+  if (shown && !orders_.peek()) begin(Lesson{});
   shown_changed_ = true;
 }
 
@@ -320,6 +323,10 @@ void SnakePage::show_snake() {
     data.curve.add(static_cast<double>(k), energies_[k].internal());
     data.other.add(static_cast<double>(k), energies_[k].external());
     data.faint.add(static_cast<double>(k), energies_[k].total());
+  }
+  if (energies_.size() < 2) {
+    data = CurveChartData{.x_title = words("Step"), .y_title = words("Energy")};
+    data.empty_text = words("S: one step. R: run.");
   }
   chart_.set_data(std::move(data));
   view_widget_->render();

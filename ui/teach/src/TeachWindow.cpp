@@ -180,8 +180,9 @@ void TeachWindow::apply_look() {
 }
 
 void TeachWindow::begin(const Lesson& lesson) {
-  show_page(lesson_page(lesson.page));
-  page().begin(lesson);
+  const auto page = lesson_page(lesson.page);
+  pages_[static_cast<std::size_t>(page)]->begin(lesson);
+  show_page(page);
 }
 
 void TeachWindow::show_page(LessonPage page) {
