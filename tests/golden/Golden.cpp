@@ -6,6 +6,7 @@
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -40,7 +41,7 @@ GoldenDifference difference_of(vtkImageData* one, vtkImageData* other) {
   difference->SetImageData(other);
   difference->SetThreshold(kThreshold);
   difference->AllowShiftOn();
-  difference->AveragingOn();
+  difference->AveragingOff();
   difference->Update();
   vtkImageData* off = difference->GetOutput();
   const int columns = (size[0] + GoldenDifference::kTile_px - 1) / GoldenDifference::kTile_px;
@@ -48,9 +49,10 @@ GoldenDifference difference_of(vtkImageData* one, vtkImageData* other) {
   std::vector<double> tiles(static_cast<std::size_t>(columns) * rows, 0.0);
   for (int y = 0; y < size[1]; ++y) {
     for (int x = 0; x < size[0]; ++x) {
-      double sum = 0.0;
-      for (int k = 0; k < 3; ++k) sum += off->GetScalarComponentAsDouble(x, y, 0, k) / 765.0;
-      tiles[static_cast<std::size_t>(y / GoldenDifference::kTile_px) * columns + x / GoldenDifference::kTile_px] += sum;
+      // The part that differs most: a yellow line on grey is one of blue.
+      double most = 0.0;
+      for (int k = 0; k < 3; ++k) most = std::max(most, off->GetScalarComponentAsDouble(x, y, 0, k) / 255.0);
+      tiles[static_cast<std::size_t>(y / GoldenDifference::kTile_px) * columns + x / GoldenDifference::kTile_px] += most;
     }
   }
   for (std::size_t k = 0; k < tiles.size(); ++k) {
@@ -86,7 +88,7 @@ void write_golden(vtkImageData* picture, const std::string& name) {
   writer->SetFileName(golden_file(name).c_str());
   writer->Write();
   const std::string file = golden_file(name).string();
-  const std::string quantise = "pngquant --force --nofs --strip --output '" + file + "' 64 '" + file + "' 2>/dev/null";
+  const std::string quantise = "pngquant --force --nofs --strip --output '" + file + "' 128 '" + file + "' 2>/dev/null";
   if (std::system(quantise.c_str()) != 0) std::printf("%s: left in full colours\n", file.c_str());
 }
 

@@ -12,7 +12,7 @@ struct GoldenDifference {
   static constexpr int kTile_px = 32;
   /// The most that a square may differ by, in pixels from black to white. Renderers differ by the softness of edges,
   /// by far less; an element that is missing by more (GoldenTest shows both).
-  static constexpr double kMost = 14.0;
+  static constexpr double kMost = 9.0;
 
   double worst_tile = 0.0;
   int worst_x_px = 0;  ///< of that square's middle, from the upper left corner
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkImageData> golden_picture(const std::string& name);
 /// Whether PELLUCIDA_WRITE_GOLDEN is set: pictures are to be written, not compared.
 bool writes_golden();
 
-/// Writes it, in 64 colours where pngquant is installed.
+/// Writes it, in 128 colours where pngquant is installed.
 void write_golden(vtkImageData* picture, const std::string& name);
 
 }  // namespace pellucida::test

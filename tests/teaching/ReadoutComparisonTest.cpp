@@ -91,6 +91,30 @@ TEST_F(ReadoutTest, AFreeNodeIsInBalanceOnlyInEquilibrium) {
   EXPECT_GT(pair.prescribed.shape.node_forces->residual_uN().norm(), 1e-2);
 }
 
+// "Connectors that pull in truth seem slack, or to push": meridians within 12 um of the needle's axis.
+TEST_F(ReadoutTest, EqualDistancesSlackenWhatPullsUnderTheTip) {
+  const ReadoutPair pair = read(at(44.0, "equal-distances"));
+  double pulls_uN[2] = {0.0, 0.0}, least_uN = 0.0;
+  int count = 0;
+  const CellMesh& mesh = *pair.equilibrium.shape.mesh;
+  for (std::size_t k = 0; k < mesh.pairs.size(); ++k) {
+    if (mesh.directions[k] != SpringDirection::kMeridian) continue;
+    const auto at_tip = [&](int n) {
+      const Eigen::Vector3d x_um = pair.equilibrium.shape.x_um.col(n);
+      return x_um.head<2>().norm() < 12.0 && x_um.z() > -10.0;
+    };
+    if (!at_tip(mesh.pairs[k][0]) || !at_tip(mesh.pairs[k][1])) continue;
+    pulls_uN[0] += pair.equilibrium.shape.spring_pull_uN[static_cast<Eigen::Index>(k)];
+    pulls_uN[1] += pair.prescribed.shape.spring_pull_uN[static_cast<Eigen::Index>(k)];
+    least_uN = std::min(least_uN, pair.prescribed.shape.spring_pull_uN[static_cast<Eigen::Index>(k)]);
+    ++count;
+  }
+  ASSERT_GT(count, 4);
+  EXPECT_GT(pulls_uN[0] / count, 0.15);
+  EXPECT_LT(pulls_uN[1] / count, 0.02);
+  EXPECT_LT(least_uN, -0.02);
+}
+
 TEST_F(ReadoutTest, TheNetworksOwnContourNeedsTheTruePlacesToo) {
   ReadoutParameters p = at(20.0, "nearest");
   p.contour = "model";
