@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "Theme.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
