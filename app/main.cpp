@@ -1,28 +1,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
-#include "commands/AnalyzeCommand.h"
-#include "commands/BenchCommand.h"
-#include "commands/CheckCommand.h"
 #include "commands/CommandLine.h"
-#include "commands/ConvertCommand.h"
-#include "commands/DevicesCommand.h"
-#include "commands/ExportCommand.h"
-#include "commands/ForceCommand.h"
-#include "commands/IdentifyCommand.h"
-#include "commands/InjectCommand.h"
+#include "commands/Commands.h"
 #include "commands/Interrupt.h"
 #include "commands/Manual.h"
-#include "commands/ProfilesCommand.h"
-#include "commands/ReplayCommand.h"
-#include "commands/ReportCommand.h"
-#include "commands/SimulateCommand.h"
-#include "commands/TrialCommand.h"
 #include "commands/Versions.h"
-#include "commands/WorkstationCommand.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/VtkThreads.h"
 
@@ -49,6 +36,10 @@ int main(int argc, char** argv) {
                "pellucida");
   app.set_version_flag("--version", pellucida::version_text, "Version of the program and of its libraries, and exit");
   app.require_subcommand(0, 1);
+  std::string path;
+  app.add_option("path", path, "A session, or a recording, to open in the window")->check([](const std::string& text) {
+    return std::filesystem::exists(text) ? std::string() : text + " is no command, and there is no such file or folder";
+  });
   pellucida::add_workstation_command(app);
   pellucida::add_simulate_command(app);
   pellucida::add_inject_command(app);
@@ -74,7 +65,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     // Without a subcommand: the workstation on the virtual microscope.
-    if (app.get_subcommands().empty()) app.parse("workstation");
+    if (app.get_subcommands().empty()) {
+      std::vector<std::string> words{"workstation"};
+      if (!path.empty()) words.insert(words.begin(), path);  // in CLI11's order, the last first
+      app.parse(words);
+    }
   } catch (const CLI::Success& asked) {
     // Help, version, manual.
     const int code = app.exit(asked);

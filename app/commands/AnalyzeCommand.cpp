@@ -1,4 +1,4 @@
-#include "commands/AnalyzeCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

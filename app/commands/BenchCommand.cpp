@@ -1,15 +1,16 @@
-#include "commands/BenchCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "bench/DisplayBench.h"
-#include "bench/HapticsBench.h"
-#include "bench/MechanicsBench.h"
-#include "bench/ReplayBench.h"
-#include "bench/TrackingBench.h"
+#include "pellucida/bench/DisplayBench.h"
+#include "pellucida/bench/HapticsBench.h"
+#include "pellucida/bench/MechanicsBench.h"
+#include "commands/ReplayBench.h"
+#include "pellucida/bench/TrackingBench.h"
+#include "pellucida/bench/WindowBench.h"
 #include "commands/FieldOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
@@ -30,6 +31,8 @@ struct BenchArguments {
   std::string json;
   std::string source = "virtual";
   double seconds = 10.0;
+  bool window = false;
+  WindowBenchOptions window_options;
   PipelineOptions pipeline;
 };
 
@@ -200,6 +203,14 @@ Json bench_session(const Rounds& rounds, const SourceInfo& source, double second
   return Json::parse(measured.json);
 }
 
+Json bench_window(WindowBenchOptions options, const BenchArguments& arguments) {
+  options.program = std::filesystem::canonical("/proc/self/exe");
+  options.source = arguments.source;
+  const WindowBenchReport measured = measure_window(options);
+  std::cout << measured.text;
+  return Json::parse(measured.json);
+}
+
 Json bench_replay(const BenchArguments& arguments) {
   const ReplayFigures figures = measure_replay(arguments.source, arguments.pipeline, arguments.seconds);
   Json paces = Json::array();
@@ -223,6 +234,13 @@ Json bench_replay(const BenchArguments& arguments) {
           {"counterfactual_s", figures.counterfactual_s}};
 }
 
+void write_report(const BenchArguments& arguments, const Json& report) {
+  if (arguments.json.empty()) return;
+  OutputFile file(arguments.json);
+  file.add(report.dump(2));
+  file.finish();
+}
+
 void bench(const BenchArguments& arguments) {
   const auto wanted = [&](const char* part) { return arguments.part == "all" || arguments.part == part; };
   // Thrice the time of the others: only who asks for it gets it.
@@ -234,6 +252,11 @@ void bench(const BenchArguments& arguments) {
   }
   if (!arguments.json.empty()) require_apart(arguments.json, arguments.source, "--json");
   Json report;
+  if (arguments.window) {
+    report["pipeline"]["window"] = bench_window(arguments.window_options, arguments);
+    write_report(arguments, report);
+    return;
+  }
   if (replays) report["replay"] = bench_replay(arguments);
   if (wanted("tracking")) report["tracking"] = bench_tracking(arguments);
   if (wanted("haptics")) report["haptics"] = bench_haptics(arguments);
@@ -246,10 +269,7 @@ void bench(const BenchArguments& arguments) {
     if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds);
     if (wanted("session")) report["session"] = bench_session(rounds, source, arguments.seconds);
   }
-  if (arguments.json.empty()) return;
-  OutputFile file(arguments.json);
-  file.add(report.dump(2));
-  file.finish();
+  write_report(arguments, report);
 }
 
 }  // namespace
@@ -265,7 +285,22 @@ void add_bench_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file or a session")->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
-  command->callback([arguments] { bench(*arguments); });
+  command->add_flag("--window", arguments->window,
+                    "pipeline: the real window, 1400 x 900, with the hand: frames drawn, blocks, start, memory");
+  command->add_option("--against", arguments->window_options.against,
+                      "--window: another pellucida, such as an older one, in turns with this one");
+  command->add_option("--minutes", arguments->window_options.minutes,
+                      "--window: one more turn of this length, for the memory, min")
+      ->check(number_in({0.0, 600.0}));
+  command->callback([command, arguments] {
+    if (arguments->window && arguments->part != "pipeline") throw UsageError("--window belongs to bench pipeline");
+    for (const char* option : {"--against", "--minutes"}) {
+      if (command->count(option) > 0 && !arguments->window) throw UsageError(std::string(option) + " belongs to --window");
+    }
+    // Long enough for a demonstration to touch the cell.
+    if (command->count("--seconds") > 0) arguments->window_options.seconds = arguments->seconds;
+    bench(*arguments);
+  });
 }
 
 }  // namespace pellucida

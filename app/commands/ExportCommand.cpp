@@ -1,4 +1,4 @@
-#include "commands/ExportCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "commands/ReplaceOption.h"
 #include "pellucida/charts_vtk/RenderPicture.h"
 #include "pellucida/core/Progress.h"
 #include "pellucida/session/SessionExport.h"
@@ -18,6 +19,7 @@ struct ExportArguments {
   std::string output;
   std::string frames = "peak";
   bool no_picture = false;
+  bool replace = false;
 };
 
 // One picture of the whole session: the scene at the largest force, above the curves of all rows.
@@ -30,6 +32,9 @@ void export_picture(const ExportArguments& arguments) {
 }
 
 void export_files(const ExportArguments& arguments) {
+  std::vector<std::filesystem::path> files = export_names(arguments.output);
+  if (!arguments.no_picture) files.push_back(std::filesystem::path(arguments.output) / "session.png");
+  if (!arguments.replace) require_new(files);
   ExportReport report;
   {
     Progress progress("exporting, contours");
@@ -57,6 +62,7 @@ void add_export_command(CLI::App& app) {
                    "comma separated")
       ->capture_default_str();
   command->add_flag("--no-picture", arguments->no_picture, "omit session.png, which needs an X server or Xvfb");
+  add_replace_option(*command, arguments->replace);
   command->callback([arguments] { export_files(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-#include "commands/ForceCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/FieldOption.h"
+#include "commands/ReplaceOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
@@ -28,6 +29,7 @@ struct ForceArguments {
   std::optional<double> angle_deg, offset_um, radius_um, thickness_um, tip_radius_um, holder_radius_um;
   std::optional<double> speed_um_per_s, hold_s;
   std::string output;
+  bool replace = false;
 };
 
 /// A row of the file. `time_s` counts from the contact, where a speed is given.
@@ -88,6 +90,7 @@ MembraneGeometry geometry_for(const ForceArguments& arguments, const CellProfile
 
 void write_force_curve(const ForceArguments& arguments) {
   require_apart(arguments.output, arguments.profile, "--output");
+  if (!arguments.replace) require_new({arguments.output});
   const CellProfile profile = load_profile(arguments.profile);
   const MembraneGeometry geometry = geometry_for(arguments, profile);
   if (arguments.speed_um_per_s && profile.relaxation_arms.empty()) {
@@ -185,6 +188,7 @@ void add_force_command(CLI::App& app) {
   command
       ->add_option("--output", arguments->output, "CSV file: indentation_um,force_uN,pressure_Pa,stiffness_uN_per_um")
       ->required();
+  add_replace_option(*command, arguments->replace);
   command->callback([arguments] { write_force_curve(*arguments); });
 }
 

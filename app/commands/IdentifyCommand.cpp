@@ -1,4 +1,4 @@
-#include "commands/IdentifyCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,6 +6,7 @@
 
 #include "commands/FieldOption.h"
 #include "commands/IdentifyRun.h"
+#include "commands/ReplaceOption.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/identification/Identification.h"
 
@@ -80,6 +81,7 @@ void add_identify_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--jobs", a->threads, "threads (default: one a core)")->check(CLI::Range(1, 256));
   command->add_flag("--no-picture", a->no_picture, "draw no picture");
+  add_replace_option(*command, a->replace);
   command->callback([a] { run_identify(*a); });
 }
 

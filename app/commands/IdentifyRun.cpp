@@ -8,6 +8,7 @@
 #include "commands/CommandLine.h"
 #include "commands/IdentifyPicture.h"
 #include "commands/IdentifyReport.h"
+#include "commands/ReplaceOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
@@ -138,6 +139,7 @@ void check_outputs(const IdentifyArguments& arguments, const fs::path& picture) 
     }
   }
   require_apart(picture, arguments.output, "--output");
+  if (!arguments.replace) require_new(outputs);
   { OutputFile probe(arguments.output); }
 }
 

@@ -18,6 +18,7 @@ struct IdentifyArguments {
   int threads = 0;
   bool keep_constants = false;
   bool no_picture = false;
+  bool replace = false;
 
   bool has(const std::string& key) const {
     const auto found = numbers.find(key);

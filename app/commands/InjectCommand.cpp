@@ -1,4 +1,4 @@
-#include "commands/InjectCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include "commands/ProfilesCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>

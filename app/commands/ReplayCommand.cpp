@@ -1,4 +1,4 @@
-#include "commands/ReplayCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "commands/ReportCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "commands/ReplaceOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/Progress.h"
 #include "pellucida/report/PassportReport.h"
@@ -17,6 +18,7 @@ namespace {
 struct ReportArguments {
   std::string session;
   std::string output;
+  bool replace = false;
 };
 
 // "cell 1: punctured; peak force 7.46 uN (6.71 to 8.32) at 43.9 um; 2 doubts"
@@ -35,6 +37,7 @@ void print_cell(const CellPassport& cell) {
 }
 
 void report_session(const ReportArguments& arguments) {
+  if (!arguments.replace) require_new(report_names(arguments.session, arguments.output));
   PassportReport report;
   {
     Progress progress("reading, surfaces");
@@ -62,6 +65,7 @@ void add_report_command(CLI::App& app) {
   command->add_option("--output", arguments->output,
                       "folder for report.html, cells.csv and contacts.csv, or FILE.html for the page with the tables "
                       "beside it (default: SESSION/report)");
+  add_replace_option(*command, arguments->replace);
   command->callback([arguments] { report_session(*arguments); });
 }
 

@@ -1,4 +1,4 @@
-#include "commands/SimulateCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -6,6 +6,7 @@
 
 #include "commands/FieldOption.h"
 #include "commands/Interrupt.h"
+#include "commands/ReplaceOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
@@ -24,6 +25,7 @@ struct SimulateArguments {
   std::optional<double> duration_s;
   std::optional<double> frame_rate_hz;
   std::optional<std::uint64_t> seed;
+  bool replace = false;
 };
 
 void simulate(const SimulateArguments& arguments) {
@@ -40,6 +42,7 @@ void simulate(const SimulateArguments& arguments) {
   require_apart(arguments.output, arguments.scenario, "--output");
   require_apart(arguments.truth, arguments.scenario, "--truth");
   require_apart(arguments.truth, arguments.output, "--truth");
+  if (!arguments.replace) require_new({arguments.output, arguments.truth});
   VirtualMicroscope microscope(scenario);
   // The small file first: where it can't be written, the video of an earlier run is left alone.
   std::optional<TruthWriter> truth;
@@ -99,6 +102,7 @@ void add_simulate_command(CLI::App& app) {
   add_field_option(*command, "--fps", *fields.find("image.frame_rate_hz"), arguments->frame_rate_hz, "the scenario's");
   command->add_option("--seed", arguments->seed, "of noise, grain and debris (default: the scenario's)")
       ->check(number_in({0.0, kMostSeed}));
+  add_replace_option(*command, arguments->replace);
   command->callback([arguments] { simulate(*arguments); });
 }
 

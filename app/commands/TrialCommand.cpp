@@ -1,4 +1,4 @@
-#include "commands/TrialCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -11,6 +11,7 @@
 
 #include "commands/FieldOption.h"
 #include "commands/Interrupt.h"
+#include "commands/ReplaceOption.h"
 #include "commands/TrialPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
@@ -28,6 +29,7 @@ struct TrialArguments {
   bool simulated = false;
   bool no_slowing = false;
   bool no_picture = false;
+  bool replace = false;
   int trials = 200, jobs = 0;
   std::uint64_t seed = 1;
   std::optional<double> force_scale_N_per_uN;
@@ -53,6 +55,9 @@ void run_trials(const TrialArguments& arguments) {
     throw UsageError("trial: this version has simulated operators only; add --simulated");
   }
   const fs::path folder(arguments.output);
+  std::vector<fs::path> files{folder / "trials.csv", folder / "summary.csv"};
+  if (!arguments.no_picture) files.push_back(folder / "trials.png");
+  if (!arguments.replace) require_new(files);
   make_folder(folder);
 
   SeriesOptions options;
@@ -106,6 +111,7 @@ void add_trial_command(CLI::App& app) {
   command->add_option("--jobs", a->jobs, "threads (default: one per core)")->check(CLI::Range(1, 256));
   command->add_flag("--no-picture", a->no_picture, "draw no chart");
   command->add_option("--output", a->output, "folder for trials.csv, summary.csv, trials.png")->required();
+  add_replace_option(*command, a->replace);
   command->callback([a] { run_trials(*a); });
 }
 

@@ -1,4 +1,4 @@
-#include "commands/WorkstationCommand.h"
+#include "commands/Commands.h"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -26,6 +26,7 @@ void add_workstation_command(CLI::App& app) {
   auto arguments = std::make_shared<WorkstationArguments>();
   CLI::App* command =
       app.add_subcommand("workstation", "the window: live feed, 3-D membrane, forces (the default command)");
+  command->add_option("path", arguments->path, "a session, or a recording, to open; without --mode, or with start");
   command->add_option("--source", arguments->source, "virtual[:SCENARIO], a file, a session, or a camera v4l2:N")
       ->capture_default_str();
   command->add_option("--profile", arguments->pipeline.profile, "cell profile, by name or file")->capture_default_str();
@@ -61,9 +62,11 @@ void add_workstation_command(CLI::App& app) {
       "(default: the window asks)");
   command->add_option("--compare", arguments->compare, "review: folder of a session to compare with");
   command->add_option("--screenshot", arguments->window.screenshot, "save the window as a PNG file, then close");
-  command->add_option("--after", arguments->window.screenshot_after_s, "seconds before the screenshot")
+  command->add_option("--after", arguments->window.screenshot_after_s, "seconds before the screenshot or the figures")
       ->check(number_in({0.0, 86400.0}))
       ->capture_default_str();
+  command->add_option("--figures", arguments->window.figures,
+                      "guide: write frames/s, blocks, start time and memory of the window as JSON, then close");
   command->add_option("--width-px", arguments->window.width_px, "width of the window at the start, px")
       ->check(CLI::Range(800, 8000))
       ->capture_default_str();
@@ -77,12 +80,21 @@ void add_workstation_command(CLI::App& app) {
     };
     for (const char* option : {"--lesson", "--large-letters"}) belongs(option, "teach");
     belongs("--compare", "review");
+    belongs("--figures", "guide");
+    arguments->window.remembered_size = command->count("--width-px") + command->count("--height-px") == 0;
+    if (command->count("path") > 0) {
+      if (command->count("--mode") > 0 && arguments->mode != "start") {
+        throw UsageError(arguments->path + ": --mode " + arguments->mode + " takes no path of its own; name it by " +
+                         (arguments->mode == "guide" ? "--source" : "--session"));
+      }
+      arguments->mode = "start";
+    }
     if (arguments->mode == "start") {
       refuse_options(*command,
                      {"--source", "--profile", "--detection", "--hand", "--pixel-size-um", "--fps", "--max-megapixels",
                       "--session", "--from", "--to", "--every", "--speed", "--loop", "--backwards"},
                      "--mode start, whose page asks for it");
-      run_start_mode(*arguments, command->count("--width-px") + command->count("--height-px") > 0);
+      run_start_mode(*arguments);
       return;
     }
     if (arguments->mode == "review") {
@@ -91,7 +103,7 @@ void add_workstation_command(CLI::App& app) {
     } else if (arguments->mode == "guide") {
       arguments->pipeline = options_for(arguments->source, *command, arguments->pipeline);
     }
-    run_workstation(*arguments);
+    if (run_workstation(*arguments)) run_start_mode(*arguments);
   });
 }
 

@@ -71,11 +71,19 @@ std::optional<std::string_view> hand_name(const WorkstationArguments& arguments)
   return std::nullopt;
 }
 
+// What a virtual microscope knows of its specimen; nothing of another source.
+std::function<std::optional<double>(long)> truth_of(const FrameSource& source) {
+  const auto* microscope = dynamic_cast<const VirtualMicroscope*>(&source);
+  if (!microscope) return {};
+  return [log = microscope->truth_log()](long frame) { return log->force_uN(frame); };
+}
+
 // With a hand: a virtual cell whose needle it moves. Without: any source.
 int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   const auto hand = hand_name(arguments);
   if (!hand) {
     auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
+    options.true_force_uN = truth_of(*source);
     return run_guide(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio), nullptr,
                      options);
   }
@@ -89,7 +97,9 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   }
   const auto colon = arguments.source.find(':');
   VirtualInjectionSetup setup(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
-  auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), arguments.pipeline);
+  auto microscope = setup.make_microscope(Pace::kWallClock);
+  options.true_force_uN = truth_of(*microscope);
+  auto run = std::make_unique<LiveRun>(std::move(microscope), arguments.pipeline);
   auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
   options.hand = console->find_hand(*hand).value_or(-1);
   return run_guide(std::move(run), std::move(console), options);
@@ -102,20 +112,22 @@ WindowOptions window_of(const WorkstationArguments& arguments) {
   return window;
 }
 
-void require_closed_well(int status) {
-  if (status != 0) throw Error(ExitCode::kOurFault, "the window ended with an error");
+// True when the person wants the start page next.
+bool leads_to_page(int status) {
+  if (status != 0 && status != kToStartPage) throw Error(ExitCode::kOurFault, "the window ended with an error");
+  return status == kToStartPage;
 }
 
-void run_teach_mode(const WorkstationArguments& arguments) {
+bool run_teach_mode(const WorkstationArguments& arguments) {
   TeachOptions options;
   static_cast<WindowOptions&>(options) = window_of(arguments);
   options.lesson = arguments.lesson;
   options.large_letters = arguments.large_letters;
-  require_closed_well(run_teach(options));
+  return leads_to_page(run_teach(options));
 }
 
 // A recorded session in the window; nothing is measured.
-void run_review_mode(const WorkstationArguments& arguments) {
+bool run_review_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
     throw DeviceError(
         "--mode review needs a window: set DISPLAY to a running X server; without one, use pellucida "
@@ -128,16 +140,16 @@ void run_review_mode(const WorkstationArguments& arguments) {
   options.speed_ratio = arguments.speed_ratio;
   options.loop = arguments.playback.loop_count != 1;
   options.backwards = arguments.playback.backwards;
-  require_closed_well(run_review(arguments.session, options));
+  return leads_to_page(run_review(arguments.session, options));
 }
 
-void run_guide_mode(const WorkstationArguments& arguments) {
+bool run_guide_mode(const WorkstationArguments& arguments) {
   GuideOptions options;
   options.session_folder = arguments.session;
   static_cast<WindowOptions&>(options) = window_of(arguments);
   // A microscope does not end: the virtual one shows its scenario again and again.
   options.repeat = is_virtual_source(arguments.source);
-  require_closed_well(run_window(arguments, options));
+  return leads_to_page(run_window(arguments, options));
 }
 
 // The arguments that the command line would have for a choice.
@@ -159,23 +171,27 @@ WorkstationArguments arguments_of(const StartChoice& choice, const WorkstationAr
   return arguments;
 }
 
-}  // namespace
-
-void run_workstation(const WorkstationArguments& arguments) {
-  // A window closes with the first signal, and its recording with it.
-  const InterruptScope scope;
-  if (arguments.mode == "teach") {
-    run_teach_mode(arguments);
-  } else if (arguments.mode == "review") {
-    run_review_mode(arguments);
-  } else if (has_display()) {
-    run_guide_mode(arguments);
-  } else {
-    run_headless(arguments);
-  }
+// The session that a path names: its folder, or one of its files.
+std::optional<std::filesystem::path> session_at(const std::filesystem::path& path) {
+  if (path.empty()) return std::nullopt;
+  if (is_session(path)) return path;
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  return is_session(folder) ? std::optional(folder) : std::nullopt;
 }
 
-void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
+}  // namespace
+
+bool run_workstation(const WorkstationArguments& arguments) {
+  // A window closes with the first signal, and its recording with it.
+  const InterruptScope scope;
+  if (arguments.mode == "teach") return run_teach_mode(arguments);
+  if (arguments.mode == "review") return run_review_mode(arguments);
+  if (has_display()) return run_guide_mode(arguments);
+  run_headless(arguments);
+  return false;
+}
+
+void run_start_mode(const WorkstationArguments& arguments) {
   if (!has_display()) {
     throw DeviceError(
         "--mode start needs a window: set DISPLAY to a running X server; without one, use pellucida workstation "
@@ -184,7 +200,14 @@ void run_start_mode(const WorkstationArguments& arguments, bool states_size) {
   const InterruptScope scope;
   StartOptions options;
   static_cast<WindowOptions&>(options) = window_of(arguments);
-  options.remembered_size = !states_size;
+  if (const auto session = session_at(arguments.path)) {
+    WorkstationArguments review = arguments;
+    review.mode = "review";
+    review.session = session->string();
+    if (!run_workstation(review) || interrupted() != 0) return;
+  } else {
+    options.recording = arguments.path;
+  }
   while (const auto choice = run_start(options)) {
     options.problem.clear();
     std::error_code ignored;

@@ -22,16 +22,18 @@ struct WorkstationArguments {
   std::string hand;
   std::string session;
   std::string compare;
+  std::string path;  ///< given alone: a session or a recording
   WindowOptions window;
 };
 
-/// Runs the window of the mode (guide, review, teach) until it is closed. Guide without a display measures headless.
+/// Runs the window of the mode (guide, review, teach) until it is closed; true when the person wants the start page
+/// next. Guide without a display measures headless.
 /// Throws UsageError, InputError, DeviceError and OutputError as the windows and sources do.
-void run_workstation(const WorkstationArguments& arguments);
+bool run_workstation(const WorkstationArguments& arguments);
 
-/// The start page, then what is chosen there, then the page again, until it is closed. `states_size`: the window opens
-/// in the size that the arguments have, not in the one it had last. A choice that fails is an error on the page. Throws
-/// DeviceError without a display.
-void run_start_mode(const WorkstationArguments& arguments, bool states_size);
+/// The start page, then what is chosen there, then the page again, until it is closed. A choice that fails is an error
+/// on the page. With a `path`: a session is shown at once, a recording is filled in. Throws DeviceError without a
+/// display.
+void run_start_mode(const WorkstationArguments& arguments);
 
 }  // namespace pellucida

@@ -1,4 +1,4 @@
-#include "ChildProcess.h"
+#include "pellucida/batch/ChildProcess.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

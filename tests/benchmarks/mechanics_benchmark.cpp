@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bench/MechanicsBench.h"
+#include "pellucida/bench/MechanicsBench.h"
 #include "mechanics/SectionContours.h"
 #include "pellucida/linear_algebra/BlockLdlt.h"
 #include "pellucida/mechanics/ForceObserver.h"

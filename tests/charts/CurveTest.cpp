@@ -52,16 +52,23 @@ TEST(Curve, AGapIsKeptOnceWherePointsAreJoinedOtherwise) {
   EXPECT_EQ(std::count_if(thin.y.begin(), thin.y.end(), [](double y) { return std::isnan(y); }), 1);
 }
 
-TEST(Curve, TheBandRoundACurveThatTurnsBackHoldsBothWays) {
+TEST(Curve, TheBandOfACurveThatTurnsBackIsThatOfTheWayIn) {
   Curve curve;
   for (int i = 0; i <= 100; ++i) curve.add(i, i, i - 1.0, i + 1.0);
   for (int i = 100; i >= 0; --i) curve.add(i, 0.5 * i, 0.5 * i - 1.0, 0.5 * i + 1.0);
   EXPECT_FALSE(is_ascending(curve));
-  const Curve band = band_around(curve, 101);
-  ASSERT_EQ(band.size(), 101U);
+  // A hold: it trembles, and goes on.
+  for (const double x : {100.0, 99.8, 100.1, 99.9, 103.0}) curve.add(x, 90.0, 80.0, 95.0);
+  curve.add_gap();
+  const Curve band = band_of_way_in(curve);
+  ASSERT_EQ(band.size(), 103U);
   EXPECT_TRUE(is_ascending(band));
-  EXPECT_DOUBLE_EQ(band.lower[60], 29.0);
+  EXPECT_DOUBLE_EQ(band.lower[60], 59.0);
   EXPECT_DOUBLE_EQ(band.upper[60], 61.0);
+  EXPECT_DOUBLE_EQ(band.x[101], 100.1);
+  EXPECT_DOUBLE_EQ(band.lower[102], 80.0);
+  const std::vector<double> depths{1.0, std::nan(""), 0.5, 2.0, 2.0};
+  EXPECT_EQ(way_in(depths), (std::vector<std::size_t>{0, 3}));
 }
 
 TEST(Curve, AnIntervalThatIsUnknownIsTheCurveItself) {

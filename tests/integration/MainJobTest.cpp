@@ -54,6 +54,16 @@ TEST_F(MainJob, AllThreeCommandsSucceed) {
   EXPECT_EQ(static_cast<Eigen::Index>(rows_.size()), truth().rows());
 }
 
+TEST_F(MainJob, AnExportIsReplacedOnRequestAlone) {
+  const std::string at = folder_.string();
+  const std::string again = "export " + at + "/s --no-picture --output " + at + "/x";
+  const auto refused = test::run_program(again, folder_ / "4");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("measurements.csv: already there"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("--replace"), std::string::npos) << refused.err;
+  EXPECT_EQ(test::run_program(again + " --replace", folder_ / "5").exit_code, 0);
+}
+
 TEST_F(MainJob, ContoursLieWithinAPixelOfTheTruth) {
   const auto truth = test::read_contours((folder_ / "t_contours.csv").string());
   const auto tracked = test::read_contours((folder_ / "x" / "contours.csv").string());

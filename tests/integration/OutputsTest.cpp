@@ -51,7 +51,7 @@ TEST_F(Outputs, AFileTooLargeLeavesTheOlderOne) {
   test::put(folder_ / "f.csv", "older");
   // The program's files may have one block of 512 bytes.
   const std::string limited = "sh -c 'ulimit -f 1; exec \"$0\" \"$@\"' " PELLUCIDA_PROGRAM
-                              " force mouse-oocyte --step-um 1 --output " +
+                              " force mouse-oocyte --step-um 1 --replace --output " +
                               at("f.csv") + " 2>/dev/null";
   const int status = std::system(limited.c_str());
   ASSERT_TRUE(WIFEXITED(status));
@@ -65,6 +65,19 @@ TEST_F(Outputs, WhatCantBePrintedIsNoSuccess) {
   const int status = std::system(PELLUCIDA_PROGRAM " --version >/dev/full 2>/dev/null");
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 5);
+}
+
+TEST_F(Outputs, FilesAreReplacedOnRequestAlone) {
+  const std::string film = "simulate --duration-s 0.2 --fps 10 --output " + at("r.avi");
+  const std::string curve = "force mouse-oocyte --max-indentation-um 4 --step-um 4 --output " + at("r.csv");
+  for (const std::string& command : {film, curve}) {
+    ASSERT_EQ(run(command).exit_code, 0);
+    const auto again = run(command);
+    EXPECT_EQ(again.exit_code, 2);
+    EXPECT_NE(again.err.find("already there"), std::string::npos) << again.err;
+    EXPECT_NE(again.err.find("--replace"), std::string::npos) << again.err;
+    EXPECT_EQ(run(command + " --replace").exit_code, 0);
+  }
 }
 
 TEST_F(Outputs, AFolderOfAnotherRunsImagesIsNotMixed) {

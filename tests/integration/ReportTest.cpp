@@ -149,6 +149,14 @@ TEST_F(Report, TheSessionStaysFine) {
   EXPECT_EQ(checked.out.find("note"), std::string::npos) << checked.out;
 }
 
+TEST_F(Report, AReportIsReplacedOnRequestAlone) {
+  const std::string again = "report " + (folder_ / "s").string();
+  const auto refused = run(again);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("report.html: already there"), std::string::npos) << refused.err;
+  EXPECT_EQ(run(again + " --replace").exit_code, 0);
+}
+
 TEST_F(Report, WrongUseAndBadSessionsHaveTheirCodes) {
   const std::string session = (folder_ / "s").string();
   EXPECT_EQ(run("report").exit_code, 2);

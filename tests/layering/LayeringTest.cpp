@@ -28,20 +28,21 @@ bool is_code(const fs::path& file) {
   return extension == ".h" || extension == ".cpp" || extension == ".cxx";
 }
 
-// The windows of single modes are parts of their own inside ui.
-bool is_window(const std::string& part) {
-  return part == "guide" || part == "notes" || part == "review" || part == "start" || part == "teach";
-}
+// Parts of their own inside another: the windows of single modes, what measures speed.
+const std::map<std::string, std::string> kInside = {{"guide", "ui"},  {"notes", "ui"}, {"recorded", "ui"},
+                                                    {"review", "ui"}, {"start", "ui"}, {"teach", "ui"},
+                                                    {"bench", "app"}};
 
-bool is_window_folder(const fs::path& folder) {
-  return folder.parent_path() == kRoot / "ui" && is_window(folder.filename());
+bool is_inner_part(const fs::path& folder) {
+  const auto inside = kInside.find(folder.filename());
+  return inside != kInside.end() && folder.parent_path() == kRoot / inside->second;
 }
 
 // Below `folder`, but not in a part of its own inside it.
 std::vector<fs::path> code_below(const fs::path& folder) {
   std::vector<fs::path> files;
   for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator(); ++entry) {
-    if (entry->is_directory() && is_window_folder(entry->path())) entry.disable_recursion_pending();
+    if (entry->is_directory() && is_inner_part(entry->path())) entry.disable_recursion_pending();
     if (entry->is_regular_file() && is_code(entry->path())) files.push_back(entry->path());
   }
   return files;
@@ -69,7 +70,7 @@ std::string part_of(const std::string& header) {
 }
 
 fs::path folder_of(const std::string& part) {
-  if (is_window(part)) return kRoot / "ui" / part;
+  if (const auto inside = kInside.find(part); inside != kInside.end()) return kRoot / inside->second / part;
   return part == "ui" || part == "app" ? kRoot / part : kRoot / "modules" / part;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/session/SessionWriter.h"
@@ -15,7 +16,8 @@ inline double indentation_of(long frame) {
 }
 
 /// Thirty frames, ten a second: five free, and so many more where the touch is late, then a touch that goes deeper.
-inline void write_touch(const std::filesystem::path& folder, bool close = true, long late_frames = 0) {
+inline void write_touch(const std::filesystem::path& folder, bool close = true, long late_frames = 0,
+                        const std::string& profile_json = {}) {
   SessionInfo info;
   info.source.name = "synthetic";
   info.source.width_px = 728;
@@ -25,6 +27,7 @@ inline void write_touch(const std::filesystem::path& folder, bool close = true, 
   info.source.frame_rate_hz = 1.0 / kStep_s;
   info.source.frame_rate_origin = "scenario";
   info.profile_name = "mouse-oocyte";
+  info.profile_json = profile_json;
   SessionWriter writer(folder, info);
   for (long frame = 0; frame < kFrames; ++frame) {
     Scene scene = synthetic_scene(indentation_of(frame - late_frames), frame);

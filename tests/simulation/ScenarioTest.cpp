@@ -67,6 +67,19 @@ TEST(Scenario, DefaultsAreInTheirRangesAndOnThePage) {
   EXPECT_TRUE(docs_section_is("scenarios.md", "## Keys", markdown(fields_of(scenario))));
 }
 
+TEST(Scenario, KeysMayFollowItsName) {
+  const Scenario s = load_scenario("injection,cell.stiffness_ratio=0.5,seed=3,look=dic");
+  EXPECT_EQ(s.name, "injection,cell.stiffness_ratio=0.5,seed=3,look=dic");
+  EXPECT_EQ(s.cell.stiffness_ratio, 0.5);
+  EXPECT_EQ(s.seed, 3U);
+  EXPECT_EQ(s.look, "dic");
+  EXPECT_EQ(s.motion.gap_um, load_scenario("injection").motion.gap_um);
+  EXPECT_THROW(load_scenario("injection,cell.stiffness_ratio=50"), UsageError);
+  EXPECT_THROW(load_scenario("injection,cell.colour=red"), UsageError);
+  EXPECT_THROW(load_scenario("injection,seed"), UsageError);
+  EXPECT_THROW(load_scenario("injection,seed.x=1"), UsageError);
+}
+
 TEST(Scenario, SaysWhichValueIsOutOfRange) {
   const std::string pixel = message_of<UsageError>(R"({"image": {"pixel_size_um": 0}})");
   EXPECT_NE(pixel.find("image.pixel_size_um is 0; allowed: 0.05 to 5"), std::string::npos) << pixel;

@@ -8,6 +8,8 @@
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/simulation/CellReference.h"
+#include "pellucida/simulation/Scenario.h"
+#include "pellucida/simulation/VirtualSpecimen.h"
 #include "simulation/TestScenes.h"
 
 namespace pellucida {
@@ -132,6 +134,23 @@ TEST(SpecimenForce, OpposedHolderMakesItASurfaceOfRevolution) {
   EXPECT_NEAR(out.force_uN.z, -plane.lateral_force_uN, 1e-9);
   // The cell pushes a needle beside the middle outwards.
   EXPECT_GT(out.force_uN.z, 0.1);
+}
+
+TEST(StifferCell, TakesMoreForceForTheSameDepth) {
+  const VirtualSpecimen usual(load_scenario("default"));
+  VirtualSpecimen stiff(load_scenario("default,cell.stiffness_ratio=2"));
+  VirtualSpecimen same(load_scenario("default"));
+  for (const double depth_um : {4.0, 20.0, 40.0}) {
+    const SpecimenState twice = stiff.advance(depth_um, 0.1 * depth_um);
+    const SpecimenState once = same.advance(depth_um, 0.1 * depth_um);
+    ASSERT_GT(once.contact_force_uN, 0.0);
+    EXPECT_NEAR(twice.contact_force_uN, 2.0 * once.contact_force_uN, 1e-9);
+    EXPECT_NEAR(twice.pressure_Pa, 2.0 * once.pressure_Pa, 1e-9);
+    EXPECT_TRUE(twice.section.outer_um.isApprox(once.section.outer_um));
+    const auto tip = usual.force().tip_at(0.0, depth_um);
+    EXPECT_NEAR(stiff.force().at(tip).energy_uN_um, 2.0 * usual.force().at(tip).energy_uN_um, 1e-9);
+    EXPECT_NEAR(stiff.force().at(tip).stiffness_uN_per_um, 2.0 * usual.force().at(tip).stiffness_uN_per_um, 1e-9);
+  }
 }
 
 }  // namespace

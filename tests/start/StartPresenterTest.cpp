@@ -1,13 +1,16 @@
 // Lists, checks and the resulting choice of the start page, without a display.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "pellucida/core/TemporaryFolder.h"
+#include "pellucida/simulation/Scenario.h"
 #include "presenters/NumberField.h"
 #include "presenters/PathJudgement.h"
+#include "presenters/PixelMeasure.h"
 #include "presenters/RecentSessions.h"
 #include "presenters/StartForm.h"
 #include "presenters/StartLists.h"
@@ -111,6 +114,36 @@ TEST(StartChoices, TheVirtualMicroscopeWithItsHand) {
   EXPECT_EQ(choice.source, "virtual:puncture");
   EXPECT_EQ(choice.hand, "mouse");
   EXPECT_FALSE(choice.pixel_size_um);
+}
+
+TEST(StartChoices, AStifferCellIsAKeyOfItsScenario) {
+  StartForm form;
+  form.stiffness = "2";
+  const std::string source = choice_of(form).source;
+  EXPECT_EQ(source, "virtual:injection,cell.stiffness_ratio=2");
+  EXPECT_EQ(load_scenario(source.substr(8)).cell.stiffness_ratio, 2.0);
+  const auto entries = stiffness_entries();
+  EXPECT_EQ(entries.front().value, StartForm{}.stiffness);
+  for (const auto& entry : entries) {
+    EXPECT_NO_THROW(load_scenario("injection,cell.stiffness_ratio=" + entry.value)) << entry.value;
+  }
+}
+
+TEST(PixelMeasure, IsTheLengthOverTheLineWithItsEndsPlaces) {
+  const DrawnLine line{100.0, 50.0, 220.0, 210.0};
+  EXPECT_DOUBLE_EQ(line.length_px(), 200.0);
+  const PixelMeasure measure = measure_pixel(line, "165");
+  EXPECT_DOUBLE_EQ(measure.pixel_size_um, 0.825);
+  EXPECT_NEAR(measure.uncertainty_um, 0.825 * std::sqrt(2.0) / 200.0, 1e-12);
+  EXPECT_EQ(measure.typed, "0.8250");
+  EXPECT_EQ(measure.text, "0.8250 ± 0.0058 µm per px");
+  EXPECT_EQ(*read_number(measure.typed, kPixelSizeNumber).value, 0.825);
+  for (const char* length : {"", "long", "0", "-3"}) {
+    EXPECT_EQ(measure_pixel(line, length).pixel_size_um, 0.0) << length;
+    EXPECT_FALSE(measure_pixel(line, length).text.empty()) << length;
+  }
+  EXPECT_TRUE(holds(measure_pixel({0, 0, 10, 0}, "100").text, "at least 20 px"));
+  EXPECT_TRUE(holds(measure_pixel({0, 0, 30, 0}, "99999").text, "no microscope"));
 }
 
 TEST(StartChoices, ARecordingNeedsAPathAndItsNumbers) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pellucida/core/TemporaryFolder.h"
+#include "review/TouchSession.h"
 #include "ui/DisplayTest.h"
 #include "ui/ScreenWatch.h"
 #include "ui/XInput.h"
@@ -13,18 +14,19 @@
 namespace pellucida {
 namespace {
 
-constexpr std::uint32_t kReturnKey = 0xff0d, kControlKey = 0xffe3, kQKey = 0x71, kOneKey = 0x31, kFourKey = 0x34;
+constexpr std::uint32_t kReturnKey = 0xff0d, kControlKey = 0xffe3, kQKey = 0x71, kOneKey = 0x31, kFourKey = 0x34,
+                        kAltKey = 0xffe9, kTabKey = 0xff09, kDownKey = 0xff54;
 
 class StartProgramTest : public test::DisplayTest {
  protected:
-  void begin() {
+  void begin(const QStringList& arguments = {"workstation", "--mode", "start"}) {
     auto environment = QProcessEnvironment::systemEnvironment();
     const QString home = QString::fromStdString(home_.path().string());
     environment.insert("HOME", home);
     environment.insert("XDG_CONFIG_HOME", home);
     program_.setProcessEnvironment(environment);
     program_.setProcessChannelMode(QProcess::ForwardedChannels);
-    program_.start(PELLUCIDA_PROGRAM, {"workstation", "--mode", "start"});
+    program_.start(PELLUCIDA_PROGRAM, arguments);
   }
   ~StartProgramTest() override {
     program_.kill();
@@ -82,6 +84,50 @@ TEST_F(StartProgramTest, AWindowChosenOnThePageLeadsBackToItWhenItIsClosed) {
   ASSERT_TRUE(pass_until([&] { return program_.state() == QProcess::NotRunning; }));
   EXPECT_EQ(program_.exitStatus(), QProcess::NormalExit);
   EXPECT_EQ(program_.exitCode(), 0);
+}
+
+TEST_F(StartProgramTest, ThePageLeadsFromOneSourceToAnother) {
+  const std::string page = "Pellucida - Start";
+  const auto to_page = [&] {
+    input_.key(kAltKey, true);
+    input_.tap(test::kHomeKey);
+    input_.key(kAltKey, false);
+  };
+  // The window opened without the page has a way to it, too.
+  begin({"workstation", "--source", "virtual:default", "--hand", "none"});
+  ASSERT_TRUE(shows("Pellucida - virtual:default"));
+  ASSERT_TRUE(press_until_gone("Pellucida - virtual:default", to_page));
+  ASSERT_TRUE(shows(page));
+  // The first card; in the list of scenarios, the next one.
+  for (const char* scenario : {"Pellucida - virtual:injection", "Pellucida - virtual:configuration-2"}) {
+    ASSERT_TRUE(press_until_gone(page, [&] {
+      if (std::string(scenario) == "Pellucida - virtual:configuration-2") {
+        input_.tap(kOneKey);
+        pass(200);
+        input_.tap(kTabKey);
+        pass(200);
+        input_.tap(kDownKey);
+        pass(200);
+      } else {
+        input_.tap(kOneKey);
+      }
+      input_.tap(kReturnKey);
+    }));
+    ASSERT_TRUE(shows(scenario)) << scenario;
+    ASSERT_TRUE(press_until_gone(scenario, to_page));
+    ASSERT_TRUE(shows(page));
+  }
+  ASSERT_TRUE(press_until_gone(page, [&] { quit(); }));
+  ASSERT_TRUE(pass_until([&] { return program_.state() == QProcess::NotRunning; }));
+  EXPECT_EQ(program_.exitCode(), 0);
+}
+
+TEST_F(StartProgramTest, APathOfASessionOpensReview) {
+  test::write_touch(home_ / "S");
+  begin({QString::fromStdString((home_ / "S" / "session.json").string())});
+  ASSERT_TRUE(pass_until([&] { return program_.state() == QProcess::NotRunning || screen_.find("Pellucida - Review of S"); }));
+  program_.terminate();
+  ASSERT_TRUE(pass_until([&] { return program_.state() == QProcess::NotRunning; }));
 }
 
 }  // namespace

@@ -26,6 +26,7 @@
 #include "support/Files.h"
 #include "ui/DisplayTest.h"
 #include "ui/XInput.h"
+#include "widgets/RulerCanvas.h"
 
 namespace pellucida {
 namespace {
@@ -316,6 +317,53 @@ TEST_F(StartWindowTest, ProblemsAreGermanOnAGermanPage) {
       "a.avi: keine solche Datei und kein solcher Ordner; prüfen Sie den Pfad – wählen Sie ein Video";
   EXPECT_TRUE(pass_until([&] { return problem_at("path").find(wanted) != std::string::npos; })) << problem_at("path");
   window_.reset();
+}
+
+TEST_F(StartWindowTest, APixelIsMeasuredOnTheImage) {
+  fs::create_directories(folder_ / "film");
+  cv::Mat image(240, 320, CV_8UC1, cv::Scalar(90));
+  // A scale bar of 200 px.
+  image(cv::Rect(60, 200, 200, 6)).setTo(250);
+  for (const char* name : {"f1.png", "f2.png"}) ASSERT_TRUE(cv::imwrite((folder_ / "film" / name).string(), image));
+  open();
+  auto& measure =
+      *child<QWidget>("recordingPixel").parentWidget()->parentWidget()->findChild<QPushButton*>("measurePixel");
+  click(measure);
+  EXPECT_FALSE(problem_at("path").empty()) << "there is no image yet";
+  drop(folder_ / "film");
+  auto* path = child<QWidget>("path").parentWidget()->findChild<QLabel*>("fieldNote");
+  ASSERT_TRUE(pass_until([&] { return path->text().contains("320"); }));
+  measure.click();
+  auto& dialog = child<QWidget>("pixelSizeDialog");
+  auto& ruler = static_cast<RulerCanvas&>(child<QWidget>("ruler"));
+  ASSERT_TRUE(pass_until([&] { return ruler.has_image() && dialog.isVisible(); }));
+  pass(200);
+  EXPECT_FALSE(child<QPushButton>("usePixelSize").isEnabled());
+  const auto at = [&](double x_px, double y_px) {
+    const QPoint place = ruler.mapToGlobal(ruler.to_widget(x_px, y_px).toPoint());
+    input_.move(place.x(), place.y());
+    pass(100);
+  };
+  at(60, 203);
+  input_.left_button(true);
+  pass(100);
+  at(150, 203);
+  at(260, 203);
+  input_.left_button(false);
+  ASSERT_TRUE(pass_until([&] { return std::abs(ruler.line().length_px() - 200.0) < 2.0; })) << ruler.line().length_px();
+  keep_picture(dialog, "measure-pixel");
+  child<QLineEdit>("knownLength").setText("100");
+  EXPECT_TRUE(child<QLabel>("measuredPixel").text().contains("±"));
+  child<QPushButton>("usePixelSize").click();
+  EXPECT_NEAR(child<QLineEdit>("recordingPixel").text().toDouble(), 0.5, 0.006);
+  // Keys alone do it as well.
+  DrawnLine before;
+  RulerCanvas canvas([] {});
+  canvas.set_image(QImage(100, 80, QImage::Format_Grayscale8));
+  before = canvas.line();
+  QKeyEvent right(QEvent::KeyPress, Qt::Key_Right, Qt::ShiftModifier);
+  QApplication::sendEvent(&canvas, &right);
+  EXPECT_DOUBLE_EQ(canvas.line().length_px(), before.length_px() + 10.0);
 }
 
 }  // namespace

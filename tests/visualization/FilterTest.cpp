@@ -1,16 +1,13 @@
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
-#include <vtkDoubleArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <cmath>
-#include <set>
 
 #include "DashFilter.h"
-#include "ForceGlyphFilter.h"
 #include "RibbonFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "visualization/SyntheticScene.h"
@@ -124,123 +121,6 @@ TEST(RibbonFilter, NothingInNothingOut) {
   ribbon->SetInputData(nothing);
   ribbon->Update();
   EXPECT_EQ(ribbon->GetOutput()->GetNumberOfCells(), 0);
-}
-
-class ForceGlyphs : public testing::Test {
- protected:
-  vtkPolyData* update() {
-    filter->SetInputData(surface);
-    filter->SetFullScaleUN(full_scale_uN);
-    filter->SetThresholdRatio(0.0);
-    filter->Update();
-    return filter->GetOutput();
-  }
-
-  vtkSmartPointer<vtkPolyData> surface = test::synthetic_scene(25.0).surface.shallow_copy();
-  double full_scale_uN = node_force_quantile_uN(surface, 1.0);
-  vtkNew<ForceGlyphFilter> filter;
-};
-
-TEST_F(ForceGlyphs, AtMostTheCountAskedAndOnlyOuterNodes) {
-  filter->SetMaximumCount(200);
-  vtkPolyData* glyphs = update();
-  EXPECT_LE(glyphs->GetNumberOfPoints(), 200);
-  EXPECT_GE(glyphs->GetNumberOfPoints(), 150);
-  // The inner membrane's rim is 40 um away from the axis at most.
-  double bounds_um[6];
-  glyphs->GetBounds(bounds_um);
-  EXPECT_GT(bounds_um[5], 42.0);
-}
-
-TEST_F(ForceGlyphs, TheStrongestNodeIsAlwaysAmongThemAndHasTheLongestArrow) {
-  filter->SetMaximumCount(1);
-  filter->SetLongestArrowUm(20.0);
-  vtkPolyData* glyphs = update();
-  ASSERT_EQ(glyphs->GetNumberOfPoints(), 1);
-  EXPECT_DOUBLE_EQ(glyphs->GetPointData()->GetArray("magnitude_uN")->GetComponent(0, 0), full_scale_uN);
-  EXPECT_DOUBLE_EQ(glyphs->GetPointData()->GetArray("arrow_length_um")->GetComponent(0, 0), 20.0);
-  // It pushes inward, so its arrow ends at the node.
-  EXPECT_EQ(glyphs->GetPointData()->GetArray("arrow_kind")->GetComponent(0, 0), 1.0);
-}
-
-TEST_F(ForceGlyphs, NodesAreSpreadEvenly) {
-  filter->SetMaximumCount(100);
-  vtkPolyData* glyphs = update();
-  double nearest_um = 1e9;
-  // The strongest node (the first) is put in besides the even spread.
-  for (vtkIdType i = 1; i < glyphs->GetNumberOfPoints(); ++i) {
-    for (vtkIdType j = 1; j < i; ++j) {
-      double a[3];
-      double b[3];
-      glyphs->GetPoint(i, a);
-      glyphs->GetPoint(j, b);
-      nearest_um = std::min(nearest_um, std::sqrt(vtkMath::Distance2BetweenPoints(a, b)));
-    }
-  }
-  // A hundred discs of this distance cover a sphere of 48 um: sqrt(4 pi 48^2 / 100) = 17 um, half of it is even enough.
-  EXPECT_GT(nearest_um, 8.5);
-}
-
-TEST_F(ForceGlyphs, TheSameNodesFromFrameToFrame) {
-  filter->SetMaximumCount(150);
-  update();
-  const auto nodes_of = [&](vtkPolyData* s) {
-    std::set<vtkIdType> nodes;
-    for (vtkIdType i = 1; i < filter->GetOutput()->GetNumberOfPoints(); ++i) {
-      double p[3];
-      filter->GetOutput()->GetPoint(i, p);
-      for (vtkIdType k = 0; k < s->GetNumberOfPoints() / 2; ++k) {
-        double q[3];
-        s->GetPoint(k, q);
-        if (vtkMath::Distance2BetweenPoints(p, q) < 1e-12) nodes.insert(k);
-      }
-    }
-    return nodes;
-  };
-  const auto first = nodes_of(surface);
-  surface = test::synthetic_scene(26.0).surface.shallow_copy();
-  update();
-  EXPECT_EQ(nodes_of(surface), first);
-}
-
-TEST_F(ForceGlyphs, LogScaleLengthensSmallForces) {
-  filter->SetMaximumCount(300);
-  filter->SetLongestArrowUm(20.0);
-  const auto least_um = [&](bool log_scale) {
-    filter->SetLogScale(log_scale);
-    return update()->GetPointData()->GetArray("arrow_length_um")->GetRange(0)[0];
-  };
-  const double linear_um = least_um(false);
-  EXPECT_GT(least_um(true), 2.0 * linear_um);
-}
-
-TEST_F(ForceGlyphs, QuantilesOfTheForceGrowWithTheShare) {
-  EXPECT_LT(node_force_quantile_uN(surface, 0.0), node_force_quantile_uN(surface, 0.5));
-  EXPECT_LT(node_force_quantile_uN(surface, 0.5), node_force_quantile_uN(surface, 1.0));
-}
-
-TEST_F(ForceGlyphs, BeyondTheScaleAnArrowGrowsNoLongerThanHalfAsMuchAgain) {
-  full_scale_uN *= 0.1;
-  filter->SetMaximumCount(1);
-  filter->SetLongestArrowUm(20.0);
-  EXPECT_DOUBLE_EQ(update()->GetPointData()->GetArray("arrow_length_um")->GetComponent(0, 0), 30.0);
-}
-
-TEST_F(ForceGlyphs, WithoutForcesThereAreNoArrowsAndTheInputStaysAsItWas) {
-  surface->GetPointData()->RemoveArray(array_name::kForce);
-  const vtkMTimeType before = surface->GetMTime();
-  EXPECT_EQ(update()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(surface->GetMTime(), before);
-  EXPECT_EQ(node_force_quantile_uN(surface, 1.0), 0.0);
-}
-
-TEST_F(ForceGlyphs, AForceThatIsNoNumberGetsNoArrow) {
-  vtkNew<vtkDoubleArray> bad;
-  bad->DeepCopy(surface->GetPointData()->GetArray(array_name::kForce));
-  bad->SetName(array_name::kForce);
-  for (vtkIdType i = 0; i < bad->GetNumberOfTuples(); ++i) bad->SetComponent(i, 0, std::nan(""));
-  surface->GetPointData()->AddArray(bad);
-  EXPECT_EQ(update()->GetNumberOfPoints(), 0);
 }
 
 }  // namespace

@@ -73,6 +73,13 @@ vtkSmartPointer<vtkPolyData> surfaces(double depth_um, const std::vector<std::pa
   moved->SetName(array_name::kDisplacement);
   moved->SetNumberOfComponents(3);
   tension->SetName(array_name::kTension);
+  vtkNew<vtkDoubleArray> needle, holder, sigma, strain;
+  needle->SetName(array_name::kNeedleForce);
+  holder->SetName(array_name::kHolderForce);
+  for (vtkDoubleArray* tool : {needle.Get(), holder.Get()}) tool->SetNumberOfComponents(3);
+  sigma->SetName(array_name::kForceSigma);
+  strain->SetName(array_name::kAreaStrain);
+  double pushed_uN = 0.0;
   for (const auto& [membrane, radius_um] : membranes) {
     const vtkIdType first = points->GetNumberOfPoints();
     for (int row = 0; row < kRows; ++row) {
@@ -90,6 +97,15 @@ vtkSmartPointer<vtkPolyData> surfaces(double depth_um, const std::vector<std::pa
                                 0.12 * push * std::sin(angle_rad) * std::sin(turn_rad));
         moved->InsertNextTuple3(-depth_um * near, 0.0, 0.0);
         tension->InsertNextValue(0.02 + 0.2 * near);
+        strain->InsertNextValue(30.0 * near - 4.0);
+        // Six rows under the needle, one ring at the holder that bears the same.
+        const double pushes_uN = membrane == 0 && row < 6 ? push : 0.0;
+        const bool held = membrane == 0 && row == kRows - 7;
+        pushed_uN += pushes_uN;
+        needle->InsertNextTuple3(-pushes_uN, 0.0, 0.0);
+        holder->InsertNextTuple3(held ? pushed_uN / kSides : 0.0, 0.0, 0.0);
+        // Under a tool no node's force is known by itself.
+        sigma->InsertNextValue(membrane != 0 ? 0.0 : (pushes_uN > 0.0 || held ? push : 0.02 * push));
       }
     }
     for (int row = 0; row + 1 < kRows; ++row) {
@@ -103,8 +119,10 @@ vtkSmartPointer<vtkPolyData> surfaces(double depth_um, const std::vector<std::pa
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(points);
   surface->SetPolys(cells);
-  for (vtkDataArray* array : {static_cast<vtkDataArray*>(kind), static_cast<vtkDataArray*>(force),
-                              static_cast<vtkDataArray*>(moved), static_cast<vtkDataArray*>(tension)}) {
+  for (vtkDataArray* array :
+       {static_cast<vtkDataArray*>(kind), static_cast<vtkDataArray*>(force), static_cast<vtkDataArray*>(moved),
+        static_cast<vtkDataArray*>(tension), static_cast<vtkDataArray*>(needle), static_cast<vtkDataArray*>(holder),
+        static_cast<vtkDataArray*>(sigma), static_cast<vtkDataArray*>(strain)}) {
     surface->GetPointData()->AddArray(array);
   }
   return surface;

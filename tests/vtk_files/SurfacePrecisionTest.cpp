@@ -41,7 +41,10 @@ vtkSmartPointer<vtkPolyData> nodes(bool with_sigma) {
   add(surface, array_name::kRestDirection, 3, -1.0, 1.0);
   add(surface, array_name::kForce, 3, -0.05, 0.05);
   if (with_sigma) add(surface, array_name::kForceSigma, 1, 1e-6, 0.01);
+  add(surface, array_name::kNeedleForce, 3, -0.05, 0.05);
+  add(surface, array_name::kHolderForce, 3, -0.05, 0.05);
   add(surface, array_name::kTension, 1, -0.02, 0.03);
+  add(surface, array_name::kAreaStrain, 1, -20.0, 60.0);
   add(surface, "of_another_kind", 2, 0.0, 1.0);
   return surface;
 }
@@ -61,8 +64,9 @@ double largest_change(vtkPolyData* before, vtkPolyData* after, const char* name)
 TEST(SurfacePrecision, RoundsWithinItsSteps) {
   const auto surface = nodes(true);
   const auto narrow = narrowed_surface(surface);
-  for (const char* name : {array_name::kDisplacement, array_name::kRestDirection, array_name::kForce,
-                           array_name::kForceSigma, array_name::kTension}) {
+  for (const char* name :
+       {array_name::kDisplacement, array_name::kRestDirection, array_name::kForce, array_name::kForceSigma,
+        array_name::kTension, array_name::kNeedleForce, array_name::kHolderForce, array_name::kAreaStrain}) {
     EXPECT_EQ(narrow->GetPointData()->GetArray(name)->GetDataType(), VTK_FLOAT) << name;
   }
   for (vtkIdType i = 0; i < kNodes; ++i) {
@@ -74,8 +78,10 @@ TEST(SurfacePrecision, RoundsWithinItsSteps) {
   for (vtkIdType i = 0; i < kNodes; ++i) {
     const double sigma_uN = sigma->GetComponent(i, 0);
     for (int j = 0; j < 3; ++j) {
-      EXPECT_NEAR(surface->GetPointData()->GetArray(array_name::kForce)->GetComponent(i, j),
-                  narrow->GetPointData()->GetArray(array_name::kForce)->GetComponent(i, j), 1.01 * sigma_uN / 64.0);
+      for (const char* name : {array_name::kForce, array_name::kNeedleForce, array_name::kHolderForce}) {
+        EXPECT_NEAR(surface->GetPointData()->GetArray(name)->GetComponent(i, j),
+                    narrow->GetPointData()->GetArray(name)->GetComponent(i, j), 1.01 * sigma_uN / 64.0);
+      }
     }
     EXPECT_NEAR(narrow->GetPointData()->GetArray(array_name::kForceSigma)->GetComponent(i, 0), sigma_uN,
                 0.001 * sigma_uN);
@@ -96,7 +102,8 @@ TEST(SurfacePrecision, ForcesAloneAreNarrowedLikeAllOfIt) {
   vtkNew<vtkPolyData> forces;
   forces->ShallowCopy(surface);
   narrow_forces(forces);
-  for (const char* name : {array_name::kForce, array_name::kForceSigma, array_name::kTension}) {
+  for (const char* name : {array_name::kForce, array_name::kForceSigma, array_name::kTension, array_name::kNeedleForce,
+                           array_name::kHolderForce, array_name::kAreaStrain}) {
     EXPECT_EQ(largest_change(narrow, forces, name), 0.0) << name;
     EXPECT_EQ(forces->GetPointData()->GetArray(name)->GetDataType(), VTK_FLOAT) << name;
   }

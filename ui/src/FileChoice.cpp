@@ -1,4 +1,5 @@
 #include "FileChoice.h"
+#include "PictureSizeDialog.h"
 #include "Words.h"
 
 #include <QDesktopServices>
@@ -50,6 +51,10 @@ FileChoice dialogs_over(QWidget& window) {
   };
   choice.session = [&window](const QString& title) {
     return path_of(QFileDialog::getExistingDirectory(&window, title, QDir::homePath()));
+  };
+  choice.picture_size = [&window](const QString& title, QSize seen, bool keeps_shape) {
+    PictureSizeDialog dialog(title, seen, keeps_shape, &window);
+    return dialog.exec() == QDialog::Accepted ? dialog.chosen() : QSize();
   };
   choice.show_page = [](const std::filesystem::path& page) {
     QDesktopServices::openUrl(QUrl::fromLocalFile(name_of_path(page)));

@@ -1,4 +1,5 @@
 #pragma once
+#include <QSize>
 #include <QString>
 #include <QStringList>
 #include <filesystem>
@@ -21,6 +22,9 @@ struct FileChoice {
   std::function<std::filesystem::path(const QString& title)> session;
   /// Whether these files, which exist, may be replaced.
   std::function<bool(const std::vector<std::filesystem::path>&)> may_replace;
+  /// How large a picture is to be, pixels, of what has `seen` on screen; an empty size: not now. `keeps_shape`: no
+  /// other shape than that. Not set: as on screen.
+  std::function<QSize(const QString& title, QSize seen, bool keeps_shape)> picture_size;
   /// Shows a page of the report in the reader's browser.
   std::function<void(const std::filesystem::path&)> show_page;
 };

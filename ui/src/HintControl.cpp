@@ -82,7 +82,8 @@ void HintControl::add_menu(std::function<void()> take_back) {
 
 void HintControl::wait_for(std::optional<Kind> kind) {
   waiting_ = kind;
-  std::string prompt;
+  std::string& prompt = prompt_;
+  prompt.clear();
   for (const HintEntry& entry : kEntries) {
     if (kind == entry.kind) prompt = say(entry.prompt) + " (" + entry.key + say(": not now)");
   }
@@ -109,6 +110,8 @@ bool HintControl::eventFilter(QObject* target, QEvent* event) {
 }
 
 bool HintControl::take_press(const QMouseEvent& event) {
+  // Another click may be waited for since.
+  if (feed_.prompt() != prompt_) waiting_.reset();
   if (!waiting_) return false;
   swallows_release_ = true;
   const Kind kind = *waiting_;

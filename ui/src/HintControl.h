@@ -3,6 +3,7 @@
 #include <QObject>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "pellucida/core/PersonHint.h"
 
@@ -39,6 +40,7 @@ class HintControl : public QObject {
   FeedPanel& panel_;
   Given given_;
   std::optional<PersonHint::Kind> waiting_;
+  std::string prompt_;
   bool swallows_release_ = false;
 };
 

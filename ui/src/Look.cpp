@@ -1,16 +1,17 @@
 #include "Look.h"
 
-#include <QFile>
 #include <QSettings>
 #include <QString>
 #include <algorithm>
 #include <initializer_list>
 
+#include "SettingsFile.h"
+
 namespace pellucida {
 namespace {
 
 QString look_file() {
-  return QSettings(QSettings::IniFormat, QSettings::UserScope, "Pellucida", "look").fileName();
+  return settings_file("look");
 }
 
 // One of `known`, or else the first of them.
@@ -29,8 +30,7 @@ Look remembered_look() {
 }
 
 void remember_look(const Look& look) {
-  // Qt does not write over a file that it can't read.
-  if (QSettings(look_file(), QSettings::IniFormat).status() == QSettings::FormatError) QFile::remove(look_file());
+  make_writable(look_file());
   QSettings settings(look_file(), QSettings::IniFormat);
   settings.setValue("theme", QString::fromStdString(look.theme));
   settings.setValue("language", QString::fromStdString(look.language));

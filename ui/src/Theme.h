@@ -2,6 +2,8 @@
 
 class QApplication;
 class QColor;
+class QString;
+class QWidget;
 
 namespace pellucida {
 
@@ -10,6 +12,9 @@ struct ThemeColors;
 
 /// A palette's colour for Qt.
 QColor to_qt(const Color& color);
+
+/// A style sheet for one widget; nothing happens where it has that one, since Qt would style it anew all the same.
+void set_sheet(QWidget& widget, const QString& sheet);
 
 /// Makes `theme` the current one: Fusion style, palette and style sheet from its colours; all letters `type_scale`
 /// times as large. What is open follows.

@@ -8,7 +8,8 @@ class QWidget;
 
 namespace pellucida {
 
-/// Saves a window as a PNG file after a time and then closes it, if its options ask for that.
+/// Saves a window as a PNG file after a time and then closes it, if its options ask for that; closes it then, too, if
+/// they ask for its figures alone.
 class TimedScreenshot {
  public:
   /// `refresh` shows what is newest, right before the picture is taken. `window` must outlive this object.

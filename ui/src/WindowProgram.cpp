@@ -8,8 +8,11 @@
 #include <QSet>
 #include <QSocketNotifier>
 #include <QSurfaceFormat>
+#include <QThread>
 #include <cstdio>
 
+#include "BlockWatch.h"
+#include "Closing.h"
 #include "Look.h"
 #include "Theme.h"
 #include "Translation.h"
@@ -32,6 +35,18 @@ void take_qt_message(QtMsgType type, const QMessageLogContext&, const QString& t
   std::fprintf(stderr, "qt: %s\n", qPrintable(text));
 }
 
+// Measures how long each event keeps the windows' thread.
+class WatchedApplication final : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    // Events of objects on other threads come here too.
+    if (QThread::currentThread() != thread()) return QApplication::notify(receiver, event);
+    const BlockWatch::Event watched(window_blocks(), thread()->loopLevel());
+    return QApplication::notify(receiver, event);
+  }
+};
+
 }  // namespace
 
 WindowProgram::WindowProgram(const WindowOptions& options) {
@@ -47,7 +62,7 @@ WindowProgram::WindowProgram(const WindowOptions& options) {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
-  application_ = std::make_unique<QApplication>(argument_count_, arguments_);
+  application_ = std::make_unique<WatchedApplication>(argument_count_, arguments_);
   QApplication::setApplicationName("Pellucida");
   // The desktop entry and the icon of an installed program.
   QApplication::setDesktopFileName("pellucida");
@@ -68,13 +83,15 @@ int WindowProgram::show(QWidget& window, const WindowOptions& options) {
     QObject::connect(stop.get(), &QSocketNotifier::activated, [&stop, &window] {
       // It stays readable: once is enough.
       stop->setEnabled(false);
-      window.close();
+      close_now(window);
       // The loops of dialogs, too.
       QApplication::exit(0);
     });
   }
   window.show();
-  return QApplication::exec();
+  window_blocks().begin();
+  const int status = QApplication::exec();
+  return status == 0 && leads_to_start_page(window) ? kToStartPage : status;
 }
 
 }  // namespace pellucida

@@ -18,7 +18,7 @@ class WindowProgram {
   ~WindowProgram();
 
   /// Shows `window` until it is closed, by a person or by `options.stop_descriptor`, which closes its dialogs too; the
-  /// event loop's exit status.
+  /// event loop's exit status, or `kToStartPage`.
   int show(QWidget& window, const WindowOptions& options);
 
  private:

@@ -1,4 +1,4 @@
-#include "ChildProcess.h"
+#include "pellucida/batch/ChildProcess.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -38,8 +38,8 @@ constexpr int kNotStarted = 127;  // as a shell says it
 }
 
 [[noreturn]] void refuse(const char* what) {
-  throw OutputError(std::string("a recording can't be analysed beside this program: ") + what + " (" +
-                    std::strerror(errno) + "); lower --jobs, or end other programs");
+  throw OutputError(std::string("a program can't be run beside this one: ") + what + " (" +
+                    std::strerror(errno) + "); end other programs, or lower --jobs");
 }
 
 }  // namespace

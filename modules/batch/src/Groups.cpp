@@ -101,29 +101,33 @@ std::vector<double> values_in(std::span<const BatchRow> rows, const std::string&
   return values;
 }
 
+std::vector<GroupRow> compare_groups(std::string_view quantity, std::span<const std::string> groups,
+                                     std::vector<std::vector<double>> values) {
+  std::vector<GroupRow> result;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    std::sort(values[k].begin(), values[k].end());
+    GroupRow row;
+    row.group = groups[k];
+    row.quantity = quantity;
+    row.count = static_cast<int>(values[k].size());
+    if (!values[k].empty()) {
+      row.median = quantile(values[k], 0.5);
+      row.lower_quartile = quantile(values[k], 0.25);
+      row.upper_quartile = quantile(values[k], 0.75);
+    }
+    if (k > 0) set_effects(values.front(), values[k], row);
+    result.push_back(std::move(row));
+  }
+  return result;
+}
+
 std::vector<GroupRow> compare_groups(std::span<const BatchRow> rows, std::span<const std::string> groups) {
   std::vector<GroupRow> result;
   for (const GroupQuantity& quantity : kQuantities) {
-    std::vector<double> reference;
-    for (const std::string& group : groups) {
-      std::vector<double> values = values_in(rows, group, quantity);
-      GroupRow row;
-      row.group = group;
-      row.quantity = quantity.name;
-      row.count = static_cast<int>(values.size());
-      std::sort(values.begin(), values.end());
-      if (!values.empty()) {
-        row.median = quantile(values, 0.5);
-        row.lower_quartile = quantile(values, 0.25);
-        row.upper_quartile = quantile(values, 0.75);
-      }
-      if (&group == &groups.front()) {
-        reference = values;
-      } else {
-        set_effects(reference, values, row);
-      }
-      result.push_back(std::move(row));
-    }
+    std::vector<std::vector<double>> values;
+    for (const std::string& group : groups) values.push_back(values_in(rows, group, quantity));
+    const auto compared = compare_groups(quantity.name, groups, std::move(values));
+    result.insert(result.end(), compared.begin(), compared.end());
   }
   return result;
 }

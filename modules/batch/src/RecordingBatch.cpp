@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "ChildProcess.h"
+#include "pellucida/batch/ChildProcess.h"
 #include "ResultPlace.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/OutputFile.h"

@@ -49,25 +49,21 @@ bool is_ascending(const Curve& curve) {
   return std::is_sorted(curve.x.begin(), curve.x.end());
 }
 
-Curve band_around(const Curve& curve, std::size_t count) {
-  Curve band;
-  if (curve.empty() || count < 2) return band;
-  const auto [least, greatest] = std::minmax_element(curve.x.begin(), curve.x.end());
-  const double begin = *least, width = *greatest - *least;
-  if (!(width > 0.0)) return band;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> lower(count, nan), upper(count, nan);
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (std::isnan(curve.y[i])) continue;
-    const auto place =
-        static_cast<std::size_t>(std::lround((curve.x[i] - begin) / width * static_cast<double>(count - 1)));
-    lower[place] = std::fmin(lower[place], curve.lower[i]);
-    upper[place] = std::fmax(upper[place], curve.upper[i]);
+std::vector<std::size_t> way_in(std::span<const double> x) {
+  std::vector<std::size_t> kept;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(x[i] > farthest)) continue;
+    farthest = x[i];
+    kept.push_back(i);
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    if (std::isnan(lower[k])) continue;
-    const double x = begin + width * static_cast<double>(k) / static_cast<double>(count - 1);
-    band.add(x, 0.5 * (lower[k] + upper[k]), lower[k], upper[k]);
+  return kept;
+}
+
+Curve band_of_way_in(const Curve& curve) {
+  Curve band;
+  for (const std::size_t i : way_in(curve.x)) {
+    if (!std::isnan(curve.y[i])) band.add(curve.x[i], curve.y[i], curve.lower[i], curve.upper[i]);
   }
   return band;
 }

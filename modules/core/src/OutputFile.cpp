@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <system_error>
 
+#include "pellucida/core/NewFiles.h"
+
 namespace pellucida {
 namespace {
 
@@ -39,9 +41,9 @@ fs::path link_target(const fs::path& file) {
 }  // namespace
 
 OutputError disk_error(const fs::path& path, int reason) {
-  std::string help = "choose another folder with --output";
-  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk with --output";
-  if (reason == EFBIG) help = "raise the file size limit, or choose another disk with --output";
+  std::string help = "choose another folder";
+  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk";
+  if (reason == EFBIG) help = "raise the file size limit, or choose another disk";
   if (reason == EACCES || reason == EPERM || reason == EROFS) help = "change its permission, or choose another folder";
   return OutputError(path.string() + ": can't be written (" + std::generic_category().message(reason) + "); " + help);
 }
@@ -116,6 +118,14 @@ void replace_file(const fs::path& file, std::string_view content) {
   OutputFile output(file, OutputFile::Link::kReplace);
   output.write(content);
   output.finish(false);
+}
+
+void require_new(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::error_code ignored;
+    if (file.empty() || !fs::is_regular_file(file, ignored)) continue;
+    throw UsageError(file.string() + ": already there; give another --output, or --replace to replace it");
+  }
 }
 
 void require_apart(const fs::path& output, const fs::path& input, const std::string& option) {

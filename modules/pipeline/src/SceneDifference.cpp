@@ -188,9 +188,7 @@ vtkSmartPointer<vtkPolyData> variant_surface(const CommonFields& common, const S
   if (!surface) return nullptr;
   if (forces.force_uN) {
     vtkPointData* arrays = surface->GetPointData();
-    for (vtkDataArray* array : {forces.force_uN.Get(), forces.force_sigma_uN.Get(), forces.tension_uN_per_um.Get()}) {
-      arrays->AddArray(array);
-    }
+    for (vtkDataArray* array : forces.arrays()) arrays->AddArray(array);
     narrow_forces(surface);
   }
   if (!common.has_recorded) return surface;

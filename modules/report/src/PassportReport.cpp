@@ -60,6 +60,11 @@ void require_outside(const fs::path& session, const ReportNames& names) {
 
 }  // namespace
 
+std::vector<fs::path> report_names(const fs::path& session, const fs::path& output) {
+  const ReportNames names = names_of(session, output);
+  return {names.page, names.cells, names.contacts};
+}
+
 PassportReport write_report(const fs::path& session_folder, const fs::path& output, const SessionProgress& progress) {
   const SessionReader session(session_folder);
   const ReportNames names = names_of(session_folder, output);

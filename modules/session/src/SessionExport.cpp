@@ -279,6 +279,15 @@ void write_hand(const SessionReader& session, const fs::path& output, ExportRepo
 
 }  // namespace
 
+std::vector<fs::path> export_names(const fs::path& output) {
+  std::vector<fs::path> files;
+  for (const char* name : {session_name::kMeasurements, session_name::kEvents, "contours.csv", "nodes.csv",
+                           kAnnotationsFile, "haptics.csv"}) {
+    files.push_back(output / name);
+  }
+  return files;
+}
+
 ExportReport export_session(const fs::path& session_folder, const fs::path& output, const ExportOptions& options) {
   const SessionReader session(session_folder);
   ExportReport report;

@@ -32,6 +32,11 @@ constexpr Field<Cell> kCell[] = {
     {"center_x_um", "um", &Cell::center_x_um, kPlace_um, "rest centre of the cell, to the right"},
     {"center_y_um", "um", &Cell::center_y_um, kPlace_um, "rest centre of the cell, down"},
     {"size_scale", "", &Cell::size_scale, {0.3, 3}, "factor on all lengths of the specimen; forces go with its square"},
+    {"stiffness_ratio",
+     "",
+     &Cell::stiffness_ratio,
+     {0.05, 20},
+     "factor on all forces of the specimen and on its pressure; its shapes stay"},
     {"perivitelline_gap_um", "um", &Cell::perivitelline_gap_um, {0, 8}, "between zona and ooplasm; 0: none is seen"},
     {"in_view", "", &Cell::in_view, kNone, "false: tools, debris and bystanders alone"},
 };

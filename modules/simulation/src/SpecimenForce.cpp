@@ -158,14 +158,14 @@ SpecimenReply SpecimenForce::at(const PlainVector3& tip_um) const noexcept {
   const double side = symmetric_ ? (away > 0 ? energy_slope / away : 0.0) : 0.0;
   const double spread = (away > 0 ? fade_slope * energy / away : 0.0) + fade * side - axial / rest_z;
   const double gradient_s = spread * s + (symmetric_ ? 0.0 : fade * energy_slope), gradient_t = spread * t;
-  const double units = scale * scale;
+  const double units = scale * scale * frame_.stiffness_ratio;
   reply.axial_force_uN = units * axial;
   reply.lateral_force_uN = units * gradient_s;
   reply.force_uN =
       Eigen::Vector3d(units * (axial * axis - gradient_s * across - gradient_t * Eigen::Vector3d::UnitZ()));
   reply.indentation_um = scale * fade * std::min(depth, max_depth_um_);
   reply.energy_uN_um = units * scale * fade * energy;
-  reply.stiffness_uN_per_um = scale * fade * (stiffness + beyond * stiffness_slope);
+  reply.stiffness_uN_per_um = frame_.stiffness_ratio * scale * fade * (stiffness + beyond * stiffness_slope);
   return reply;
 }
 

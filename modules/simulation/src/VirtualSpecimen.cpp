@@ -12,7 +12,8 @@ namespace pellucida {
 
 VirtualSpecimen::VirtualSpecimen(const Scenario& scenario)
     : sections_(std::make_unique<SectionField>(scenario.cell.reference, scenario.tools.configuration)),
-      scale_(scenario.cell.size_scale) {
+      scale_(scenario.cell.size_scale),
+      stiffness_ratio_(scenario.cell.stiffness_ratio) {
   // The membrane must never be asked for more than was computed.
   const auto& puncture = scenario.puncture;
   const double limit_um = scale_ * reference().max_indentation_um();
@@ -37,7 +38,8 @@ VirtualSpecimen::VirtualSpecimen(const Scenario& scenario)
   const SpecimenForce::Frame frame{{pose_.center_um.x(), pose_.center_um.y(), 0.0},
                                    {pose_.axis.x(), pose_.axis.y(), 0.0},
                                    {pose_.across.x(), pose_.across.y(), 0.0},
-                                   scale_};
+                                   scale_,
+                                   stiffness_ratio_};
   contact_ =
       SpecimenContact(SpecimenForce::load(scenario.cell.reference, scenario.tools.configuration, frame), scenario);
 }
@@ -69,7 +71,7 @@ SpecimenState VirtualSpecimen::show(const SpecimenMoment& moment) const {
   now.contact_force_uN = reply.axial_force_uN;
   now.lateral_force_uN = reply.lateral_force_uN;
   now.in_range = reply.in_range;
-  now.pressure_Pa = reference().pressure_Pa(moment.pressure_depth_um / scale_);
+  now.pressure_Pa = stiffness_ratio_ * reference().pressure_Pa(moment.pressure_depth_um / scale_);
   // Lengths scale the shape, E stays: forces go with the square of the size.
   now.apex_angle_rad = sections_->apex_angle_rad(reply.offset_um / scale_);
   now.section = sections_->at(reply.offset_um / scale_, reply.indentation_um / scale_);
@@ -92,8 +94,9 @@ SpecimenState VirtualSpecimen::advance(double tip_depth_um, double time_s) {
   reply.depth_um = tip_depth_um;
   if (follows) reply.indentation_um = std::clamp(tip_depth_um, 0.0, force().max_indentation_um());
   if (moment.state == CellState::kContact) {
-    reply.axial_force_uN = scale_ * scale_ * reference().force_uN(reply.indentation_um / scale_);
-    reply.lateral_force_uN = scale_ * scale_ * reference().lateral_force_uN(reply.indentation_um / scale_);
+    const double units = stiffness_ratio_ * scale_ * scale_;
+    reply.axial_force_uN = units * reference().force_uN(reply.indentation_um / scale_);
+    reply.lateral_force_uN = units * reference().lateral_force_uN(reply.indentation_um / scale_);
     moment.pressure_depth_um = reply.indentation_um;
   }
   return show(moment);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ContourMath.h"
+#include "OutlineShape.h"
 
 namespace pellucida {
 namespace {
@@ -32,25 +33,14 @@ constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 // place.
 constexpr int kRoundsLive = 1, kRoundsHigh = 2;
 constexpr double kPoorReading = 0.6;
-// Of the radius: a dimple from which on a membrane may be seen to have sprung back. By how much that must be surer
-// than the contour held to the tip, unless the dimple's flanks are back already.
-constexpr double kSprungDepth_ratio = 0.1, kSurerSprung = 0.25;
+// Of the radius: a dimple from which on a membrane may be seen to have sprung back, and from which on a contour may cut
+// across it. By how much that must be surer than the contour held to the tip, unless the dimple's flanks are back.
+constexpr double kSprungDepth_ratio = 0.1, kCutDepth_ratio = 0.3, kSurerSprung = 0.25;
 // Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
 constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
-}
-
-// 1 for an outline most of which lies on its circle, as a cell's does even with a dimple in it; less for one that lies
-// beside it all round, as a square's does: half its points are 4 % of the radius off where doubt begins.
-double roundness(const Eigen::Matrix2Xd& points, const contour::Circle& circle) {
-  std::vector<double> off(static_cast<std::size_t>(points.cols()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    off[static_cast<std::size_t>(i)] = std::abs((points.col(i) - circle.center).norm() - circle.radius);
-  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), middle, off.end());
-  return std::clamp(1.8 - 20.0 * *middle / circle.radius, 0.3, 1.0);
 }
 
 }  // namespace
@@ -128,7 +118,10 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
 
   // The rest shape as far as this one frame shows it: the circle through the undeformed part.
   const contour::Circle circle = fit(snakes_.outer().points);
-  detection_score_ *= roundness(snakes_.outer().points, circle);
+  const OutlineShape shape(snakes_.outer().points, circle);
+  const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
+  if (!is_pushed && !shape.may_be_cell()) return false;
+  detection_score_ *= shape.roundness();
   rest_ = {};
   rest_.center = circle.center;
   rest_.outer_radius = circle.radius;
@@ -233,7 +226,9 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
   loose.touching = false;
   snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
   snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
-  const bool is_back = measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
+  // One that only cuts across a deep dimple leaves the flanks where they are.
+  const bool is_cut = depth > kCutDepth_ratio * rest_.outer_radius && has_deep_flanks();
+  const bool is_back = !is_cut && measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
   if (is_back && local_score() > held + (flanks_back ? 0.0 : kSurerSprung)) {
     quality_ = quality_now();
     return;

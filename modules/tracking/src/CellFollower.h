@@ -110,6 +110,7 @@ class CellFollower {
   void measure_dent();
   double flank_depth() const;
   void follow_flanks();
+  bool has_deep_flanks() const;
   bool are_flanks_back() const;
   Eigen::Vector2d apex() const;
   double apex_sigma() const;

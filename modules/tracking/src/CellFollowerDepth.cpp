@@ -71,9 +71,14 @@ void CellFollower::follow_flanks() {
   tip_at_deepest_flank_ = tip_depth();
 }
 
-// The flanks of the dimple have come back and the tip, which pushed them, has not.
+// The flanks of the dimple are where they were of late.
+bool CellFollower::has_deep_flanks() const {
+  return deepest_flank_ > kLeastFlank_px && flank_depth() >= kFlankBack_ratio * deepest_flank_;
+}
+
+// They have come back and the tip, which pushed them, has not.
 bool CellFollower::are_flanks_back() const {
-  return needle_.valid() && deepest_flank_ > kLeastFlank_px && flank_depth() < kFlankBack_ratio * deepest_flank_ &&
+  return needle_.valid() && deepest_flank_ > kLeastFlank_px && !has_deep_flanks() &&
          tip_depth() > kTipStays_ratio * tip_at_deepest_flank_;
 }
 

@@ -39,7 +39,10 @@ const ThemeColors& dark_theme() noexcept {
                                      .outer_solid = palette::kOuterSolid,
                                      .inner_solid = palette::kInnerSolid,
                                      .contact_force = palette::kContactForce,
-                                     .node_mark = palette::kModel};
+                                     .node_mark = palette::kModel,
+                                     .model = palette::kModel,
+                                     .needle = palette::kNeedle,
+                                     .unsure = Color::from_hex(0x7C8794)};
   return kDark;
 }
 
@@ -68,6 +71,9 @@ const ThemeColors& light_theme() noexcept {
                                       .inner_solid = Color::from_hex(0xD9A27E),
                                       .contact_force = Color::from_hex(0x10161D),
                                       .node_mark = Color::from_hex(0xC2185B),
+                                      .model = Color::from_hex(0x6B5200),
+                                      .needle = Color::from_hex(0xB3204F),
+                                      .unsure = Color::from_hex(0x8A949F),
                                       .is_light = true};
   return kLight;
 }

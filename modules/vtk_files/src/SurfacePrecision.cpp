@@ -86,16 +86,20 @@ void narrow_forces(vtkPolyData* surface) {
   vtkPointData* arrays = surface->GetPointData();
   const auto relative = [](double value, vtkIdType) { return to_bits(value); };
   round_array(arrays, array_name::kTension, relative);
+  round_array(arrays, array_name::kAreaStrain, relative);
   // The steps of the force follow from its deviations as they are kept, so that narrowing again changes nothing.
   const vtkSmartPointer<vtkFloatArray> sigma = round_array(arrays, array_name::kForceSigma, relative);
-  round_array(arrays, array_name::kForce, [&](double value, vtkIdType node) {
+  const auto by_sigma = [&](double value, vtkIdType node) {
     const double sigma_uN =
         sigma && sigma->GetNumberOfComponents() == 1 && node < sigma->GetNumberOfTuples() ? sigma->GetValue(node) : 0.0;
     if (!(sigma_uN > 0.0) || !std::isfinite(sigma_uN)) return value;
     int exponent = 0;
     std::frexp(sigma_uN * kForceStepShare, &exponent);
     return to_step(value, std::ldexp(1.0, exponent - 1));
-  });
+  };
+  for (const char* name : {array_name::kForce, array_name::kNeedleForce, array_name::kHolderForce}) {
+    round_array(arrays, name, by_sigma);
+  }
 }
 
 }  // namespace pellucida

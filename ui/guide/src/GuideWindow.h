@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <memory>
 
+#include "ClosingQuestion.h"
 #include "TimedScreenshot.h"
+#include "WindowFigures.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/guide/Guide.h"
 #include "pellucida/visualization_vtk/FeedView.h"
@@ -21,6 +23,8 @@ class QSplitter;
 
 namespace pellucida {
 
+class CellControl;
+class DisplayControl;
 class FeedPanel;
 class ForceCharts;
 class FactLine;
@@ -28,6 +32,8 @@ class GaugeBar;
 class HandControl;
 class HintControl;
 class MembranePanel;
+class MessageStrip;
+class PlanControl;
 class RunControl;
 class StatusLine;
 class TopBar;
@@ -40,6 +46,7 @@ class GuideWindow : public QMainWindow {
   GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorConsole> console, GuideOptions options);
   ~GuideWindow() override;
 
+  const WindowFigures& figures() const noexcept { return figures_; }
   const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
 
   /// Ends the run for good, once the window is closed. Throws OutputError where its recording could not be closed
@@ -48,25 +55,30 @@ class GuideWindow : public QMainWindow {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void stop_run();
   void build();
   TopBar* build_top_bar();
   QSplitter* build_views();
+  QSplitter* build_rows();
+  void build_controls();
 
   void tick();
   void show_scene();
   void show_gauges();
-  void take_events();
+  std::vector<Event> take_events();
   void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
   void show_status();
   void notify(const QString& text, bool problem);
+  void warn(const QString& text);
   double now_s() const;
 
   std::unique_ptr<LiveRun> run_;
   std::unique_ptr<OperatorConsole> console_;
   GuideOptions options_;
+  WindowFigures figures_{options_.figures};
   vtkNew<StageSource> source_;
   SceneFeed scenes_;
   FeedView feed_{source_};
@@ -74,11 +86,16 @@ class GuideWindow : public QMainWindow {
   StatusPresenter status_;
 
   std::unique_ptr<RunControl> control_;
+  ClosingQuestion closing_;
   std::unique_ptr<HandControl> hand_;
   TopBar* top_bar_ = nullptr;
   GaugeBar* gauges_ = nullptr;
   FactLine* facts_ = nullptr;
-  HintControl* hints_ = nullptr;  // the feed panel's
+  HintControl* hints_ = nullptr;  // the feed panel's, as the next
+  PlanControl* plan_ = nullptr;   // with a hand
+  CellControl* cells_ = nullptr;
+  DisplayControl* display_ = nullptr;
+  MessageStrip* problem_ = nullptr;
   FeedPanel* feed_panel_ = nullptr;
   MembranePanel* membrane_panel_ = nullptr;
   ForceCharts* charts_ = nullptr;
@@ -96,6 +113,7 @@ class GuideWindow : public QMainWindow {
   double status_shown_s_ = -1.0;
   double notice_until_s_ = 0.0;
   std::uint64_t drawn_count_ = 0;
+  std::optional<std::string> shown_fault_;
   std::unique_ptr<TimedScreenshot> screenshot_;
 };
 

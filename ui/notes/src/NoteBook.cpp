@@ -27,11 +27,12 @@ void NoteBook::close() {
   after_.clear();
 }
 
-std::optional<std::size_t> NoteBook::at(double time_s) const {
-  for (std::size_t k = notes_.size(); k-- > 0;) {
-    if (std::abs(notes_[k].time_s - time_s) < kSameMoment_s) return k;
+std::vector<std::size_t> NoteBook::at(double time_s) const {
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < notes_.size(); ++k) {
+    if (std::abs(notes_[k].time_s - time_s) < kSameMoment_s) found.push_back(k);
   }
-  return std::nullopt;
+  return found;
 }
 
 void NoteBook::change(std::vector<Annotation> notes) {

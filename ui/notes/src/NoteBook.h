@@ -20,8 +20,8 @@ class NoteBook {
 
   /// In the order of time.
   const std::vector<Annotation>& notes() const noexcept { return notes_; }
-  /// The last of those at a time, to the millisecond; nothing: none.
-  std::optional<std::size_t> at(double time_s) const;
+  /// Those at a time, to the millisecond.
+  std::vector<std::size_t> at(double time_s) const;
 
   void add(const Annotation& note);
   void edit(std::size_t index, const std::string& text);

@@ -9,12 +9,15 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "Measured.h"
 #include "NoteBook.h"
 #include "Words.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/ViewWidget.h"
@@ -78,6 +81,13 @@ void NoteControl::build_strip() {
   where_->setBuddy(text_);
   connect(text_, &QLineEdit::returnPressed, this, [this] { write(); });
   row->addWidget(text_, 1);
+  next_ = new QPushButton;
+  next_->setObjectName("noteNext");
+  next_->setFixedHeight(30);
+  next_->setFocusPolicy(Qt::TabFocus);
+  next_->setToolTip(words("This frame has several notes: the next one"));
+  connect(next_, &QPushButton::clicked, this, [this] { leaf(1); });
+  row->addWidget(next_);
   delete_ = new QPushButton(words("Delete"));
   delete_->setObjectName("noteDelete");
   delete_->setFixedHeight(30);
@@ -87,7 +97,8 @@ void NoteControl::build_strip() {
   strip_->hide();
 }
 
-void NoteControl::set_session(const std::filesystem::path& folder) {
+void NoteControl::set_session(const std::filesystem::path& folder, double pixel_size_um) {
+  pixel_size_um_ = pixel_size_um;
   wait_for_click(false);
   draft_.reset();
   shown_.reset();
@@ -103,13 +114,21 @@ std::vector<HintMark> NoteControl::marks_at(double time_s) const {
   std::vector<HintMark> marks;
   for (const Annotation& note : book_->notes()) {
     if (note.place_um && std::abs(note.time_s - time_s) < 5e-4) {
-      marks.push_back({{note.place_um->x_um, note.place_um->y_um}, note.text});
+      HintMark mark{{note.place_um->x_um, note.place_um->y_um}, note.text, {}};
+      for (const Annotation::Place& place : note.further_um) mark.further_um.emplace_back(place.x_um, place.y_um);
+      if (const auto result = measured(note, pixel_size_um_)) {
+        mark.text = (note.text.empty() ? "" : note.text + ": ") + words_of(*result);
+      }
+      marks.push_back(std::move(mark));
     }
   }
   return marks;
 }
 
-std::string NoteControl::listed(const Annotation& note) {
+std::string NoteControl::listed(const Annotation& note) const {
+  if (const auto result = measured(note, pixel_size_um_)) {
+    return (note.text.empty() ? "" : note.text + ": ") + words_of(*result);
+  }
   if (!note.node && !note.place_um) return note.text;
   return note.text + " (" + where_of(note) + ')';
 }
@@ -119,23 +138,60 @@ void NoteControl::show_at(double time_s) {
   if (draft_ && std::abs(draft_->time_s - time_s) < 5e-4) return;
   draft_.reset();
   shown_s_ = time_s;
-  shown_ = book_->at(time_s);
-  strip_->setVisible(shown_.has_value());
-  if (!shown_) return;
+  const auto here = book_->at(time_s);
+  // The last one, unless another was chosen.
+  if (!shown_ || std::find(here.begin(), here.end(), *shown_) == here.end()) {
+    shown_ = here.empty() ? std::nullopt : std::optional(here.back());
+  }
+  show_note();
+}
+
+void NoteControl::show_note() {
+  if (!shown_) return strip_->hide();
+  const auto here = book_->at(shown_s_);
   const Annotation& note = book_->notes()[*shown_];
-  where_->setText(words("Note at ") + QString::fromStdString(where_of(note)));
+  const auto result = measured(note, pixel_size_um_);
+  where_->setText(result ? QString::fromStdString(words_of(*result) + say(" at ") + readout::time(note.time_s))
+                         : words("Note at ") + QString::fromStdString(where_of(note)));
+  const auto place = std::find(here.begin(), here.end(), *shown_) - here.begin();
+  next_->setText(QString("%1 / %2 \u203A").arg(place + 1).arg(here.size()));
+  next_->setAccessibleName(words("Next note of this frame"));
+  next_->setVisible(here.size() > 1);
   text_->setText(QString::fromStdString(note.text));
   delete_->setEnabled(true);
+  strip_->show();
+}
+
+void NoteControl::leaf(int by) {
+  const auto here = book_->at(shown_s_);
+  if (here.empty() || !shown_) return;
+  const auto place = std::find(here.begin(), here.end(), *shown_) - here.begin();
+  shown_ = here[static_cast<std::size_t>(place + by) % here.size()];
+  show_note();
+}
+
+bool NoteControl::ready() {
+  if (!actions_.moment()) return false;
+  if (book_->is_open()) return true;
+  actions_.notify(words("This session's annotations can't be read: mend or remove annotations.csv first"), true);
+  return false;
+}
+
+void NoteControl::keep(Annotation note) {
+  const auto moment = actions_.moment();
+  if (!moment) return;
+  note.time_s = moment->time_s;
+  draft_.reset();
+  shown_.reset();
+  shown_s_ = moment->time_s;
+  attempt([&] { book_->add(note); });
 }
 
 void NoteControl::begin(std::optional<Eigen::Vector2d> place_um) {
   const auto moment = actions_.moment();
   if (!moment) return;
-  if (!book_->is_open()) {
-    actions_.notify(words("This session's annotations can't be read: mend or remove annotations.csv first"), true);
-    return;
-  }
-  draft_ = Annotation{.time_s = moment->time_s, .place_um = {}, .node = moment->node, .text = {}};
+  if (!ready()) return;
+  draft_ = Annotation{.time_s = moment->time_s, .place_um = {}, .further_um = {}, .node = moment->node, .text = {}};
   if (place_um) {
     draft_->place_um = Annotation::Place{place_um->x(), place_um->y()};
     draft_->node.reset();
@@ -151,7 +207,8 @@ void NoteControl::begin(std::optional<Eigen::Vector2d> place_um) {
 
 void NoteControl::write() {
   const std::string text = text_->text().trimmed().toStdString();
-  if (text.empty()) return;
+  const bool measures = shown_ && !book_->notes()[*shown_].further_um.empty();
+  if (text.empty() && !measures) return;
   attempt([&] {
     if (draft_) {
       draft_->text = text;
@@ -170,6 +227,7 @@ void NoteControl::remove() {
   if (!shown_) return;
   attempt([&] {
     book_->remove(*shown_);
+    shown_.reset();
     actions_.notify(words("Note deleted; Ctrl+Z brings it back"), false);
   });
 }
@@ -180,6 +238,7 @@ void NoteControl::step_back(bool forwards) {
     return;
   }
   draft_.reset();
+  shown_.reset();
   attempt([&] { forwards ? book_->redo() : book_->undo(); });
 }
 
@@ -196,7 +255,8 @@ void NoteControl::attempt(const std::function<void()>& change) {
 void NoteControl::wait_for_click(bool waits) {
   if (waits && !actions_.moment()) return;
   waits_ = waits;
-  feed_.set_prompt(waits ? say("Click the place of the note (Shift+A: not now)") : std::string());
+  prompt_ = waits ? say("Click the place of the note (Shift+A: not now)") : std::string();
+  feed_.set_prompt(prompt_);
   if (waits) {
     panel_.view().setCursor(Qt::CrossCursor);
   } else {
@@ -215,6 +275,8 @@ bool NoteControl::eventFilter(QObject* target, QEvent* event) {
   }
   if (target != &panel_.view()) return false;
   if (event->type() == QEvent::MouseButtonRelease) return std::exchange(swallows_release_, false);
+  // Another click may be waited for since.
+  if (feed_.prompt() != prompt_) waits_ = false;
   if (!waits_ || event->type() != QEvent::MouseButtonPress) return false;
   const auto& mouse = static_cast<const QMouseEvent&>(*event);
   swallows_release_ = true;

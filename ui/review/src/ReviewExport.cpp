@@ -4,13 +4,14 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include "WindowPicture.h"
 #include "Words.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/report/PassportReport.h"
-#include "pellucida/session/Annotations.h"
 #include "pellucida/session/SessionExport.h"
 #include "presenters/ChartForPrint.h"
 #include "presenters/RecordedSession.h"
+#include "presenters/SeenTables.h"
 #include "widgets/ViewWidget.h"
 
 namespace pellucida {
@@ -19,13 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kPictureKinds = PELLUCIDA_WORDS("Picture (*.png)");
-constexpr const char* kChartKinds = PELLUCIDA_WORDS("Drawing (*.svg);;Page (*.pdf);;Picture (*.png)");
+constexpr const char* kChartKinds = PELLUCIDA_WORDS("Drawing (*.svg);;Page (*.pdf);;Picture (*.png);;Table (*.csv)");
 constexpr const char* kVideoKinds = PELLUCIDA_WORDS("Video (*.mp4);;Lossless video (*.avi)");
 constexpr const char* kTableKinds = PELLUCIDA_WORDS("Table (*.csv)");
 constexpr PictureSize kChartSize{.width_px = 1200, .height_px = 800};
-// Files that a table export writes; the last one only where a hand was recorded.
-constexpr const char* kTables[] = {"measurements.csv", "events.csv", kAnnotationsFile,
-                                   "contours.csv",     "nodes.csv",  "haptics.csv"};
 
 QString shown(const fs::path& path) {
   return QString::fromStdString(path.string());
@@ -53,14 +51,22 @@ void ReviewExport::save_image(const QImage& image, const fs::path& file) {
           !saved);
 }
 
+QSize ReviewExport::size_for(const QString& title, QSize seen, bool keeps_shape) const {
+  return choice_.picture_size ? choice_.picture_size(title, seen, keeps_shape) : seen;
+}
+
 void ReviewExport::save_window(QWidget& window) {
-  const QImage image = window.grab().toImage();
+  const QSize size = size_for(words("Window as PNG"), window.size() * window.devicePixelRatioF(), true);
+  if (size.isEmpty()) return;
+  const QImage image = window_picture(window, size.width());
   const fs::path file = choice_.file_to_write(words("Window as PNG"), proposal("window", ".png"), words(kPictureKinds));
   if (!file.empty()) save_image(image, file);
 }
 
 void ReviewExport::save_view(ViewWidget& view, const std::string& what) {
-  const QImage image = view.grabFramebuffer();
+  const QSize size = size_for(words("View as PNG"), view.size() * view.devicePixelRatioF(), false);
+  if (size.isEmpty()) return;
+  const QImage image = view.picture(size);
   const fs::path file = choice_.file_to_write(words("View as PNG"), proposal(what, ".png"), words(kPictureKinds));
   if (!file.empty()) save_image(image, file);
 }
@@ -69,12 +75,19 @@ fs::path ReviewExport::ask_for_video() const {
   return choice_.file_to_write(words("Video of the views"), proposal("views", ".mp4"), words(kVideoKinds));
 }
 
-void ReviewExport::save_chart(const CurveChart& chart, const QString& title, const std::string& what) {
+void ReviewExport::save_chart(const CurveChart& chart, const QString& title, const std::string& what,
+                              const std::function<void(const fs::path&)>& write) {
   const ChartPanel panel = chart_for_print(chart.data(), title.toStdString());
   const fs::path file = choice_.file_to_write(title, proposal(what, ".svg"), words(kChartKinds));
   if (file.empty()) return;
   try {
-    render_charts({&panel, 1}, 1, file, kChartSize);
+    if (file.extension() != ".csv") {
+      render_charts({&panel, 1}, 1, file, kChartSize);
+    } else if (write) {
+      write(file);
+    } else {
+      write_chart_table(chart.data(), file);
+    }
     notify_(words("Saved ") + shown(file), false);
   } catch (const Error& error) {
     notify_(words_of(error), true);
@@ -88,6 +101,18 @@ void ReviewExport::save_table(const QString& title, const std::string& what,
   try {
     write(file);
     notify_(words("Saved ") + shown(file), false);
+  } catch (const Error& error) {
+    notify_(words_of(error), true);
+  }
+}
+
+void ReviewExport::save_seen(const SeenFrame& frame) {
+  const fs::path folder =
+      choice_.folder_to_write(words("Folder for the tables"), proposal("frame-" + std::to_string(frame.row.frame), ""));
+  if (folder.empty() || !may_write(seen_files(frame, folder))) return;
+  try {
+    write_seen(frame, folder);
+    notify_(words("%1 tables written to %2").arg(seen_files(frame, folder).size()).arg(shown(folder)), false);
   } catch (const Error& error) {
     notify_(words_of(error), true);
   }
@@ -125,9 +150,7 @@ void ReviewExport::run(const QString& text, std::function<std::function<void()>(
 void ReviewExport::save_tables() {
   const fs::path folder = choice_.folder_to_write(words("Folder for the tables"), proposal("tables", ""));
   if (folder.empty()) return;
-  std::vector<fs::path> files;
-  for (const char* table : kTables) files.push_back(folder / table);
-  if (!may_write(files)) return;
+  if (!may_write(export_names(folder))) return;
   run(words("Writing tables"), [this, session = session_, folder](const BackgroundTask::Control& control) {
     ExportOptions options;
     options.progress = [&](std::size_t done, std::size_t all) { control.progress(done, all); };
@@ -142,19 +165,18 @@ void ReviewExport::report() {
   const fs::path standard = session_ / kReportFolder / "report.html";
   const fs::path page = choice_.file_to_write(words("Report"), standard, words("Page (*.html)"));
   if (page.empty()) return;
-  // The standard place has tables with the standard names.
-  const bool is_standard = page.lexically_normal() == standard.lexically_normal();
-  const std::string before = is_standard ? "" : page.stem().string() + "_";
-  if (!may_write({page.parent_path() / (before + "cells.csv"), page.parent_path() / (before + "contacts.csv")})) return;
-  run(words("Writing the report"),
-      [this, session = session_, page, is_standard](const BackgroundTask::Control& control) {
-        write_report(session, is_standard ? fs::path() : page,
-                     [&](std::size_t done, std::size_t all) { control.progress(done, all); });
-        return [this, page] {
-          notify_(words("Report written: ") + shown(page), false);
-          choice_.show_page(page);
-        };
-      });
+  // The standard place has tables with the standard names; the page itself was asked about.
+  const fs::path output = page.lexically_normal() == standard.lexically_normal() ? fs::path() : page;
+  std::vector<fs::path> tables = report_names(session_, output);
+  tables.erase(tables.begin());
+  if (!may_write(tables)) return;
+  run(words("Writing the report"), [this, session = session_, page, output](const BackgroundTask::Control& control) {
+    write_report(session, output, [&](std::size_t done, std::size_t all) { control.progress(done, all); });
+    return [this, page] {
+      notify_(words("Report written: ") + shown(page), false);
+      choice_.show_page(page);
+    };
+  });
 }
 
 void ReviewExport::cancel() {

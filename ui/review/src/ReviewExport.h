@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QSize>
 #include <QString>
 #include <filesystem>
 #include <functional>
@@ -12,6 +13,7 @@ class QWidget;
 namespace pellucida {
 
 class CurveChart;
+struct SeenFrame;
 class ViewWidget;
 
 /// Writes what the window shows, and what the session holds, to files. Nothing is replaced without a question.
@@ -31,7 +33,9 @@ class ReviewExport : public QObject {
   /// `what`: ends the proposed name, "3d".
   void save_view(ViewWidget& view, const std::string& what);
   /// A chart for print, as SVG, PDF or PNG.
-  void save_chart(const CurveChart& chart, const QString& title, const std::string& what);
+  /// As a table too, which `write` writes; none: the chart's points.
+  void save_chart(const CurveChart& chart, const QString& title, const std::string& what,
+                  const std::function<void(const std::filesystem::path&)>& write = {});
   /// A table that `write` writes to the file it is given; it may throw Error.
   void save_table(const QString& title, const std::string& what,
                   const std::function<void(const std::filesystem::path&)>& write);
@@ -41,6 +45,8 @@ class ReviewExport : public QObject {
   void save_tables();
   /// The dose passport, then its page is shown.
   void report();
+  /// The frame shown: its row, its nodes, the charts, each as a table.
+  void save_seen(const SeenFrame& frame);
   /// Ends what runs in the background.
   void cancel();
 
@@ -48,6 +54,7 @@ class ReviewExport : public QObject {
   std::filesystem::path proposal(const std::string& what, const char* ending) const;
   void save_image(const QImage& image, const std::filesystem::path& file);
   void run(const QString& text, std::function<std::function<void()>(const BackgroundTask::Control&)> work);
+  QSize size_for(const QString& title, QSize seen, bool keeps_shape) const;
   bool may_write(const std::vector<std::filesystem::path>& files) const;
 
   FileChoice choice_;

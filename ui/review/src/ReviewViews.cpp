@@ -1,11 +1,17 @@
 #include "ReviewViews.h"
 
+#include <QAction>
+#include <QLabel>
+#include <QLayout>
 #include <QMouseEvent>
+#include <QToolButton>
 #include <cmath>
 
+#include "ModelReview.h"
 #include "Words.h"
 #include "presenters/SessionCurves.h"
 #include "presenters/SourcePresenter.h"
+#include "widgets/Choice.h"
 #include "widgets/CurvePanel.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/MembranePanel.h"
@@ -53,8 +59,8 @@ void ReviewViews::build(std::function<void(double)> seek) {
   setHandleWidth(4);
   setChildrenCollapsible(false);
   feed_panel_ = new FeedPanel(feed_, nullptr, false);
-  membrane_panel_ = new MembranePanel(membranes_, nullptr);
-  touch_ = new CurvePanel(words("Force over indentation"), {}, nullptr);
+  membrane_panel_ = new MembranePanel(membranes_, nullptr, false);
+  build_touch();
   time_ = new CurvePanel(words("Force over time"), std::move(seek), nullptr);
   QSplitter* views = pair_of(feed_panel_, membrane_panel_);
   QSplitter* charts = pair_of(touch_, time_);
@@ -73,8 +79,88 @@ void ReviewViews::build(std::function<void(double)> seek) {
   }
 }
 
+void ReviewViews::build_touch() {
+  touch_ = new CurvePanel("", {}, nullptr);
+  shown_ = new Choice;
+  shown_->setObjectName("touchChart");
+  shown_->setFocusPolicy(Qt::TabFocus);
+  shown_->setFixedHeight(26);
+  shown_->setAccessibleName(words("What the left chart shows"));
+  shown_->addItem(words("Force over indentation"));
+  for (const Quantity quantity : kQuantities) {
+    shown_->addItem(words("Histogram: ") + QString::fromStdString(name_of(quantity)));
+  }
+  connect(shown_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
+    show_histogram(index > 0 ? std::optional(kQuantities[static_cast<std::size_t>(index - 1)]) : std::nullopt);
+  });
+  touch_->lead_with(shown_);
+  auto* histogram = new QAction(words("Histogram"), touch_);
+  histogram->setObjectName("histogram");
+  histogram->setShortcut(QKeySequence("H"));
+  connect(histogram, &QAction::triggered, this,
+          [this] { shown_->setCurrentIndex(shown_->currentIndex() > 0 ? 0 : 1); });
+  touch_->addAction(histogram);
+  shown_->setToolTip(words("What the left chart shows (H: histogram and back)"));
+  model_ = new ModelReview(
+      [this] {
+        if (session_) fill_touch(step_);
+        charts_changed_ = true;
+      },
+      this);
+  model_button_ = touch_->add_toggle(
+      words("Model"), words("The model's curves: with this cell's sizes as seen, and of the profile's own cell"),
+      QKeySequence("2"), true);
+  model_button_->setObjectName("model");
+  connect(model_button_, &QToolButton::toggled, this, [this](bool on) { model_->set_on(on); });
+  facts_ = new QLabel;
+  facts_->setObjectName("chartFacts");
+  facts_->setTextFormat(Qt::PlainText);
+  facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  facts_->setContentsMargins(12, 2, 12, 4);
+  facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  facts_->hide();
+  touch_->layout()->addWidget(facts_);
+}
+
+void ReviewViews::show_histogram(std::optional<Quantity> quantity) {
+  histogram_ = quantity;
+  shown_->setCurrentIndex(quantity ? static_cast<int>(*quantity) + 1 : 0);
+  model_button_->setVisible(!quantity);
+  facts_->setVisible(quantity.has_value());
+  if (!session_) return;
+  fill_touch(step_);
+  place_touch_cursor(session_->rows[step_]);
+  charts_changed_ = true;
+}
+
+Sample ReviewViews::sample() const {
+  if (!histogram_ || !session_) return {};
+  return is_of_nodes(*histogram_) ? sample_of(source_->GetScene().surface.shallow_copy(), *histogram_)
+                                  : sample_of(*session_, *histogram_);
+}
+
+void ReviewViews::fill_histogram() {
+  const Sample counted = sample();
+  facts_->setText(QString::fromStdString(histogram_facts(counted)));
+  facts_->setToolTip(facts_->text());
+  touch_->view().setToolTip({});
+  touch_->chart().set_data(histogram_chart(counted));
+}
+
+// Where the frame shown lies: on the curve, or in the histogram.
+void ReviewViews::place_touch_cursor(const Measurement& row) {
+  if (histogram_) {
+    const double value = is_of_nodes(*histogram_) ? CurveChart::kNowhere : value_of(row, *histogram_);
+    touch_->chart().set_cursor(value, CurveChart::kNowhere, true);
+    return;
+  }
+  const bool on_curve = row.state == CellState::kContact && std::isfinite(row.contact_force_uN);
+  touch_->chart().set_cursor(on_curve ? row.indentation_um : CurveChart::kNowhere, row.contact_force_uN, false);
+}
+
 void ReviewViews::set_session(const RecordedSession& session) {
   session_ = &session;
+  model_->set_session(&session);
   touch_shown_.reset();
   feed_.set_caption(source_caption(session.info.source));
   feed_.reset_camera();
@@ -104,10 +190,17 @@ void ReviewViews::fill_time() {
 }
 
 void ReviewViews::fill_touch(std::size_t step) {
+  if (histogram_) return fill_histogram();
   CurveChartData drawn = pellucida::force_over_indentation(*session_, step);
   if (comparison_) {
     drawn.other = comparison_->other_over_indentation(step);
     name_curves(*comparison_, drawn);
+  }
+  if (const TouchModel* model = model_->shown()) {
+    drawn.named.insert(drawn.named.end(), model->curves.begin(), model->curves.end());
+    touch_->view().setToolTip(QString::fromStdString(model->remark));
+  } else {
+    touch_->view().setToolTip({});
   }
   touch_->chart().set_data(std::move(drawn));
 }
@@ -122,18 +215,20 @@ void ReviewViews::show_step(const Scene& scene, std::size_t step) {
   step_ = step;
   const std::size_t touch = touch_of(*session_, step);
   if (touch != touch_shown_) {
+    model_->show_touch(touch);
     fill_touch(step);
     touch_shown_ = touch;
   }
   const Measurement& row = scene.measurement;
   time_->chart().set_cursor(session_->times_s[step], row.contact_force_uN, true);
-  const bool on_curve = row.state == CellState::kContact && std::isfinite(row.contact_force_uN);
-  touch_->chart().set_cursor(on_curve ? row.indentation_um : CurveChart::kNowhere, row.contact_force_uN, false);
+  if (histogram_ && is_of_nodes(*histogram_)) fill_histogram();
+  place_touch_cursor(row);
 }
 
 void ReviewViews::draw_charts() {
   time_->render();
   touch_->render();
+  charts_changed_ = false;
 }
 
 void ReviewViews::mark_node(std::optional<long> node) {

@@ -1,10 +1,7 @@
 #include "ReviewWindow.h"
 
-#include <QDragEnterEvent>
-#include <QMimeData>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -15,6 +12,7 @@
 #include "ReviewViews.h"
 #include "VideoExport.h"
 #include "Words.h"
+#include "pellucida/notes/MeasureControl.h"
 #include "pellucida/notes/NoteControl.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
@@ -32,6 +30,7 @@
 #include "widgets/ReadoutBar.h"
 #include "widgets/ReviewBar.h"
 #include "widgets/TaskLine.h"
+#include "widgets/ThumbnailBar.h"
 #include "widgets/TimelineBar.h"
 #include "widgets/TransportBar.h"
 #include "widgets/ViewWidget.h"
@@ -47,6 +46,8 @@ constexpr int kReviewNotice_ms = 6000;
 constexpr int kRoomForEvents_px = 1200;
 // Lower than this the node takes the place of the list.
 constexpr int kRoomForBoth_px = 780;
+// Lower than this the views need the room.
+constexpr int kRoomForThumbnails_px = 720;
 constexpr const char* kHint = PELLUCIDA_WORDS(
     "Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks "
     "a node");
@@ -136,6 +137,7 @@ QWidget* ReviewWindow::build_session_page() {
   build_notes();
   column->addWidget(&notes_->strip());
   bar_->add(notes_->button());
+  bar_->add(measures_->button());
   build_video();
   node_ = new NodeReview(
       to_time, [this] { clear_node(); }, this);
@@ -164,7 +166,9 @@ QWidget* ReviewWindow::build_session_page() {
   column->addSpacing(4);
   column->addWidget(all, 1);
   column->addSpacing(4);
-  column->addWidget(timeline_ = new TimelineBar(to_time, page));
+  timeline_ = new TimelineBar(to_time, page);
+  column->addWidget(thumbnails_ = new ThumbnailBar(*timeline_, to_time, page));
+  column->addWidget(timeline_);
   column->addWidget(transport_ = build_transport());
   return page;
 }
@@ -209,6 +213,7 @@ void ReviewWindow::adopt(Opened& opened) {
   shown_step_.reset();
   // The views hold on to the session before: they are given the new one first.
   const auto before = std::exchange(session_, std::move(opened.session));
+  thumbnails_->set_session(nullptr);
   views_->set_session(*session_);
   const std::string caution = session_caution(*session_);
   if (caution.empty()) {
@@ -218,7 +223,8 @@ void ReviewWindow::adopt(Opened& opened) {
     notify(QString::fromStdString(caution), true);
   }
   // What keeps the notes from being read is said last, and stays.
-  notes_->set_session(session_->folder);
+  notes_->set_session(session_->folder, session_->info.source.pixel_size_um);
+  thumbnails_->set_session(session_.get());
   bar_->show_session(session_.get());
   setWindowTitle(words("Pellucida - Review of ") + QString::fromStdString(session_name_of(session_->folder)));
   open_page_->show_problem({});
@@ -264,7 +270,7 @@ void ReviewWindow::tick() {
     } else if (const auto loaded = loader_->take()) {
       show_step(*loaded);
     }
-    if (comparison_->tick()) charts_due_ = true;
+    if (comparison_->tick() || views_->charts_changed()) charts_due_ = true;
     if (shown_step_ && !charts_due_) video_->shown(*shown_step_);
     if (was_playing) show_place();
     show_notice();
@@ -303,7 +309,9 @@ void ReviewWindow::draw_charts() {
 
 void ReviewWindow::show_place() {
   if (!session_) return;
-  timeline_->set_position_s(playback_.playing() ? playback_.position_s() : session_->times_s[playback_.step()]);
+  const double time_s = playback_.playing() ? playback_.position_s() : session_->times_s[playback_.step()];
+  timeline_->set_position_s(time_s);
+  thumbnails_->set_position_s(time_s);
   transport_->show_state(playback_, session_->rows[playback_.step()].frame);
 }
 
@@ -366,21 +374,7 @@ void ReviewWindow::arrange_side() {
 
 void ReviewWindow::resizeEvent(QResizeEvent*) {
   if (comparison_) arrange_side();
-}
-
-void ReviewWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
-}
-
-void ReviewWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
-  event->acceptProposedAction();
-  std::filesystem::path dropped = urls.front().toLocalFile().toStdString();
-  // One of a session's files means its session.
-  if (std::filesystem::is_regular_file(dropped)) dropped = dropped.parent_path();
-  open(dropped);
+  if (thumbnails_) thumbnails_->set_room(height() >= kRoomForThumbnails_px);
 }
 
 }  // namespace pellucida

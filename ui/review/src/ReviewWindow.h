@@ -21,10 +21,12 @@ class QStackedWidget;
 
 namespace pellucida {
 
+class CellsWindow;
 class ComparisonReview;
 class EventPanel;
 class HintReview;
 class NodeReview;
+class MeasureControl;
 class NoteControl;
 class OpenPage;
 class ReadoutBar;
@@ -32,6 +34,7 @@ class ReviewBar;
 class ReviewExport;
 class ReviewViews;
 class TaskLine;
+class ThumbnailBar;
 class TimelineBar;
 class TransportBar;
 class VideoExport;
@@ -59,6 +62,8 @@ class ReviewWindow : public QMainWindow {
   const ReviewViews& views() const noexcept { return *views_; }
   const NodeReview& node() const noexcept { return *node_; }
   const ComparisonReview& comparison() const noexcept { return *comparison_; }
+  /// Null before it was asked for.
+  CellsWindow* cells() const noexcept { return cells_; }
   const HintReview& hints() const noexcept { return *hints_; }
 
   const TimedScreenshot& screenshot() const noexcept { return *screenshot_; }
@@ -98,6 +103,8 @@ class ReviewWindow : public QMainWindow {
   void choose_node(long node);
   void clear_node();
   void clear_comparison();
+  void show_cells();
+  void export_seen();
 
   ReviewOptions options_;
   std::shared_ptr<const Clock> clock_;
@@ -118,10 +125,13 @@ class ReviewWindow : public QMainWindow {
   QSplitter* side_ = nullptr;
   EventPanel* event_panel_ = nullptr;
   TimelineBar* timeline_ = nullptr;
+  ThumbnailBar* thumbnails_ = nullptr;
   TransportBar* transport_ = nullptr;
   TaskLine* task_line_ = nullptr;
   NodeReview* node_ = nullptr;
   NoteControl* notes_ = nullptr;
+  MeasureControl* measures_ = nullptr;
+  CellsWindow* cells_ = nullptr;
   ComparisonReview* comparison_ = nullptr;
   HintReview* hints_ = nullptr;
   ReviewExport* export_ = nullptr;

@@ -26,6 +26,7 @@ enum class Pictogram {
   kOpen,
   kLesson,
   kCompare,
+  kHome,
 };
 QIcon make_icon(Pictogram pictogram);
 

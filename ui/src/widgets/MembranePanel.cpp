@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "widgets/ArrowMenu.h"
@@ -15,15 +16,15 @@
 
 namespace pellucida {
 
-MembranePanel::MembranePanel(MembraneView& membranes, QWidget* parent)
-    : MembranePanel(membranes, new ViewWidget(membranes, 0, nullptr), parent) {}
+MembranePanel::MembranePanel(MembraneView& membranes, QWidget* parent, bool has_model)
+    : MembranePanel(membranes, new ViewWidget(membranes, 0, nullptr), parent, has_model) {}
 
-MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget* parent)
+MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget* parent, bool has_model)
     : Panel(words("Forces in 3-D"), view, parent), view_(view) {
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   view_->set_style(style);
   explain_gesture(*view_, words("Drag, wheel"), words("Turn the view, zoom"));
-  add_coloring_menu(membranes);
+  add_surface_menu(membranes, has_model);
   add_control(new ArrowMenu(
       membranes, [this] { view_->render(); }, this));
   connect(add_toggle(words("Tools"), words("Needle and holding pipette"), Qt::Key_4, true), &QToolButton::toggled, this,
@@ -38,25 +39,58 @@ MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget*
           });
 }
 
-void MembranePanel::add_coloring_menu(MembraneView& membranes) {
-  QToolButton* button = add_button({}, words("What the colour of the outer membrane shows"));
+void MembranePanel::add_surface_menu(MembraneView& membranes, bool has_model) {
+  QToolButton* button = add_button({}, words("What the colour of the outer membrane shows; key 8 shows the next quantity"));
+  button->setObjectName("surface");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
+  menu->setToolTipsVisible(true);
   auto* choice = new QActionGroup(menu);
-  const std::pair<QString, SurfaceColoring> entries[] = {{words("Plain"), SurfaceColoring::kPlain},
-                                                         {words("Tension"), SurfaceColoring::kTension},
-                                                         {words("Displacement"), SurfaceColoring::kDisplacement}};
-  for (const auto& [name, coloring] : entries) {
-    QAction* action = choice->addAction(menu->addAction(name));
+  const auto show = [button](SurfaceColoring coloring) {
+    button->setText(words("Surface: %1 \u25BE").arg(QString::fromStdString(coloring_name(coloring)).toLower()));
+  };
+  for (const SurfaceColoring coloring : kSurfaceColorings) {
+    QAction* action = choice->addAction(menu->addAction(QString::fromStdString(coloring_name(coloring))));
+    action->setObjectName("coloring" + QString::number(static_cast<int>(coloring)));
+    action->setToolTip(QString::fromStdString(coloring_explanation(coloring)));
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [=, this, &membranes, text = QString(name), kind = coloring] {
-      button->setText(words("Surface: %1 \u25BE").arg(text.toLower()));
-      membranes.set_coloring(kind);
+    keep_as(*action, QString("surface_%1").arg(static_cast<int>(coloring)));
+    action->setChecked(coloring == membranes.coloring());
+    connect(action, &QAction::toggled, this, [=, this, &membranes](bool on) {
+      if (!on) return;
+      show(coloring);
+      membranes.set_coloring(coloring);
       view_->render();
     });
   }
-  button->setText(words("Surface: plain \u25BE"));
-  choice->actions().first()->setChecked(true);
+  show(membranes.coloring());
+  auto* next = new QAction(this);
+  next->setObjectName("nextColoring");
+  next->setText(words("Surface: the next quantity"));
+  next->setShortcut(Qt::Key_8);
+  addAction(next);
+  connect(next, &QAction::triggered, this, [choice] {
+    const QList<QAction*> all = choice->actions();
+    all[(all.indexOf(choice->checkedAction()) + 1) % all.size()]->setChecked(true);
+  });
+
+  menu->addSeparator();
+  QAction* model = menu->addAction(words("The model's own surface"));
+  model->setObjectName("modelSurface");
+  model->setCheckable(true);
+  model->setEnabled(has_model);
+  model->setToolTip(has_model ? words("The mesh that the forces are computed on, as a wire: where it leaves the seen "
+                                      "surface, model and image disagree")
+                              : words("A recording doesn't hold the model's mesh"));
+  if (has_model) {
+    model->setShortcut(Qt::Key_5);
+    // The key of a menu that isn't open acts too.
+    addAction(model);
+  }
+  connect(model, &QAction::toggled, this, [this, &membranes](bool on) {
+    membranes.show_model(on);
+    view_->render();
+  });
   button->setMenu(menu);
 }
 

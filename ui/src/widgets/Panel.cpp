@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "WindowMemory.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/KeySheet.h"
 
@@ -47,10 +48,17 @@ void Panel::add_control(QWidget* control) {
   head_->addWidget(control);
 }
 
+void Panel::lead_with(QWidget* control) {
+  control->setParent(this);
+  head_->insertWidget(0, control);
+}
+
 QToolButton* Panel::add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on) {
   QToolButton* button = add_button(text, tip, key);
   button->setCheckable(true);
   button->setChecked(on);
+  // A toggle's key is its own in the window, whatever the language.
+  keep_as(*button, "toggle_" + key.toString(QKeySequence::PortableText));
   return button;
 }
 

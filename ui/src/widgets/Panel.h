@@ -16,6 +16,8 @@ class Panel : public QFrame {
 
   /// Puts a control at the right end of the head line.
   void add_control(QWidget* control);
+  /// Puts a control in the title's place.
+  void lead_with(QWidget* control);
   /// A button that stays down while its thing is shown.
   QToolButton* add_toggle(const QString& text, const QString& tip, const QKeySequence& key, bool on);
   /// A plain button; without `key` the mouse alone reaches it.

@@ -3,6 +3,7 @@
 #include <QBoxLayout>
 #include <QLabel>
 
+#include "Theme.h"
 #include "presenters/Phrase.h"
 
 namespace pellucida {
@@ -27,7 +28,7 @@ QLabel* add_phrase_label(QBoxLayout& row, const QString& widest) {
 
 void show_phrase(QLabel& label, const Phrase& phrase) {
   label.setText(QString::fromStdString(phrase.text));
-  label.setStyleSheet("color: " + QString::fromStdString(phrase.color.css()));
+  set_sheet(label, "color: " + QString::fromStdString(phrase.color.css()));
 }
 
 }  // namespace pellucida

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "Theme.h"
+#include "Words.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/Phrase.h"
@@ -20,12 +22,13 @@ StatePill::StatePill(QWidget* parent) : QLabel(parent) {
     const QString name = QString::fromStdString(readout::state(state));
     widest_px = std::max(widest_px, fontMetrics().horizontalAdvance(name));
   }
+  setToolTip(words("What the picture shows of the cell: whether it is seen, touched, punctured or lost"));
   setFixedSize(widest_px + 2 * kEdge_px, 30);
 }
 
 void StatePill::show_state(const Phrase& state) {
   setText(QString::fromStdString(state.text));
-  setStyleSheet("background: " + QString::fromStdString(state.color.css()));
+  set_sheet(*this, "background: " + QString::fromStdString(state.color.css()));
 }
 
 }  // namespace pellucida

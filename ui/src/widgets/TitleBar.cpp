@@ -5,10 +5,12 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
 
@@ -30,13 +32,23 @@ TitleBar::TitleBar(QWidget* parent) : QWidget(parent) {
 
 QPushButton* TitleBar::add_button(const QString& text, const QKeySequence& key, const QString& tip,
                                   std::function<void()> action) {
+  QPushButton* button = add_menu_button(text, tip);
+  bind_key(*button, key, tip);
+  if (action) connect(button, &QPushButton::clicked, this, std::move(action));
+  return button;
+}
+
+QPushButton* TitleBar::add_menu_button(const QString& text, const QString& tip) {
   auto* button = new QPushButton(text, this);
   button->setFixedHeight(30);
   button->setFocusPolicy(Qt::TabFocus);
-  bind_key(*button, key, tip);
-  connect(button, &QPushButton::clicked, this, std::move(action));
+  button->setToolTip(tip);
   row_->addWidget(button);
   return button;
+}
+
+void TitleBar::add_start_button() {
+  row_->addWidget(make_start_button(this));
 }
 
 void TitleBar::add_look_menu(const QKeySequence& light_key) {
@@ -44,8 +56,9 @@ void TitleBar::add_look_menu(const QKeySequence& light_key) {
   row_->addWidget(make_keys_button(this));
 }
 
-void TitleBar::add_name(const QString& name, const QString& tip) {
+void TitleBar::add_name(const QString& name, const QString& tip, bool shows_blocks) {
   row_->addStretch(1);
+  if (shows_blocks) row_->addWidget(new BlockLabel(this));
   auto* label = new QLabel(name, this);
   label->setObjectName("sourceName");
   label->setToolTip(tip);

@@ -2,6 +2,8 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkNew.h>
 
+#include <QImage>
+
 class vtkGenericOpenGLRenderWindow;
 class vtkInteractorObserver;
 
@@ -21,6 +23,8 @@ class ViewWidget : public QVTKOpenGLNativeWidget {
   void set_style(vtkInteractorObserver* style);
   /// All letters and lines of the view `scale` times as large as the screen's own scaling makes them.
   void set_type_scale(double scale);
+  /// The view as it is, rendered anew with `size_px` pixels: letters and lines as large, over the whole, as on screen.
+  QImage picture(QSize size_px);
   /// Renders now; does nothing while the widget can't be seen.
   void render();
 

@@ -4,33 +4,13 @@
 
 #include <QImageReader>
 #include <algorithm>
-#include <cmath>
 
+#include "SmallPicture.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/session/SessionReader.h"
 
 namespace pellucida {
 namespace {
-
-// Grey values from the darkest to the brightest, one sample a pixel of `size_px`. The first row of both is the top.
-QImage sampled(vtkImageData& image, QSize size_px) {
-  const int* dimensions = image.GetDimensions();
-  if (dimensions[0] < 1 || dimensions[1] < 1 || image.GetNumberOfScalarComponents() < 1) return {};
-  const QSize size = QSize(dimensions[0], dimensions[1]).scaled(size_px, Qt::KeepAspectRatioByExpanding);
-  double range[2];
-  image.GetScalarRange(range);
-  const double scale = range[1] > range[0] ? 255.0 / (range[1] - range[0]) : 0.0;
-  QImage picture(size, QImage::Format_Grayscale8);
-  for (int y = 0; y < size.height(); ++y) {
-    uchar* line = picture.scanLine(y);
-    for (int x = 0; x < size.width(); ++x) {
-      const double value =
-          image.GetScalarComponentAsDouble(x * dimensions[0] / size.width(), y * dimensions[1] / size.height(), 0, 0);
-      line[x] = static_cast<uchar>(std::clamp(std::lround(scale * (value - range[0])), 0L, 255L));
-    }
-  }
-  return picture;
-}
 
 QImage first_image(const SessionReader& reader, QSize size_px) {
   const auto& steps = reader.steps();
@@ -39,18 +19,10 @@ QImage first_image(const SessionReader& reader, QSize size_px) {
   if (with_image == steps.end()) return {};
   try {
     const auto image = reader.read_image(static_cast<std::size_t>(with_image - steps.begin()));
-    return image ? sampled(*image, size_px) : QImage();
+    return image ? small_picture(*image, size_px) : QImage();
   } catch (const InputError&) {
     return {};
   }
-}
-
-// The middle of a picture in exactly this size.
-QImage cut(const QImage& picture, QSize size_px) {
-  if (picture.isNull()) return picture;
-  const QImage scaled = picture.scaled(size_px, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  return scaled.copy((scaled.width() - size_px.width()) / 2, (scaled.height() - size_px.height()) / 2, size_px.width(),
-                     size_px.height());
 }
 
 }  // namespace
@@ -63,7 +35,7 @@ SessionThumbnail read_thumbnail(const std::filesystem::path& session, QSize size
     thumbnail.picture = picture.read();
   }
   if (thumbnail.picture.isNull()) thumbnail.picture = first_image(reader, size_px);
-  thumbnail.picture = cut(thumbnail.picture, size_px);
+  thumbnail.picture = middle_of(thumbnail.picture, size_px);
   return thumbnail;
 }
 

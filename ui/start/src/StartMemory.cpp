@@ -1,10 +1,11 @@
 #include "StartMemory.h"
 
-#include <QFile>
 #include <QSettings>
 #include <QString>
 #include <algorithm>
 #include <array>
+
+#include "SettingsFile.h"
 
 namespace pellucida {
 namespace {
@@ -16,7 +17,8 @@ struct TextEntry {
   const char* key;
   std::string StartForm::*member;
 };
-constexpr std::array<TextEntry, 11> kTexts{{{"virtual/scenario", &StartForm::scenario},
+constexpr std::array<TextEntry, 12> kTexts{{{"virtual/scenario", &StartForm::scenario},
+                                            {"virtual/stiffness", &StartForm::stiffness},
                                             {"virtual/hand", &StartForm::hand},
                                             {"recording/profile", &StartForm::recording_profile},
                                             {"recording/pixel_um", &StartForm::recording_pixel_um},
@@ -36,7 +38,7 @@ bool is_plausible(const QString& text) {
 }  // namespace
 
 StartMemory::StartMemory(const std::filesystem::path& file) : file_(QString::fromStdString(file.string())) {
-  if (file_.isEmpty()) file_ = QSettings(QSettings::IniFormat, QSettings::UserScope, "Pellucida", "start").fileName();
+  if (file_.isEmpty()) file_ = settings_file("start");
 }
 
 StartForm StartMemory::form() const {
@@ -62,8 +64,7 @@ QSize StartMemory::size() const {
 }
 
 void StartMemory::keep(const StartForm& form, QSize size) const {
-  // Qt does not write over a file that it can't read.
-  if (QSettings(file_, QSettings::IniFormat).status() == QSettings::FormatError) QFile::remove(file_);
+  make_writable(file_);
   QSettings settings(file_, QSettings::IniFormat);
   for (const auto& [key, member] : kTexts) settings.setValue(key, QString::fromStdString(form.*member));
   settings.setValue("card", static_cast<int>(form.card));

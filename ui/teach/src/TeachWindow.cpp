@@ -114,6 +114,7 @@ void TeachWindow::build(LessonChoice& lessons) {
 
 QWidget* TeachWindow::build_top_bar() {
   auto* bar = new TitleBar(nullptr);
+  bar->add_start_button();
   bar->add_button(words("Start again"), Qt::Key_Home, words("From the lesson's beginning"),
                   [this] { page().restart(); })
       ->setObjectName("restart");
@@ -131,7 +132,7 @@ QWidget* TeachWindow::build_top_bar() {
   bar->add_button(words("Full screen"), Qt::Key_F11, words("All of the screen, and back"),
                   [this] { isFullScreen() ? showNormal() : showFullScreen(); });
   bar->add_look_menu(Qt::Key_L);
-  bar->add_name(words("Teach"), words("Lessons about cells, contours and forces"));
+  bar->add_name(words("Teach"), words("Lessons about cells, contours and forces"), true);
   return bar;
 }
 

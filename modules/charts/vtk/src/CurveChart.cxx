@@ -10,6 +10,7 @@
 #include <vtkPlotArea.h>
 #include <vtkPlotLine.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -24,8 +25,6 @@
 namespace pellucida {
 namespace {
 
-// Of the band round a curve that goes back and forth.
-constexpr std::size_t kBandPlaces = 120;
 // Of one band alone; of two.
 constexpr double kBandOpacity = 0.22, kOuterOpacity = 0.14, kInnerOpacity = 0.26;
 
@@ -81,6 +80,16 @@ void style_line(vtkPlotLine* line, const Color& color, double ratio) {
   set_color(line->GetPen(), color);
 }
 
+Color color_of(CurveRole role) {
+  if (role == CurveRole::kBack) return current_theme().curve;
+  return role == CurveRole::kReference ? current_theme().good : current_theme().curve_before;
+}
+
+void style_named(vtkPlotLine* line, CurveRole role, double ratio) {
+  style_line(line, color_of(role), ratio);
+  line->GetPen()->SetLineType(role == CurveRole::kFaintReference ? vtkPen::DOT_LINE : vtkPen::DASH_LINE);
+}
+
 void style_band(vtkPlotArea* band, const Color& color, double opacity) {
   band->GetBrush()->SetColorF(color.red, color.green, color.blue, opacity);
   set_color(band->GetPen(), color, 0.0);
@@ -116,6 +125,9 @@ struct CurveChart::Plots {
   vtkPlotArea* inner = nullptr;
   vtkPlotLine* other = nullptr;
   vtkPlotLine* curve = nullptr;
+  // As many as were ever shown.
+  std::vector<vtkSmartPointer<vtkTable>> named_tables;
+  std::vector<vtkPlotLine*> named;
 };
 
 CurveChart::CurveChart() : plots_(std::make_unique<Plots>()) {
@@ -168,9 +180,8 @@ void CurveChart::set_cursor(double x, double y, bool line) {
 void CurveChart::fill() {
   Plots& p = *plots_;
   fill_curve_table(p.faint_table, thinned(p.data.faint, kMostPoints));
-  // A band that goes back and forth would cover itself.
   const auto band_of = [](const Curve& curve) {
-    return is_ascending(curve) ? thinned(curve, kMostPoints) : band_around(curve, kBandPlaces);
+    return thinned(is_ascending(curve) ? curve : band_of_way_in(curve), kMostPoints);
   };
   fill_curve_table(p.table, thinned(p.data.curve, kMostPoints));
   fill_curve_table(p.other_table, thinned(p.data.other, kMostPoints));
@@ -184,13 +195,31 @@ void CurveChart::fill() {
   show(p.data.curve, {p.curve, p.band});
   show(p.data.other, {p.other, p.other_band});
   show(p.data.inner, {p.inner});
+  while (p.named.size() < p.data.named.size()) {
+    p.named_tables.emplace_back(make_curve_table().Get());
+    p.named.push_back(vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE)));
+    p.named.back()->SetInputData(p.named_tables.back(), kCurveX, kCurveY);
+    p.named.back()->SelectableOff();
+  }
+  for (std::size_t k = 0; k < p.named.size(); ++k) {
+    const bool used = k < p.data.named.size();
+    fill_curve_table(p.named_tables[k], used ? thinned(p.data.named[k].curve, kMostPoints) : Curve{});
+    p.named[k]->SetVisible(used && p.data.named[k].curve.size() > 1);
+  }
+}
+
+std::vector<const Curve*> CurveChart::curves() const {
+  const CurveChartData& data = plots_->data;
+  std::vector<const Curve*> curves{&data.faint, &data.curve, &data.other};
+  for (const NamedCurve& named : data.named) curves.push_back(&named.curve);
+  return curves;
 }
 
 void CurveChart::set_ranges(double width_px, double height_px) {
   Plots& p = *plots_;
   const CurveChartData& data = p.data;
   Extent y;
-  for (const Curve* curve : {&data.faint, &data.curve, &data.other}) {
+  for (const Curve* curve : curves()) {
     y.include(curve->lower);
     y.include(curve->upper);
   }
@@ -200,7 +229,7 @@ void CurveChart::set_ranges(double width_px, double height_px) {
   double begin = data.x_begin, end = data.x_end;
   if (!(end > begin)) {
     Extent x;
-    for (const Curve* curve : {&data.faint, &data.curve, &data.other}) x.include(curve->x);
+    for (const Curve* curve : curves()) x.include(curve->x);
     begin = 0.0;
     end = axis_end(1.02 * x.high, 10.0);
   }
@@ -223,7 +252,10 @@ void CurveChart::prepare(double width_px, double height_px) {
     style_band(p.other_band, current_theme().curve_other, kBandOpacity);
     styled_ratio_ = ratio;
   }
-  if (changed_) fill();
+  if (changed_) {
+    fill();
+    for (std::size_t k = 0; k < p.data.named.size(); ++k) style_named(p.named[k], p.data.named[k].role, ratio);
+  }
   set_ranges(width_px / ratio, height_px / ratio);
   if (changed_) p.chart->RecalculateBounds();
   changed_ = false;
@@ -240,7 +272,8 @@ std::optional<double> CurveChart::x_at(double x_px) const {
 
 void CurveChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   const CurveChartData& data = plots_->data;
-  if (data.curve.empty() && data.faint.empty() && data.other.empty()) {
+  const auto all = curves();
+  if (std::all_of(all.begin(), all.end(), [](const Curve* curve) { return curve->empty(); })) {
     hud.text(0.5 * width_px, 0.55 * height_px, data.empty_text,
              {.size_pt = font_size::kNormal, .color = current_theme().text_dim, .align = HudAlign::kCentre});
   } else {
@@ -271,17 +304,35 @@ void CurveChart::draw_marks(HudCanvas& hud) const {
 // At the left, where curves that begin at zero leave room; below the marks' names.
 void CurveChart::draw_names(HudCanvas& hud) const {
   const CurveChartData& data = plots_->data;
-  if (data.other_name.empty()) return;
+  if (data.other_name.empty() && data.named.empty()) return;
   vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
-  const double x = left->GetPoint2()[0] / hud_ratio() + 10.0;
-  double y = left->GetPoint2()[1] / hud_ratio() - 26.0;
-  for (const auto& [name, color] : {std::pair(&data.curve_name, &current_theme().curve),
-                                    std::pair(&data.other_name, &current_theme().curve_other),
-                                    std::pair(&data.faint_name, &current_theme().curve_before)}) {
-    if (name->empty()) continue;
-    hud.line(x, y, x + 16.0, y, 3.0, *color);
-    hud.text(x + 22.0, y, *name);
+  // Marks have their names at the top.
+  const double top = left->GetPoint2()[1] / hud_ratio() - (data.marks.empty() ? 9.0 : 26.0);
+  double x = left->GetPoint2()[0] / hud_ratio() + 10.0, y = top, widest = 0.0;
+  const double lowest = 0.5 * (left->GetPoint1()[1] + left->GetPoint2()[1]) / hud_ratio();
+  const auto name = [&](const std::string& text, const Color& color, std::initializer_list<double> dashes) {
+    if (text.empty()) return;
+    // In the upper half alone: in columns where the chart is low.
+    if (y < lowest && y < top) {
+      x += widest + 42.0;
+      y = top;
+      widest = 0.0;
+    }
+    widest = std::max(widest, hud.text_width_px(text));
+    for (const double dash : dashes)
+      hud.line(x + dash, y, x + dash + 16.0 / static_cast<double>(2 * dashes.size() - 1), y, 3.0, color);
+    hud.text(x + 22.0, y, text);
     y -= 17.0;
+  };
+  if (data.curve.size() > 1) name(data.curve_name, current_theme().curve, {0.0});
+  if (data.other.size() > 1 || data.named.empty()) name(data.other_name, current_theme().curve_other, {0.0});
+  for (const NamedCurve& named : data.named) {
+    if (named.curve.size() < 2) continue;
+    if (named.role == CurveRole::kFaintReference) {
+      name(named.name, color_of(named.role), {0.0, 6.4, 12.8});
+    } else {
+      name(named.name, color_of(named.role), {0.0, 10.6});
+    }
   }
 }
 

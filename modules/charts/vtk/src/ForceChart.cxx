@@ -31,10 +31,6 @@ namespace {
 // A time axis is never shorter than this.
 constexpr double kLeastTime_s = 5.0;
 constexpr double kLeastPull_uN = 0.1;
-// Of the bands over the indentation.
-constexpr std::size_t kLiveBandPlaces = 120;
-// Places without a point over that much of their width are a gap.
-constexpr double kBandGap_ratio = 0.1;
 
 enum Column { kX, kForce, kLower, kUpper, kPictureLower, kPictureUpper, kColumnCount };
 constexpr std::array<const char*, kColumnCount> kColumnNames{"x",        "force_uN",         "lower_uN",
@@ -80,27 +76,17 @@ void fill_table(vtkTable* table, const std::vector<TracePoint>& points, std::siz
   table->Modified();
 }
 
-// Both bands over the indentation, as wide as the points nearby: a needle goes back and forth, and bands that follow it
-// would cover themselves.
+// Both bands over the indentation, along the way in alone: over the same depths, those of a hold and of the way back
+// would lie on it as one block. There the bar at the newest point tells the interval.
 void fill_bands(vtkTable* table, const std::vector<TracePoint>& points) {
-  Curve whole, picture;
-  for (const TracePoint& p : points) {
-    if (!std::isfinite(p.indentation_um)) continue;
-    whole.add(p.indentation_um, p.force_uN, p.lower_uN, p.upper_uN);
-    picture.add(p.indentation_um, p.force_uN, p.picture_lower_uN, p.picture_upper_uN);
-  }
-  whole = band_around(whole, kLiveBandPlaces);
-  picture = band_around(picture, kLiveBandPlaces);
+  std::vector<double> depths_um;
+  for (const TracePoint& p : points) depths_um.push_back(p.indentation_um);
   std::vector<TracePoint> bands;
-  const double gap_um = whole.empty() ? 0.0 : kBandGap_ratio * (whole.x.back() - whole.x.front());
-  for (std::size_t k = 0; k < whole.size(); ++k) {
-    bands.push_back({.indentation_um = whole.x[k],
-                     .force_uN = picture.y[k],
-                     .lower_uN = whole.lower[k],
-                     .upper_uN = whole.upper[k],
-                     .picture_lower_uN = picture.lower[k],
-                     .picture_upper_uN = picture.upper[k],
-                     .after_gap = k > 0 && whole.x[k] - whole.x[k - 1] > gap_um});
+  std::size_t next = 0;
+  for (const std::size_t i : way_in(depths_um)) {
+    bands.push_back(points[i]);
+    // Also a gap among those left out.
+    for (; next < i; ++next) bands.back().after_gap = bands.back().after_gap || points[next + 1].after_gap;
   }
   fill_table(table, bands, 0, false);
 }
@@ -158,8 +144,10 @@ ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_uniq
 ForceChart::~ForceChart() = default;
 
 void ForceChart::append(const Measurement& m) {
+  const bool was_in_touch = history_.in_touch();
   history_.append(m);
-  changed_ = true;
+  // Between two touches the curve over the indentation stays as it is.
+  if (kind_ == ForceChartKind::kForceTime || was_in_touch || history_.in_touch()) changed_ = true;
 }
 
 void ForceChart::clear() {
@@ -304,7 +292,11 @@ void ForceChart::prepare(double width_px, double height_px) {
 void ForceChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!reference_name_.empty()) draw_reference_name(hud);
   if (!points().empty()) {
-    if (kind_ == ForceChartKind::kForceTime) draw_marks(hud);
+    if (kind_ == ForceChartKind::kForceTime) {
+      draw_marks(hud);
+    } else if (history_.in_touch()) {
+      draw_interval(hud, points().back());
+    }
     return;
   }
   if (!reference_name_.empty()) return;
@@ -323,6 +315,26 @@ void ForceChart::draw_reference_name(HudCanvas& hud) const {
     hud.text(x + kStroke_px + 8.0, y, name, {.color = theme_->text_dim});
     y -= kRow_px;
   }
+}
+
+// The intervals of one point, the whole and what the picture leaves open, as upright bars.
+void ForceChart::draw_interval(HudCanvas& hud, const TracePoint& point) const {
+  vtkAxis* bottom = plots_->chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* left = plots_->chart->GetAxis(vtkAxis::LEFT);
+  const auto place = [&](vtkAxis* axis, int part, double value) {
+    const double share = (value - axis->GetMinimum()) / (axis->GetMaximum() - axis->GetMinimum());
+    return (axis->GetPoint1()[part] + share * (axis->GetPoint2()[part] - axis->GetPoint1()[part])) / hud_ratio();
+  };
+  if (!std::isfinite(point.indentation_um)) return;
+  const double x = place(bottom, 0, point.indentation_um);
+  const auto bar = [&](double lower_uN, double upper_uN, double width_px, double end_px) {
+    if (!(upper_uN > lower_uN)) return;
+    const double low = place(left, 1, lower_uN), high = place(left, 1, upper_uN);
+    hud.line(x, low, x, high, width_px, theme_->text_dim);
+    for (const double y : {low, high}) hud.line(x - end_px, y, x + end_px, y, 1.5, theme_->text_dim);
+  };
+  bar(point.lower_uN, point.upper_uN, 1.5, 5.0);
+  bar(point.picture_lower_uN, point.picture_upper_uN, 3.0, 0.5);
 }
 
 // An upright line at each moment, named at its upper end where there is room.

@@ -62,6 +62,7 @@ vtkSmartPointer<vtkPolyData> make_model(const ForceEstimate& e, double time_s, l
   model->GetPointData()->AddArray(make_array(array_name::kForce, e.force_uN));
   model->GetPointData()->AddArray(make_array(array_name::kDisplacement, e.solved_um - e.rest_um));
   model->GetPointData()->AddArray(make_array(array_name::kTension, e.tension_uN_per_um.transpose()));
+  model->GetPointData()->AddArray(make_array(array_name::kAreaStrain, e.area_strain_percent.transpose()));
   model->GetFieldData()->AddArray(make_array(array_name::kCenter, e.center_um));
   model->GetFieldData()->AddArray(make_array(array_name::kAxis, e.rotation_WC.col(2)));
   stamp(model, time_s, frame_index);
@@ -117,9 +118,7 @@ class MechanicsStep::Impl {
     if (forces.force_uN) {
       auto surface = scene.surface.shallow_copy();
       vtkPointData* data = surface->GetPointData();
-      for (vtkDataArray* array : {forces.force_uN.Get(), forces.force_sigma_uN.Get(), forces.tension_uN_per_um.Get()}) {
-        data->AddArray(array);
-      }
+      for (vtkDataArray* array : forces.arrays()) data->AddArray(array);
       out.surface = Frozen<vtkPolyData>(surface);
     }
     return std::move(out);
@@ -210,13 +209,19 @@ class MechanicsStep::Impl {
       nodes_ = e.rest_um.cols();
     }
 
-    // Forces keep their sum; the tension is read off.
-    const Eigen::MatrixXd force = transfer_->extensive() * e.force_uN.transpose();
-    const Eigen::VectorXd sigma = transfer_->extensive() * e.force_sigma_uN;
-    const Eigen::VectorXd tension = transfer_->intensive() * e.tension_uN_per_um;
-    return {.force_uN = make_array(array_name::kForce, force.transpose()),
-            .force_sigma_uN = make_array(array_name::kForceSigma, sigma.transpose()),
-            .tension_uN_per_um = make_array(array_name::kTension, tension.transpose())};
+    // Forces keep their sum; tension and strain are read off.
+    const auto handed = [&](const char* name, const Eigen::MatrixXd& of_nodes) {
+      return make_array(name, (transfer_->extensive() * of_nodes.transpose()).transpose());
+    };
+    const auto read_off = [&](const char* name, const Eigen::VectorXd& of_nodes) {
+      return make_array(name, (transfer_->intensive() * of_nodes).transpose());
+    };
+    return {.force_uN = handed(array_name::kForce, e.force_uN),
+            .force_sigma_uN = handed(array_name::kForceSigma, e.force_sigma_uN.transpose()),
+            .needle_force_uN = handed(array_name::kNeedleForce, e.needle_force_uN),
+            .holder_force_uN = handed(array_name::kHolderForce, e.holder_force_uN),
+            .tension_uN_per_um = read_off(array_name::kTension, e.tension_uN_per_um),
+            .area_strain_percent = read_off(array_name::kAreaStrain, e.area_strain_percent)};
   }
 
   /// Events of the contact: a puncture, once; a warning, when it is new; a palpation, when it counts.

@@ -13,7 +13,7 @@ namespace pellucida {
 enum class ColorMapKind {
   kForce,    ///< violet, magenta, orange, pale yellow: arrows
   kSurface,  ///< blue, teal, green, pale lime: tension and displacement on the membrane
-  kPull,     ///< blue, grey, red: from a push of the scale's end to a pull of it
+  kPull,     ///< blue, grey, red: signed, zero in the middle; from a push of the scale's end to a pull of it
 };
 
 /// Colour at `t` in 0..1 (clamped) on the ground of `theme`: on a light one the greatest is the darkest.

@@ -12,6 +12,22 @@
 
 namespace pellucida {
 
+namespace {
+
+// On a dark underlay.
+void draw_ring(HudCanvas& hud, const Eigen::Vector2d& at, double radius_px, const Color& color) {
+  constexpr int kCorners = 24;
+  for (const auto& [width_px, ink] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, color}}) {
+    for (int k = 0; k < kCorners; ++k) {
+      const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
+      hud.line(at.x() + radius_px * std::cos(from), at.y() + radius_px * std::sin(from),
+               at.x() + radius_px * std::cos(to), at.y() + radius_px * std::sin(to), width_px, ink);
+    }
+  }
+}
+
+}  // namespace
+
 double draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double width_px, double height_px) {
   // A cell in the middle of the view, with the tools beside it, begins below about so much of its height.
   constexpr double kMostHeight = 0.27;
@@ -52,7 +68,7 @@ void draw_scale_bar(HudCanvas& hud, double um_per_px) {
   hud.text(24.0 + 0.5 * length, 37.0, label, {.color = palette::kText, .align = HudAlign::kCentre});
 }
 
-void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
+void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place, const Color& line, const Color& under) {
   constexpr double kDash = 7.0, kGap = 5.0, kBar = 8.0, kCross = 6.0;
   const Eigen::Vector2d start = place(plan.approach_um);
   const Eigen::Vector2d end = place(plan.target_um);
@@ -64,42 +80,68 @@ void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place) {
   if (plan.guided && plan.corridor_um > 0.0) {
     const double um = (plan.target_um - plan.approach_um).norm();
     const double width = 2.0 * plan.corridor_um * length / um;
-    hud.line(start.x(), start.y(), end.x(), end.y(), width, palette::kPlan, 0.14);
+    hud.line(start.x(), start.y(), end.x(), end.y(), width, line, 0.14);
   }
   for (double s = 0.0; s < length; s += kDash + kGap) {
     const Eigen::Vector2d a = start + s * along;
     const Eigen::Vector2d b = start + std::min(s + kDash, length) * along;
-    hud.line(a.x(), a.y(), b.x(), b.y(), 1.5, palette::kPlan, 0.9);
+    hud.line(a.x(), a.y(), b.x(), b.y(), 1.5, line, 0.9);
   }
   const auto bar = [&](const Eigen::Vector2d& p_um, double half, double width) {
     const Eigen::Vector2d p = place(p_um);
     const Eigen::Vector2d a = p - half * across;
     const Eigen::Vector2d b = p + half * across;
-    hud.line(a.x(), a.y(), b.x(), b.y(), width + 2.0, palette::kWindow, 0.6);
-    hud.line(a.x(), a.y(), b.x(), b.y(), width, palette::kPlan);
+    hud.line(a.x(), a.y(), b.x(), b.y(), width + 2.0, under, 0.6);
+    hud.line(a.x(), a.y(), b.x(), b.y(), width, line);
   };
   bar(plan.entry_um, kBar, 2.0);
   bar(plan.depth_stop_um, 1.5 * kBar, 3.5);
-  hud.disc(end.x(), end.y(), kCross + 2.0, palette::kWindow, 0.5);
-  hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, palette::kPlan);
-  hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, palette::kPlan);
+  hud.disc(end.x(), end.y(), kCross + 2.0, under, 0.5);
+  hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, line);
+  hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, line);
+  if (!plan.has_handles) return;
+  for (const auto& [handle, at_um] :
+       {std::pair{PlanHandle::kEntry, plan.entry_um}, std::pair{PlanHandle::kTarget, plan.target_um},
+        std::pair{PlanHandle::kDepthStop, plan.depth_stop_um}}) {
+    draw_ring(hud, place(at_um), handle == plan.handle ? 13.0 : 9.0, line);
+  }
 }
 
 void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {
-  constexpr double kRing_px = 9.0;
-  constexpr int kCorners = 24;
   const Eigen::Vector2d at = place(mark.place_um);
+  if (mark.further_um.empty()) draw_ring(hud, at, 9.0, palette::kWarning);
   for (const auto& [width_px, color] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, palette::kWarning}}) {
-    for (int k = 0; k < kCorners; ++k) {
-      const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
-      hud.line(at.x() + kRing_px * std::cos(from), at.y() + kRing_px * std::sin(from), at.x() + kRing_px * std::cos(to),
-               at.y() + kRing_px * std::sin(to), width_px, color);
+    Eigen::Vector2d start = place(mark.place_um);
+    for (const Eigen::Vector2d& further_um : mark.further_um) {
+      const Eigen::Vector2d to = place(further_um);
+      hud.line(start.x(), start.y(), to.x(), to.y(), width_px, color);
+      hud.disc(start.x(), start.y(), width_px + 1.0, color);
+      hud.disc(to.x(), to.y(), width_px + 1.0, color);
+      start = to;
     }
   }
+  if (mark.text.empty()) return;
   const HudText style{.color = palette::kWarning, .bold = true};
-  hud.rounded(at.x() + 14.0, at.y() - 10.0, hud.text_width_px(mark.text, style) + 12.0, 20.0, 4.0, palette::kWindow,
-              0.8);
-  hud.text(at.x() + 20.0, at.y(), mark.text, style);
+  const double width = hud.text_width_px(mark.text, style) + 12.0;
+  Eigen::Vector2d left(at.x() + 14.0, at.y());
+  if (!mark.further_um.empty()) {
+    // Beside the middle of a distance, or outside an angle's vertex.
+    const Eigen::Vector2d next = place(mark.further_um.front());
+    const Eigen::Vector2d leg = (at - next).stableNormalized();
+    Eigen::Vector2d away(-leg.y(), leg.x());
+    if (away.y() < 0.0) away = -away;
+    Eigen::Vector2d middle = 0.5 * (at + next);
+    if (mark.further_um.size() > 1) {
+      const Eigen::Vector2d between = leg + (place(mark.further_um.back()) - next).stableNormalized();
+      if (between.norm() > 0.1) away = -between.normalized();
+      middle = next;
+    }
+    const Eigen::Vector2d centre =
+        middle + (10.0 + 0.5 * (std::abs(away.x()) * width + std::abs(away.y()) * 20.0)) * away;
+    left = {centre.x() - 0.5 * width, centre.y()};
+  }
+  hud.rounded(left.x(), left.y() - 10.0, width, 20.0, 4.0, palette::kWindow, 0.8);
+  hud.text(left.x() + 6.0, left.y(), mark.text, style);
 }
 
 void draw_needle_pointer(HudCanvas& hud, const Eigen::Vector2d& tip_um, const ToHud& place, double width_px,

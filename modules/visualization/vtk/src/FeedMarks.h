@@ -23,8 +23,9 @@ double draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double wi
 void draw_scale_bar(HudCanvas& hud, double um_per_px);
 
 /// The planned way dashed, its corridor as a faint band while the guide is on, a bar across it at entry and depth stop,
-/// a cross at the target.
-void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place);
+/// a cross at the target. In `line`'s colour, on an underlay of `under`.
+void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place, const Color& line = palette::kPlan,
+               const Color& under = palette::kWindow);
 
 /// Where a person pointed: a ring with a word beside it.
 void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place);

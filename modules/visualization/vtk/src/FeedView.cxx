@@ -139,7 +139,7 @@ void FeedView::refresh() {
       cell_given_ = false;
       reset_camera();
     }
-    refresh_window_level(frame);
+    if (image_look_.follows || !(window_high_ > window_low_)) refresh_window_level(frame);
   }
   p.membrane_lines.show(contours_shown_ && has_points(scene.membranes));
   p.tool_lines.show(tools_shown_ && has_points(scene.tools));
@@ -171,11 +171,20 @@ void FeedView::refresh_window_level(vtkImageData* frame) {
   const double follow = window_high_ > window_low_ ? 0.05 : 1.0;
   window_low_ += follow * (low - window_low_);
   window_high_ += follow * (high - window_high_);
+  apply_image_look();
+}
+
+void FeedView::apply_image_look() {
   // Head room, so that coloured lines stand out against the brightest parts.
-  const double low_end = window_low_ - 0.10 * (window_high_ - window_low_);
-  const double high_end = window_high_ + 0.20 * (window_high_ - window_low_);
-  pipeline_->image->GetProperty()->SetColorWindow(high_end - low_end);
-  pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end));
+  const double range = window_high_ - window_low_;
+  const double low_end = window_low_ - 0.10 * range, high_end = window_high_ + 0.20 * range;
+  pipeline_->image->GetProperty()->SetColorWindow((high_end - low_end) / image_look_.contrast);
+  pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end) - image_look_.brightness * range);
+}
+
+void FeedView::set_image_look(const ImageLook& look) {
+  image_look_ = look;
+  if (window_high_ > window_low_) apply_image_look();
 }
 
 // Where the cell was first found; followed only when it has moved far or was mistaken, so that the picture stays

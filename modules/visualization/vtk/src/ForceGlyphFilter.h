@@ -12,10 +12,12 @@ namespace pellucida {
 ///   | force_uN         | double | 3     | as in the input                                                     |
 ///   | magnitude_uN     | double | 1     | its length                                                          |
 ///   | arrow_length_um  | double | 1     | LongestArrowUm at FullScaleUN, at most 1.5 of it                    |
+///   | color_uN         | double | 1     | its length; NaN where it can't be told from zero: below 1.96 sigma  |
+///   | bar_um           | double | 2     | lengths at the ends of its 95 % interval; equal: no interval known  |
 ///   | arrow_kind       | int    | 1     | 0 starts at the node, 1 (the force pushes inward) ends at it        |
 /// The nodes are taken in farthest-point order of the first shape seen with this number of points, so any number of
-/// them covers the membrane evenly; the node with the greatest force is always among them. Cost: points x MaximumCount
-/// once, then linear.
+/// them covers the membrane evenly; the node with the greatest force is always among them. Where few nodes bear a
+/// force, as under a tool, the arrows are spread over those. Cost: points x MaximumCount once, then linear.
 class ForceGlyphFilter : public vtkPolyDataAlgorithm {
  public:
   static ForceGlyphFilter* New();
@@ -41,8 +43,8 @@ class ForceGlyphFilter : public vtkPolyDataAlgorithm {
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:
-  void order_nodes(vtkPolyData* surface, const std::vector<vtkIdType>& outer);
-  double arrow_length_um(double magnitude_uN) const;
+  void order_nodes(vtkPolyData* surface, const std::vector<vtkIdType>& candidates);
+  double arrow_length_um(double magnitude_uN, double most_share = 1.5) const;
 
   int MaximumCount = 250;
   double ThresholdRatio = 0.01;
@@ -50,12 +52,13 @@ class ForceGlyphFilter : public vtkPolyDataAlgorithm {
   double LongestArrowUm = 20.0;
   bool LogScale = false;
 
-  std::vector<vtkIdType> order_;
+  std::vector<vtkIdType> order_, candidates_;  // of the surface with so many points
   vtkIdType ordered_point_count_ = -1;
+  std::size_t ordered_for_ = 0;
 };
 
-/// The |force_uN| that a `share` (0..1) of the outer membrane's nodes don't exceed: 1 gives the greatest. 0 without
-/// forces.
+/// The |force_uN| that a `share` (0..1) of the outer membrane's nodes that bear a force don't exceed: 1 gives the
+/// greatest. 0 without forces.
 double node_force_quantile_uN(vtkPolyData* surface, double share);
 
 }  // namespace pellucida

@@ -5,6 +5,9 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 namespace pellucida {
 namespace {
 
@@ -42,6 +45,43 @@ void ClearWall::build(vtkRenderer* renderer, const Color& color, double opacity,
   sides[1]->GetProperty()->BackfaceCullingOn();
 }
 
+void BoldArrow::build(vtkRenderer* renderer) {
+  source->SetShaftRadius(0.05);
+  source->SetTipRadius(0.14);
+  source->SetTipLength(0.30);
+  source->SetShaftResolution(20);
+  source->SetTipResolution(28);
+  mapper->SetInputConnection(source->GetOutputPort());
+  actor->SetMapper(mapper);
+  actor->SetUserTransform(pose);
+  actor->PickableOff();
+  actor->VisibilityOff();
+  actor->GetProperty()->SetAmbient(0.55);
+  actor->GetProperty()->SetDiffuse(0.50);
+  renderer->AddActor(actor);
+}
+
+void BoldArrow::show(const Eigen::Vector3d& head, const Eigen::Vector3d& direction, double length_um, double full_um,
+                     std::string value) {
+  label = std::move(value);
+  head_um = head;
+  tail_um = head - length_um * direction;
+  const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), direction));
+  pose->Identity();
+  pose->Translate(tail_um.data());
+  pose->RotateWXYZ(turn.angle() * 180.0 / EIGEN_PI, turn.axis().data());
+  // A short one is thinner too, so that it stays an arrow; never so thin that it can't be seen.
+  const double width_um = std::clamp(2.0 * length_um, 0.3 * full_um, full_um);
+  pose->Scale(length_um, width_um, width_um);
+  source->SetTipLength(std::min(0.30 * width_um / length_um, 0.6));
+  actor->VisibilityOn();
+}
+
+void BoldArrow::hide() {
+  label.clear();
+  actor->VisibilityOff();
+}
+
 void MembranePart::build(vtkAlgorithmOutput* surface, Membrane which) {
   threshold->SetInputConnection(surface);
   threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array_name::kMembrane);
@@ -71,9 +111,13 @@ void MembraneActors::follow_theme() {
     for (auto& side : glass->sides) set_color(side, theme.glass);
   }
   set_color(inner_actor, theme.inner_solid);
-  set_color(contact_actor, theme.contact_force);
+  for (BoldArrow* bold : {&needle_force, &holder_force}) set_color(bold->actor, theme.contact_force);
+  set_color(model_actor, theme.model);
+  set_color(bar_actor, theme.text);
   fill_lookup_table(force_colors, ColorMapKind::kForce);
+  force_colors->SetNanColor(theme.unsure.red, theme.unsure.green, theme.unsure.blue, 1.0);
   fill_lookup_table(surface_colors, ColorMapKind::kSurface);
+  fill_lookup_table(signed_colors, ColorMapKind::kPull);
 }
 
 void MembraneActors::build_membranes(vtkAlgorithmOutput* scene, vtkRenderer* renderer) {
@@ -98,6 +142,38 @@ void MembraneActors::build_membranes(vtkAlgorithmOutput* scene, vtkRenderer* ren
   outer_wall.mapper->SetLookupTable(surface_colors);
   outer_wall.mapper->UseLookupTableScalarRangeOn();
   outer_wall.mapper->SetScalarModeToUsePointFieldData();
+
+  model->SetBlock(SceneBlock::kModel);
+  model->SetInputConnection(scene);
+  model_mapper->SetInputConnection(model->GetOutputPort());
+  model_mapper->ScalarVisibilityOff();
+  model_actor->SetMapper(model_mapper);
+  model_actor->GetProperty()->SetRepresentationToWireframe();
+  model_actor->GetProperty()->LightingOff();
+  model_actor->PickableOff();
+  model_actor->VisibilityOff();
+  renderer->AddActor(model_actor);
+}
+
+void MembraneActors::color_outer(bool colored) {
+  if (colored == colored_) return;
+  colored_ = colored;
+  for (auto& side : outer_wall.sides) {
+    // A clear wall would mix its colours with those behind it, and shadows with black: neither is on the scale.
+    vtkProperty* property = side->GetProperty();
+    property->SetOpacity(colored ? 1.0 : kClearOpacity);
+    property->SetAmbient(colored ? 0.85 : 0.25);
+    property->SetDiffuse(colored ? 0.15 : 0.75);
+    property->SetSpecular(colored ? 0.0 : 0.35);
+    side->SetForceTranslucent(!colored);
+    side->SetForceOpaque(colored);
+    side->GetShaderProperty()->ClearAllFragmentShaderReplacements();
+    if (!colored) make_glassy(side);
+  }
+}
+
+void MembraneActors::set_inner_clear(bool clear) {
+  inner_actor->GetProperty()->SetOpacity(clear ? 0.35 : 1.0);
 }
 
 void MembraneActors::build_arrows(vtkRenderer* renderer) {
@@ -111,7 +187,8 @@ void MembraneActors::build_arrows(vtkRenderer* renderer) {
   arrow_to_node->SetTransform(back_one);
   arrow_to_node->SetInputConnection(arrow->GetOutputPort());
 
-  glyphs->SetInputConnection(surface->GetOutputPort());
+  node_forces->SetInputConnection(surface->GetOutputPort());
+  glyphs->SetInputConnection(node_forces->GetOutputPort());
   glyph_mapper->SetInputConnection(glyphs->GetOutputPort());
   glyph_mapper->SetSourceConnection(0, arrow->GetOutputPort());
   glyph_mapper->SetSourceConnection(1, arrow_to_node->GetOutputPort());
@@ -123,7 +200,7 @@ void MembraneActors::build_arrows(vtkRenderer* renderer) {
   glyph_mapper->SetScaleArray("arrow_length_um");
   glyph_mapper->SetScaleFactor(1.0);
   glyph_mapper->SetScalarModeToUsePointFieldData();
-  glyph_mapper->SelectColorArray("magnitude_uN");
+  glyph_mapper->SelectColorArray("color_uN");
   glyph_mapper->SetLookupTable(force_colors);
   glyph_mapper->UseLookupTableScalarRangeOn();
   glyph_actor->SetMapper(glyph_mapper);
@@ -133,19 +210,17 @@ void MembraneActors::build_arrows(vtkRenderer* renderer) {
   glyph_actor->GetProperty()->SetDiffuse(0.65);
   renderer->AddActor(glyph_actor);
 
-  contact_arrow->SetShaftRadius(0.05);
-  contact_arrow->SetTipRadius(0.14);
-  contact_arrow->SetTipLength(0.30);
-  contact_arrow->SetShaftResolution(20);
-  contact_arrow->SetTipResolution(28);
-  contact_mapper->SetInputConnection(contact_arrow->GetOutputPort());
-  contact_actor->SetMapper(contact_mapper);
-  contact_actor->SetUserTransform(contact_pose);
-  contact_actor->PickableOff();
-  contact_actor->VisibilityOff();
-  contact_actor->GetProperty()->SetAmbient(0.55);
-  contact_actor->GetProperty()->SetDiffuse(0.50);
-  renderer->AddActor(contact_actor);
+  bars->SetInputConnection(glyphs->GetOutputPort());
+  bar_mapper->SetInputConnection(bars->GetOutputPort());
+  bar_mapper->ScalarVisibilityOff();
+  bar_actor->SetMapper(bar_mapper);
+  bar_actor->GetProperty()->LightingOff();
+  bar_actor->PickableOff();
+  bar_actor->VisibilityOff();
+  renderer->AddActor(bar_actor);
+
+  needle_force.build(renderer);
+  holder_force.build(renderer);
 }
 
 }  // namespace pellucida

@@ -12,10 +12,14 @@
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
+#include <Eigen/Core>
 #include <array>
+#include <string>
 
 #include "ColorMap.h"
+#include "ErrorBarFilter.h"
 #include "ForceGlyphFilter.h"
+#include "NodeForceFilter.h"
 #include "pellucida/core_vtk/SceneBlockFilter.h"
 #include "pellucida/core_vtk/SceneData.h"
 
@@ -47,8 +51,24 @@ struct MembranePart {
   void build(vtkAlgorithmOutput* surface, Membrane which);
 };
 
-/// What the 3-D view draws, and how it comes from the scene: both membranes, the arrows on their nodes, the needle's
-/// force as one bold arrow, the tools. What is shown of it, and with which scales, the view decides.
+/// A force as one thick arrow that ends where it acts, with its value.
+struct BoldArrow {
+  vtkNew<vtkArrowSource> source;
+  vtkNew<vtkTransform> pose;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  std::string label;  ///< empty: not drawn
+  Eigen::Vector3d tail_um = Eigen::Vector3d::Zero(), head_um = Eigen::Vector3d::Zero();
+
+  void build(vtkRenderer* renderer);
+  /// `full_um`: length of an arrow of the scale's end; its width follows from it.
+  void show(const Eigen::Vector3d& head, const Eigen::Vector3d& direction, double length_um, double full_um,
+            std::string value);
+  void hide();
+};
+
+/// What the 3-D view draws, and how it comes from the scene: both membranes, the arrows on their nodes, the tools and
+/// their forces as bold arrows, the model's mesh. What is shown of it, and with which scales, the view decides.
 struct MembraneActors {
   static constexpr double kClearOpacity = 0.65;  ///< of the outer membrane where its colour says nothing
 
@@ -59,37 +79,55 @@ struct MembraneActors {
   vtkNew<vtkPolyDataMapper> inner_mapper;
   vtkNew<vtkActor> inner_actor;
 
+  vtkNew<SceneBlockFilter> model;
+  vtkNew<vtkPolyDataMapper> model_mapper;
+  vtkNew<vtkActor> model_actor;
+
+  vtkNew<NodeForceFilter> node_forces;
   vtkNew<ForceGlyphFilter> glyphs;
+  vtkNew<ErrorBarFilter> bars;
+  vtkNew<vtkPolyDataMapper> bar_mapper;
+  vtkNew<vtkActor> bar_actor;
   vtkNew<vtkArrowSource> arrow;
   vtkNew<vtkTransform> back_one;
   vtkNew<vtkTransformPolyDataFilter> arrow_to_node;
   vtkNew<vtkGlyph3DMapper> glyph_mapper;
   vtkNew<vtkActor> glyph_actor;
 
-  vtkNew<vtkArrowSource> contact_arrow;
-  vtkNew<vtkTransform> contact_pose;
-  vtkNew<vtkPolyDataMapper> contact_mapper;
-  vtkNew<vtkActor> contact_actor;
+  BoldArrow needle_force;
+  BoldArrow holder_force;
 
   ClearWall needle;
   ClearWall holder;
 
   vtkSmartPointer<vtkLookupTable> force_colors = make_lookup_table(ColorMapKind::kForce);
   vtkSmartPointer<vtkLookupTable> surface_colors = make_lookup_table(ColorMapKind::kSurface);
+  vtkSmartPointer<vtkLookupTable> signed_colors = make_lookup_table(ColorMapKind::kPull);
 
   /// Puts everything, hidden, into `renderer`; `scene` is a StageSource's output.
   void build(vtkAlgorithmOutput* scene, vtkRenderer* renderer);
   /// Takes the colours of the current theme.
   void follow_theme();
+  /// Colours the outer membrane so that what one sees is what its scale shows, or leaves it clear.
+  void color_outer(bool colored);
+  /// Solid, or clear enough to see a needle in it.
+  void set_inner_clear(bool clear);
   /// The surface of the scene now; nullptr where it has none.
   vtkPolyData* update_surface() {
     surface->Update();
     return vtkPolyData::SafeDownCast(surface->GetOutputDataObject(0));
   }
+  /// Its nodes with the force chosen.
+  vtkPolyData* update_node_forces() {
+    node_forces->Update();
+    return node_forces->GetOutput();
+  }
 
  private:
   void build_membranes(vtkAlgorithmOutput* scene, vtkRenderer* renderer);
   void build_arrows(vtkRenderer* renderer);
+
+  bool colored_ = false;
 };
 
 }  // namespace pellucida

@@ -13,13 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
-#include "AxesTriad.h"
-#include "ColorMap.h"
 #include "MembraneActors.h"
 #include "NodePick.h"
 #include "ToolShapes.h"
-#include "pellucida/core/Words.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/visualization/Readout.h"
 
@@ -28,6 +26,8 @@ namespace {
 
 constexpr double kLongestArrowRatio = 0.35;  // of the cell's radius
 constexpr double kContactArrowRatio = 0.8;
+constexpr double kMostBoldShare = 1.5;  // of that
+constexpr double kBarCrossRatio = 0.02;
 constexpr double kNeedleLengthRatio = 5.0;
 // The colour scale ends where all but the few nodes at the tip are below; those are marked as beyond it.
 constexpr double kScaleShare = 0.99;
@@ -42,20 +42,81 @@ bool has_membrane(vtkPolyData* surface, Membrane which) {
   return false;
 }
 
-// The array's greatest length or value; nothing when the surface lacks it.
-double greatest_of(vtkPolyData* surface, const char* name) {
-  vtkDataArray* array = surface ? surface->GetPointData()->GetArray(name) : nullptr;
-  return array ? array->GetRange(array->GetNumberOfComponents() > 1 ? -1 : 0)[1] : -1.0;
+// Least upper ends of the scales, so that noise doesn't fill them.
+constexpr std::array kLeastForce_uN{0.05, 0.05, 0.05, 0.01, 0.01};  // in the order of NodeForceKind
+constexpr std::array kLeastColor{1.0, 0.001, 1.0, 1.0};             // in the order of SurfaceColoring
+
+const char* array_of(SurfaceColoring coloring) {
+  switch (coloring) {
+    case SurfaceColoring::kPlain:
+      return nullptr;
+    case SurfaceColoring::kTension:
+      return array_name::kTension;
+    case SurfaceColoring::kAreaStrain:
+      return array_name::kAreaStrain;
+    case SurfaceColoring::kDisplacement:
+      break;
+  }
+  return array_name::kDisplacement;
 }
 
-std::string why_empty(const Scene& scene) {
-  if (!scene.observation) return say("Waiting for a cell");
-  return scene.observation->outer ? say("No surface: the contour can't be revolved") : say("No cell in sight");
+// Sizes of the array's tuples, ascending up to the place that a scale ends at; empty when the surface lacks it.
+std::vector<double> sizes_of(vtkPolyData* surface, const char* name) {
+  vtkDataArray* array = surface && name ? surface->GetPointData()->GetArray(name) : nullptr;
+  std::vector<double> sizes;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i) {
+    double square = 0.0;
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k) square += std::pow(array->GetComponent(i, k), 2);
+    if (std::isfinite(square)) sizes.push_back(std::sqrt(square));
+  }
+  return sizes;
+}
+
+// The sum of the surface's vectors.
+Eigen::Vector3d sum_of(vtkPolyData* surface, const char* name) {
+  vtkDataArray* array = surface ? surface->GetPointData()->GetArray(name) : nullptr;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), one;
+  if (!array || array->GetNumberOfComponents() != 3) return sum;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
+    array->GetTuple(i, one.data());
+    sum += one;
+  }
+  return sum;
+}
+
+Eigen::Vector3d in_space(const Eigen::Vector2d& in_plane) {
+  return {in_plane.x(), in_plane.y(), 0.0};
 }
 
 }  // namespace
 
+double MembraneView::Scale::update(double greatest, double time_s) {
+  const double last = range.upper();
+  range.update(greatest);
+  if (used && range.upper() > last) {
+    before = last;
+    grew_s = time_s;
+  }
+  used = true;
+  beyond = greatest > range.upper();
+  return range.upper();
+}
+
+bool MembraneView::Scale::is_news(double time_s) const {
+  constexpr double kNews_s = 3.0;
+  return before > 0.0 && std::abs(time_s - grew_s) < kNews_s;
+}
+
+MembraneView::Scale& MembraneView::force_scale() {
+  return force_scales_[static_cast<std::size_t>(node_force())];
+}
+MembraneView::Scale& MembraneView::color_scale() {
+  return color_scales_[static_cast<std::size_t>(coloring_)];
+}
+
 MembraneView::MembraneView(StageSource* source) : source_(source), actors_(std::make_unique<MembraneActors>()) {
+  for (std::size_t k = 0; k < force_scales_.size(); ++k) force_scales_[k].range = NiceRange(kLeastForce_uN[k]);
+  for (std::size_t k = 0; k < color_scales_.size(); ++k) color_scales_[k].range = NiceRange(kLeastColor[k]);
   actors_->build(source_->GetOutputPort(), main_);
 
   main_->GradientBackgroundOn();
@@ -104,46 +165,71 @@ void MembraneView::refresh() {
     }
     radius_um_ = std::max(radius_um_, 1e-3);
   }
+  // A needle that is in the cell is seen through the inner membrane.
+  punctured_ = source_->GetScene().measurement.state == CellState::kPunctured;
+  p.set_inner_clear(punctured_);
+  const bool has_model = model_shown_ && has_surface_ && source_->GetScene().model;
+  p.model_actor->SetVisibility(has_model);
   refresh_coloring(surface);
-  refresh_arrows(surface);
+  refresh_arrows();
   refresh_tools();
-  refresh_contact_force();
+  refresh_bold_arrows(surface);
   if (has_surface_ && !framed_) reset_camera();
 }
 
-void MembraneView::refresh_arrows(vtkPolyData* surface) {
+void MembraneView::refresh_arrows() {
   MembraneActors& p = *actors_;
-  has_forces_ = has_surface_ && surface->GetPointData()->GetArray(array_name::kForce) != nullptr;
-  p.glyph_actor->SetVisibility(arrows_shown_ && has_forces_);
-  if (!has_forces_) return;
+  p.glyph_actor->VisibilityOff();
+  p.bar_actor->VisibilityOff();
+  has_sure_ = has_unsure_ = false;
+  vtkPolyData* forces = p.update_node_forces();
+  const bool holds = has_surface_ && forces->GetPointData()->GetArray(array_name::kForce);
+  lacks_force_ = has_surface_ && !holds && p.update_surface()->GetPointData()->GetArray(array_name::kForce);
   // A free cell: nothing to draw, and no scale for it.
-  has_forces_ = node_force_quantile_uN(surface, 1.0) > 0.0;
-  if (!has_forces_) {
-    p.glyph_actor->VisibilityOff();
-    return;
-  }
-  const double upper_uN = force_range_uN_.update(node_force_quantile_uN(surface, kScaleShare));
-  beyond_scale_ = node_force_quantile_uN(surface, 1.0) > upper_uN;
+  const double greatest_uN = holds ? node_force_quantile_uN(forces, 1.0) : 0.0;
+  has_forces_ = greatest_uN > 0.0;
+  if (!has_forces_) return;
+  Scale& scale = force_scale();
+  const double upper_uN =
+      scale.update(node_force_quantile_uN(forces, kScaleShare), source_->GetScene().measurement.time_s);
+  scale.beyond = greatest_uN > upper_uN;
   p.force_colors->SetTableRange(0.0, upper_uN);
   p.glyphs->SetFullScaleUN(upper_uN);
   p.glyphs->SetLongestArrowUm(kLongestArrowRatio * radius_um_ * arrow_scale_);
+  p.bars->SetCrossUm(kBarCrossRatio * radius_um_);
+  if (!arrows_shown_) return;
   // With nothing left above the threshold the mapper would complain of missing arrays.
   p.glyphs->Update();
-  if (p.glyphs->GetOutput()->GetNumberOfPoints() == 0) p.glyph_actor->VisibilityOff();
+  vtkPolyData* arrows = p.glyphs->GetOutput();
+  p.glyph_actor->SetVisibility(arrows->GetNumberOfPoints() > 0);
+  vtkDataArray* colors = arrows->GetPointData()->GetArray("color_uN");
+  for (vtkIdType i = 0; colors && i < colors->GetNumberOfTuples(); ++i) {
+    (std::isnan(colors->GetComponent(i, 0)) ? has_unsure_ : has_sure_) = true;
+  }
+  if (!bars_shown_) return;
+  p.bars->Update();
+  p.bar_actor->SetVisibility(p.bars->GetOutput()->GetNumberOfPoints() > 0);
 }
 
 void MembraneView::refresh_coloring(vtkPolyData* surface) {
   MembraneActors& p = *actors_;
-  const bool tension = coloring_ == SurfaceColoring::kTension;
-  const char* array = tension ? array_name::kTension : array_name::kDisplacement;
-  const double greatest = has_surface_ && coloring_ != SurfaceColoring::kPlain ? greatest_of(surface, array) : -1.0;
-  coloring_available_ = greatest >= 0.0 && std::isfinite(greatest);
+  const char* array = array_of(coloring_);
+  std::vector<double> sizes = sizes_of(has_surface_ ? surface : nullptr, array);
+  coloring_available_ = !sizes.empty();
   p.outer_wall.mapper->SetScalarVisibility(coloring_available_);
-  p.outer_wall.set_opacity(coloring_available_ ? 0.9 : MembraneActors::kClearOpacity);
+  p.color_outer(coloring_available_);
   if (!coloring_available_) return;
+  const auto end =
+      sizes.begin() + static_cast<std::ptrdiff_t>(std::lround(kScaleShare * static_cast<double>(sizes.size() - 1)));
+  std::nth_element(sizes.begin(), end, sizes.end());
+  Scale& scale = color_scale();
+  const double upper = scale.update(*end, source_->GetScene().measurement.time_s);
+  scale.beyond = *std::max_element(end, sizes.end()) > upper;
+  vtkLookupTable* colors = is_signed(coloring_) ? p.signed_colors : p.surface_colors;
+  p.outer_wall.mapper->SetLookupTable(colors);
   p.outer_wall.mapper->SelectColorArray(array);
-  p.surface_colors->SetVectorModeToMagnitude();
-  p.surface_colors->SetTableRange(0.0, (tension ? tension_range_uN_per_um_ : displacement_range_um_).update(greatest));
+  colors->SetVectorModeToMagnitude();
+  colors->SetTableRange(is_signed(coloring_) ? -upper : 0.0, upper);
 }
 
 void MembraneView::refresh_tools() {
@@ -162,36 +248,41 @@ void MembraneView::refresh_tools() {
   }
 }
 
-// The needle's push on the cell: an arrow that ends at the tip.
-void MembraneView::refresh_contact_force() {
+// The needle's push on the cell, an arrow that ends at the tip; and what the holding pipette holds against it.
+void MembraneView::refresh_bold_arrows(vtkPolyData* surface) {
   MembraneActors& p = *actors_;
   const Measurement& m = source_->GetScene().measurement;
   const auto needle = needle_of(source_->GetScene());
+  const auto holder = holder_of(source_->GetScene());
   const bool shown = has_surface_ && needle && std::isfinite(m.contact_force_uN) && m.contact_force_uN > 0.0;
-  p.contact_actor->SetVisibility(shown);
   contact_label_ = shown ? readout::force(m) : std::string();
+  p.needle_force.hide();
+  p.holder_force.hide();
   if (!shown) return;
   const double full_um = kContactArrowRatio * radius_um_;
-  const double length_um =
-      std::max(full_um * m.contact_force_uN / contact_range_uN_.update(m.contact_force_uN), 0.02 * full_um);
-  const Eigen::Vector2d tail_um = needle->tip_um - length_um * needle->direction;
-  p.contact_pose->Identity();
-  p.contact_pose->Translate(tail_um.x(), tail_um.y(), 0.0);
-  p.contact_pose->RotateZ(std::atan2(needle->direction.y(), needle->direction.x()) * 180.0 / EIGEN_PI);
-  // Thick enough to see when short: the width follows the full length.
-  p.contact_pose->Scale(length_um, full_um, full_um);
-  p.contact_arrow->SetTipLength(std::min(0.30 * full_um / length_um, 0.6));
-  contact_tail_um_[0] = tail_um.x();
-  contact_tail_um_[1] = tail_um.y();
+  const double um_per_uN = full_um / contact_range_uN_.update(m.contact_force_uN);
+  const auto length_um = [&](double force_uN) {
+    return std::clamp(um_per_uN * force_uN, 0.02 * full_um, kMostBoldShare * full_um);
+  };
+  p.needle_force.show(in_space(needle->tip_um), in_space(needle->direction), length_um(m.contact_force_uN), full_um,
+                      contact_label_);
+  const bool of_holder = node_force() == NodeForceKind::kTools || node_force() == NodeForceKind::kHolder;
+  const Eigen::Vector3d held_uN = sum_of(surface, array_name::kHolderForce);
+  const double held = held_uN.norm();
+  if (!of_holder || !arrows_shown_ || !holder || !(held > 0.0)) return;
+  p.holder_force.show(in_space(holder->mouth_um), held_uN / held, length_um(held), full_um,
+                      readout::number(held, 2) + " µN");
 }
 
 void MembraneView::reset_camera() {
   vtkCamera* camera = main_->GetActiveCamera();
-  // From the needle's side, so that one looks into the dimple.
+  // From the needle's side, so that one looks into the dimple, and from above: as far as that isn't the needle's own
+  // direction, whose arrow would be seen from its end.
   const Scene& scene = source_->GetScene();
   const Eigen::Vector2d axis = scene.observation ? scene.observation->axis : Eigen::Vector2d::UnitX();
-  const double from[3] = {0.80 * axis.x(), 0.80 * axis.y() - 0.50, -1.0};
-  const double length = std::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
+  const Eigen::Vector2d up(0.0, -1.0), beside = up - up.dot(axis) * axis;
+  const Eigen::Vector3d from(0.80 * axis.x() + 0.50 * beside.x(), 0.80 * axis.y() + 0.50 * beside.y(), -1.0);
+  const double length = from.norm();
   constexpr double kViewAngle_deg = 24.0;
   const double distance_um = 1.6 * radius_um_ / std::sin(0.5 * kViewAngle_deg * EIGEN_PI / 180.0);
   camera->SetViewAngle(kViewAngle_deg);
@@ -209,6 +300,29 @@ void MembraneView::set_coloring(SurfaceColoring coloring) {
 
 void MembraneView::show_arrows(bool shown) {
   arrows_shown_ = shown;
+  refresh();
+}
+
+NodeForceKind MembraneView::node_force() const noexcept {
+  return actors_->node_forces->GetKind();
+}
+
+const std::string& MembraneView::holder_label() const noexcept {
+  return actors_->holder_force.label;
+}
+
+void MembraneView::set_node_force(NodeForceKind kind) {
+  actors_->node_forces->SetKind(kind);
+  refresh();
+}
+
+void MembraneView::show_error_bars(bool shown) {
+  bars_shown_ = shown;
+  refresh();
+}
+
+void MembraneView::show_model(bool shown) {
+  model_shown_ = shown;
   refresh();
 }
 
@@ -253,48 +367,6 @@ void MembraneView::mark_node(std::optional<long> node) {
 
 void MembraneView::prepare(double, double) {
   main_->ResetCameraClippingRange();
-}
-
-void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
-  if (!has_surface_) {
-    hud.text(0.5 * width_px, 0.5 * height_px, empty_text_.empty() ? why_empty(source_->GetScene()) : empty_text_,
-             {.size_pt = font_size::kTitle, .color = current_theme().text_dim, .align = HudAlign::kCentre});
-    return;
-  }
-  const double bar_height = std::clamp(0.38 * height_px, 90.0, 220.0);
-  const double bar_y = height_px - bar_height - 46.0;
-  if (arrows_shown_ && has_forces_) {
-    draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, bar_y, bar_height, force_range_uN_.upper(),
-                   say("Node force (µN)"), HudAlign::kRight, beyond_scale_);
-  }
-  if (coloring_available_) {
-    const bool tension = coloring_ == SurfaceColoring::kTension;
-    draw_color_bar(hud, ColorMapKind::kSurface, 16.0, bar_y, bar_height,
-                   (tension ? tension_range_uN_per_um_ : displacement_range_um_).upper(),
-                   tension ? say("Tension (µN/µm)") : say("Displacement (µm)"), HudAlign::kLeft);
-  }
-  draw_axes_triad(hud, main_->GetActiveCamera());
-  draw_contact_label(hud);
-  draw_node_mark(hud);
-}
-
-void MembraneView::draw_contact_label(HudCanvas& hud) const {
-  if (contact_label_.empty()) return;
-  const auto [x, y] = to_hud(contact_tail_um_);
-  const HudText style{
-      .size_pt = font_size::kTitle, .color = current_theme().text, .bold = true, .align = HudAlign::kCentre};
-  const double width = hud.text_width_px(contact_label_, style) + 18.0;
-  hud.rounded(x - 0.5 * width, y + 22.0, width, 26.0, 5.0, current_theme().window, 0.78);
-  hud.text(x, y + 35.0, contact_label_, style);
-}
-
-void MembraneView::draw_node_mark(HudCanvas& hud) const {
-  vtkPolyData* surface = actors_->update_surface();
-  if (!marked_node_ || *marked_node_ < 0 || *marked_node_ >= surface->GetNumberOfPoints()) return;
-  const auto [x, y] = to_hud(surface->GetPoint(*marked_node_));
-  hud.disc(x, y, 8.0, current_theme().window, 0.85);
-  hud.disc(x, y, 6.0, current_theme().node_mark);
-  hud.disc(x, y, 3.0, current_theme().window);
 }
 
 }  // namespace pellucida

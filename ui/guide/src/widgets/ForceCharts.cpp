@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kTimeWindow_s = 60.0;
 constexpr int kSamples = 4;
+constexpr int kBetweenCharts_ms = 50;
 // Heights from which on a chart is read.
 constexpr int kLeast_px = 120, kLeastLow_px = 92;
 
@@ -22,6 +23,8 @@ ForceCharts::ForceCharts(QWidget* parent) : QSplitter(Qt::Horizontal, parent) {
   force_time_widget_ = new ViewWidget(force_time_, kSamples, nullptr);
   addWidget(new pellucida::Panel(words("Force over indentation"), force_indentation_widget_, nullptr));
   addWidget(new pellucida::Panel(words("Force over time"), force_time_widget_, nullptr));
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, [this] { render_next(); });
 }
 
 // The widgets show the charts: they go first.
@@ -35,6 +38,8 @@ void ForceCharts::append(const std::vector<Measurement>& rows) {
     force_indentation_.append(row);
     force_time_.append(row);
   }
+  const bool is_stale = force_indentation_.is_stale() || force_time_.is_stale();
+  if (is_stale && !timer_.isActive()) timer_.start(kBetweenCharts_ms);
 }
 
 void ForceCharts::set_low(bool low) {
@@ -44,8 +49,15 @@ void ForceCharts::set_low(bool low) {
 }
 
 void ForceCharts::render() {
-  force_indentation_widget_->render();
-  force_time_widget_->render();
+  if (force_indentation_.is_stale()) force_indentation_widget_->render();
+  if (force_time_.is_stale()) force_time_widget_->render();
+}
+
+void ForceCharts::render_next() {
+  const bool time = time_is_next_ ? force_time_.is_stale() : !force_indentation_.is_stale();
+  time_is_next_ = !time;
+  (time ? force_time_widget_ : force_indentation_widget_)->render();
+  if (force_indentation_.is_stale() || force_time_.is_stale()) timer_.start(kBetweenCharts_ms);
 }
 
 }  // namespace pellucida

@@ -1,5 +1,6 @@
 #pragma once
 #include <QSplitter>
+#include <QTimer>
 #include <vector>
 
 #include "pellucida/charts_vtk/ForceChart.h"
@@ -9,13 +10,16 @@ namespace pellucida {
 
 class ViewWidget;
 
-/// Force over indentation and force over time, side by side.
+/// Force over indentation and force over time, side by side. Each is drawn at most ten times a second, one after the
+/// other in events of their own, and only when it has changed: they take most of a software renderer's time.
 class ForceCharts : public QSplitter {
  public:
   explicit ForceCharts(QWidget* parent);
   ~ForceCharts() override;
 
+  /// They are drawn soon.
   void append(const std::vector<Measurement>& rows);
+  /// Draws both now where they have changed.
   void render();
   /// In a low window they may be lower than a view usually is.
   void set_low(bool low);
@@ -23,8 +27,12 @@ class ForceCharts : public QSplitter {
  private:
   ForceChart force_indentation_{ForceChartKind::kForceIndentation};
   ForceChart force_time_{ForceChartKind::kForceTime};
+  void render_next();
+
   ViewWidget* force_indentation_widget_;
   ViewWidget* force_time_widget_;
+  QTimer timer_;
+  bool time_is_next_ = true;
 };
 
 }  // namespace pellucida

@@ -34,6 +34,7 @@ QComboBox* add_choice(Panel& panel, const char* name, const QString& tip) {
   auto* choice = new Choice;
   choice->setObjectName(name);
   choice->setToolTip(tip);
+  choice->setAccessibleName(tip);
   choice->setFocusPolicy(Qt::TabFocus);
   choice->setFixedHeight(26);
   panel.add_control(choice);

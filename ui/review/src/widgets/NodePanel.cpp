@@ -78,10 +78,12 @@ QWidget* NodePanel::build_facts() {
 void NodePanel::build_controls() {
   array_ = new Choice;
   array_->setObjectName("nodeArray");
+  array_->setAccessibleName(words("Quantity of the node"));
   array_->setToolTip(words("What is drawn of the node"));
   for (const NodeArray array : kNodeArrays) array_->addItem(QString::fromStdString(name_of(array)));
   axis_ = new Choice;
   axis_->setObjectName("nodeAxis");
+  axis_->setAccessibleName(words("Axis of the node's chart"));
   axis_->setToolTip(words("Over the session's time, or along the node's meridian in this frame"));
   axis_->addItems({words("over time"), words("along the meridian")});
   for (QComboBox* choice : {array_, axis_}) {

@@ -7,16 +7,24 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
+#include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/PhraseLabel.h"
+#include "widgets/StartButton.h"
 
 namespace pellucida {
+namespace {
+
+constexpr int kRoomForBrand_px = 1200;
+
+}  // namespace
 
 ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) {
   setObjectName("topBar");
@@ -28,10 +36,11 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* mark = new QLabel(this);
   mark->setPixmap(make_icon(Pictogram::kProgram).pixmap(22, 22));
   row->addWidget(mark);
-  auto* brand = new QLabel("Pellucida", this);
-  brand->setObjectName("brand");
-  row->addWidget(brand);
+  brand_ = new QLabel("Pellucida", this);
+  brand_->setObjectName("brand");
+  row->addWidget(brand_);
   row->addSpacing(18);
+  row->addWidget(make_start_button(this));
   QPushButton* open = add_button(row, words("Open"), QKeySequence::Open, words("Open another session"));
   open->setIcon(make_icon(Pictogram::kOpen));
   connect(open, &QPushButton::clicked, this, actions.open);
@@ -46,7 +55,12 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   events_->setCheckable(true);
   events_->setChecked(true);
   events_->setProperty("lit", true);
+  keep_as(*events_, "toggle_E");
   connect(events_, &QPushButton::toggled, this, actions.show_events);
+  QPushButton* cells = add_button(row, words("Cells"), Qt::Key_J, words("Cells of several sessions in one table"));
+  cells->setObjectName("cellsButton");
+  last_ = cells;
+  connect(cells, &QPushButton::clicked, this, actions.cells);
   row->addWidget(make_look_button(QKeySequence("Ctrl+L"), this));
   row->addWidget(make_keys_button(this));
   row->addSpacing(8);
@@ -66,6 +80,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
     session->addWidget(label);
   }
   row->addLayout(session, 1);
+  row->addWidget(new BlockLabel(this));
   show_session(nullptr);
 }
 
@@ -97,12 +112,13 @@ void ReviewBar::add_export(QHBoxLayout* row, const Actions& actions) {
   add(words("Microscope image as PNG") + dots, "exportFeed", actions.export_feed);
   add(words("3-D view as PNG") + dots, "exportView", actions.export_view);
   menu->addSeparator();
-  add(words("Force over time as SVG, PDF or PNG") + dots, "exportTime", actions.export_time);
-  add(words("Force over indentation as SVG, PDF or PNG") + dots, "exportTouch", actions.export_touch);
-  node_ = add(words("Chart of the node as SVG, PDF or PNG") + dots, "exportNode", actions.export_node);
+  add(words("Force over time as SVG, PDF, PNG or CSV") + dots, "exportTime", actions.export_time);
+  add(words("Left chart as SVG, PDF, PNG or CSV") + dots, "exportTouch", actions.export_touch);
+  node_ = add(words("Chart of the node as SVG, PDF, PNG or CSV") + dots, "exportNode", actions.export_node);
   menu->addSeparator();
   add(words("Video of the views") + dots, "exportVideo", actions.export_video);
-  add(words("Tables as CSV") + dots, "exportTables", actions.export_tables);
+  add(words("This frame and its charts as CSV") + dots, "exportSeen", actions.export_seen);
+  add(words("All tables as CSV") + dots, "exportTables", actions.export_tables);
   QAction* report = add(words("Report") + dots, "report", actions.report);
   report->setShortcut(QKeySequence::Print);
   // Keys of a menu that isn't open act too.
@@ -130,8 +146,15 @@ void ReviewBar::show_session(const RecordedSession* session) {
   for (QLabel* label : {name_, facts_}) label->setToolTip("<pre>" + tip.toHtmlEscaped() + "</pre>");
 }
 
+// In a narrow window the session's name counts for more.
+void ReviewBar::resizeEvent(QResizeEvent*) {
+  brand_->setVisible(width() >= kRoomForBrand_px);
+}
+
 void ReviewBar::add(QPushButton& button) {
-  row_->insertWidget(row_->count() - 3, &button);
+  row_->insertWidget(row_->indexOf(last_) + 1, &button);
+  setTabOrder(last_, &button);
+  last_ = &button;
 }
 
 void ReviewBar::show_events(bool shown) {

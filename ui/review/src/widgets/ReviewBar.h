@@ -24,8 +24,10 @@ class ReviewBar : public QWidget {
     std::function<void()> export_node;      ///< the node's chart
     std::function<void()> export_video;     ///< views and charts as a film
     std::function<void()> export_tables;    ///< rows, events and more as CSV
+    std::function<void()> export_seen;      ///< what the window shows now, as CSV
     std::function<void()> report;           ///< the dose passport
     std::function<void(bool)> compare;      ///< with another session; false: no more
+    std::function<void()> cells;            ///< the cells of several sessions
     std::function<void(bool)> show_events;  ///< the list at the side
   };
   ReviewBar(const Actions& actions, QWidget* parent);
@@ -41,6 +43,9 @@ class ReviewBar : public QWidget {
   /// A node is chosen, and has a chart.
   void set_node_chosen(bool chosen);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const QKeySequence& key, const QString& tip);
   void add_export(QHBoxLayout* row, const Actions& actions);
@@ -49,7 +54,9 @@ class ReviewBar : public QWidget {
   QPushButton* export_ = nullptr;
   QPushButton* compare_ = nullptr;
   QPushButton* events_ = nullptr;
+  QWidget* last_ = nullptr;  // of the buttons, in the order of Tab
   QAction* node_ = nullptr;
+  QLabel* brand_ = nullptr;
   QLabel* name_ = nullptr;
   QLabel* facts_ = nullptr;
 };

@@ -99,6 +99,7 @@ void TransportBar::add_speed(QHBoxLayout* row) {
   add("\u2212", Qt::Key_Minus, words("Slower"), -1);
   speed_ = new Choice(this);
   speed_->setObjectName("speed");
+  speed_->setAccessibleName(words("Speed"));
   speed_->setToolTip(words("Speed: times the session's own"));
   speed_->setFixedSize(82, 30);
   speed_->setFocusPolicy(Qt::TabFocus);

@@ -18,6 +18,7 @@ constexpr double kSameSize_ratio = 1e-3;
 Decision decide_virtual(const StartForm& form) {
   StartChoice choice;
   choice.source = "virtual:" + form.scenario;
+  if (form.stiffness != "1") choice.source += ",cell.stiffness_ratio=" + form.stiffness;
   choice.hand = form.hand;
   return choice;
 }

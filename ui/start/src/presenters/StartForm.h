@@ -18,6 +18,7 @@ struct StartForm {
 
   std::string scenario = "injection";
   std::string hand = "demonstration";
+  std::string stiffness = "1";  ///< times that of the scenario's cell
 
   std::string path;
   std::string recording_profile = "mouse-oocyte";

@@ -46,6 +46,16 @@ std::vector<StartEntry> hand_entries() {
       {"none", say("The scenario's own motion"), say("The needle moves as the scenario describes, again and again.")}};
 }
 
+std::vector<StartEntry> stiffness_entries() {
+  const std::string hidden =
+      say(" The window measures with the usual cell's profile and does not know: Scale finds it out.");
+  return {{"1", say("As usual"), say("The cell is as stiff as its profile says.")},
+          {"0.5", say("Half as stiff"), say("Every push needs half the force.") + hidden},
+          {"1.5", say("1.5 times as stiff"), say("Every push needs one and a half times the force.") + hidden},
+          {"2", say("Twice as stiff"), say("Every push needs twice the force.") + hidden},
+          {"4", say("Four times as stiff"), say("Every push needs four times the force.") + hidden}};
+}
+
 std::vector<StartEntry> profile_entries() {
   std::vector<StartEntry> entries;
   for (const auto& name : list_resources("profiles", ".json")) {

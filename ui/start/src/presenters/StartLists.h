@@ -17,6 +17,8 @@ struct StartEntry {
 std::vector<StartEntry> scenario_entries();
 /// What may move the needle of a virtual source, as `--hand` takes it.
 std::vector<StartEntry> hand_entries();
+/// How stiff the virtual cell is, as a factor on its forces.
+std::vector<StartEntry> stiffness_entries();
 /// The shipped profiles by name, with the kind of cell. Throws as `load_profile`.
 std::vector<StartEntry> profile_entries();
 /// The shipped lessons in their order. Throws as `all_lessons`.

@@ -10,6 +10,7 @@
 #include "presenters/StartLists.h"
 #include "widgets/CardFields.h"
 #include "widgets/Choice.h"
+#include "widgets/PixelSizeDialog.h"
 
 namespace pellucida {
 
@@ -22,7 +23,10 @@ CameraCard::CameraCard(const StartForm& form, std::filesystem::path listing, std
   auto* again = new QPushButton(words("Search again"));
   again->setObjectName("searchCameras");
   again->setFixedHeight(28);
-  connect(again, &QPushButton::clicked, this, [this] { search(value_of(*camera_)); });
+  connect(again, &QPushButton::clicked, this, [this] {
+    search(value_of(*camera_));
+    show_size();
+  });
   add_widget(again);
   profile_ = make_choice(profile_entries(), form.camera_profile);
   add_field(words("Profile of the cell"), profile_, "cameraProfile");
@@ -33,12 +37,17 @@ CameraCard::CameraCard(const StartForm& form, std::filesystem::path listing, std
   camera_pixel_field_ = add_field(words("Camera's own pixel"), camera_pixel_, "cameraPixel");
   specimen_pixel_ = make_number_line("µm", words("such as 0.825"), form.specimen_pixel_um);
   specimen_pixel_field_ = add_field(words("Pixel in the specimen"), specimen_pixel_, "specimenPixel");
+  add_widget(measure_ = make_measure_button());
+  connect(measure_, &QPushButton::clicked, this, [this] { measure_pixel_size(); });
   add_widget(computed_ = new QLabel);
   computed_->setObjectName("computedSize");
   finish();
   connect(objective_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] { show_size(); });
   connect(camera_pixel_, &QLineEdit::textChanged, this, [this] { show_size(); });
-  connect(specimen_pixel_, &QLineEdit::textEdited, this, [this] { specimen_pixel_field_->show_problem({}); });
+  connect(specimen_pixel_, &QLineEdit::textEdited, this, [this] {
+    specimen_pixel_field_->show_problem({});
+    specimen_pixel_field_->show_note({});
+  });
   connect(specimen_pixel_, &QLineEdit::editingFinished, this, [this] {
     specimen_pixel_field_->show_problem(read_number(specimen_pixel_->text().toStdString(), kPixelSizeNumber).problem);
   });
@@ -62,10 +71,24 @@ void CameraCard::search(const std::string& chosen) {
   camera_field_->show_problem({});
 }
 
+void CameraCard::measure_pixel_size() {
+  auto* dialog = new PixelSizeDialog(
+      value_of(*camera_),
+      [this](const PixelMeasure& measure) {
+        specimen_pixel_->setText(QString::fromStdString(measure.typed));
+        specimen_pixel_field_->show_problem({});
+        specimen_pixel_field_->show_note(measured_note(measure));
+      },
+      window());
+  dialog->open();
+}
+
 void CameraCard::show_size() {
   const std::string objective = value_of(*objective_);
   camera_pixel_field_->setVisible(!objective.empty());
   specimen_pixel_field_->setVisible(objective.empty());
+  measure_->setVisible(objective.empty());
+  measure_->setEnabled(!value_of(*camera_).empty());
   camera_pixel_field_->show_problem({});
   specimen_pixel_field_->show_problem({});
   computed_->setVisible(!objective.empty());

@@ -5,6 +5,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace pellucida {
 
@@ -23,6 +24,7 @@ class CameraCard final : public StartCard {
  private:
   void search(const std::string& chosen);
   void show_size();
+  void measure_pixel_size();
 
   std::filesystem::path listing_;
   Choice* camera_;
@@ -31,6 +33,7 @@ class CameraCard final : public StartCard {
   QLineEdit* camera_pixel_;
   QLineEdit* specimen_pixel_;
   QLabel* computed_;
+  QPushButton* measure_;
   CardField* camera_field_;
   CardField* camera_pixel_field_;
   CardField* specimen_pixel_field_;

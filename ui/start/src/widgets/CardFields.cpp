@@ -4,10 +4,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QStyle>
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "Words.h"
+#include "presenters/PixelMeasure.h"
 #include "widgets/Choice.h"
 
 namespace pellucida {
@@ -98,6 +101,18 @@ QLineEdit* make_number_line(const QString& unit, const QString& placeholder, con
   dim_while_empty();
   line->setTextMargins(0, 0, label->sizeHint().width() + 8, 0);
   return line;
+}
+
+QPushButton* make_measure_button() {
+  auto* button = new QPushButton(words("Measure on the image ..."));
+  button->setObjectName("measurePixel");
+  button->setFixedHeight(kControlHeight_px);
+  button->setToolTip(words("By a scale bar, or a needle of known diameter"));
+  return button;
+}
+
+std::string measured_note(const PixelMeasure& measure) {
+  return words("Measured: %1").arg(QString::fromStdString(measure.text)).toStdString();
 }
 
 }  // namespace pellucida

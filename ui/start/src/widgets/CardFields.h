@@ -7,11 +7,13 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QVBoxLayout;
 
 namespace pellucida {
 
 class Choice;
+struct PixelMeasure;
 
 /// A named control with a place for a note and one for an error below it; hidden while they are empty.
 class CardField : public QWidget {
@@ -36,5 +38,9 @@ Choice* make_choice(const std::vector<StartEntry>& entries, const std::string& c
 std::string value_of(const Choice& choice);
 /// A line for a number, with its unit at the right end.
 QLineEdit* make_number_line(const QString& unit, const QString& placeholder, const std::string& text);
+
+/// Opens the measurement of a pixel on an image; and what is said below the field that it filled in.
+QPushButton* make_measure_button();
+std::string measured_note(const PixelMeasure& measure);
 
 }  // namespace pellucida

@@ -10,6 +10,7 @@
 #include "presenters/StartLists.h"
 #include "widgets/CardFields.h"
 #include "widgets/Choice.h"
+#include "widgets/PixelSizeDialog.h"
 
 namespace pellucida {
 
@@ -26,6 +27,8 @@ RecordingCard::RecordingCard(const StartForm& form, Actions actions)
   add_field(words("Profile of the cell"), profile_, "recordingProfile");
   pixel_ = make_number_line("µm", words("from the file"), form.recording_pixel_um);
   pixel_field_ = add_field(words("Edge of a pixel"), pixel_, "recordingPixel");
+  add_widget(measure_ = make_measure_button());
+  connect(measure_, &QPushButton::clicked, this, [this] { measure_pixel_size(); });
   rate_ = make_number_line(words("frames/s"), words("from the file"), form.frame_rate_hz);
   rate_field_ = add_field(words("Frame rate"), rate_, "frameRate");
   finish();
@@ -39,6 +42,7 @@ RecordingCard::RecordingCard(const StartForm& form, Actions actions)
     if (path_->text().isEmpty() || judged_ || look_.running()) return;
     look_at(path_->text().toStdString(), false);
   });
+  connect(pixel_, &QLineEdit::textEdited, this, [this] { pixel_field_->show_note({}); });
   for (QLineEdit* line : {pixel_, rate_}) {
     connect(line, &QLineEdit::textEdited, this, [this] { clear_problems(); });
     connect(line, &QLineEdit::editingFinished, this, [this] { check_numbers(); });
@@ -61,6 +65,23 @@ QWidget* RecordingCard::build_path_row() {
     row->addWidget(button, 1);
   }
   return buttons;
+}
+
+// On the first image of what the path was seen to be.
+void RecordingCard::measure_pixel_size() {
+  if (!judged_ || judged_->kind != PathKind::kRecording) {
+    show_problem({StartField::kPath, words("Choose a file or a folder of images first.").toStdString()});
+    return;
+  }
+  auto* dialog = new PixelSizeDialog(
+      judged_->path.string(),
+      [this](const PixelMeasure& measure) {
+        pixel_->setText(QString::fromStdString(measure.typed));
+        check_numbers();
+        pixel_field_->show_note(measured_note(measure));
+      },
+      window());
+  dialog->open();
 }
 
 void RecordingCard::take(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 #include "widgets/StartCard.h"
 
 class QLineEdit;
+class QPushButton;
 
 namespace pellucida {
 
@@ -36,6 +37,7 @@ class RecordingCard final : public StartCard {
 
  private:
   QWidget* build_path_row();
+  void measure_pixel_size();
   void look_at(const std::filesystem::path& path, bool report_session);
   void show_judgement(const PathJudgement& judgement);
   void check_numbers();
@@ -45,6 +47,7 @@ class RecordingCard final : public StartCard {
   QLineEdit* path_;
   Choice* profile_;
   QLineEdit* pixel_;
+  QPushButton* measure_;
   QLineEdit* rate_;
   CardField* path_field_;
   CardField* pixel_field_;

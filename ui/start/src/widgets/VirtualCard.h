@@ -8,7 +8,7 @@ namespace pellucida {
 
 class Choice;
 
-/// The virtual microscope: scenario and hand.
+/// The virtual microscope: scenario, stiffness of the cell, and hand.
 class VirtualCard final : public StartCard {
  public:
   VirtualCard(const StartForm& form, std::function<void()> start);
@@ -22,10 +22,13 @@ class VirtualCard final : public StartCard {
   void show_details();
 
   std::vector<StartEntry> scenarios_;
+  std::vector<StartEntry> stiffnesses_;
   std::vector<StartEntry> hands_;
   Choice* scenario_;
+  Choice* stiffness_;
   Choice* hand_;
   CardField* scenario_field_;
+  CardField* stiffness_field_;
   CardField* hand_field_;
 };
 

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "Theme.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
@@ -62,7 +63,7 @@ void FigureBar::show_what_fits() {
 
 void FigureBar::show_state(const Phrase& state) {
   state_->setText(QString::fromStdString(state.text));
-  state_->setStyleSheet("background: " + QString::fromStdString(state.color.css()));
+  set_sheet(*state_, "background: " + QString::fromStdString(state.color.css()));
 }
 
 void FigureBar::show_figures(const std::vector<Phrase>& figures) {

@@ -42,6 +42,9 @@ std::vector<double> values_in(std::span<const BatchRow> rows, const std::string&
 
 /// Every group and quantity, compared with the first group named.
 std::vector<GroupRow> compare_groups(std::span<const BatchRow> rows, std::span<const std::string> groups);
+/// One quantity: `values` of each of `groups`, NaN left out.
+std::vector<GroupRow> compare_groups(std::string_view quantity, std::span<const std::string> groups,
+                                     std::vector<std::vector<double>> values);
 std::string groups_csv(std::span<const GroupRow> groups);
 
 /// What a table of conditions holds.

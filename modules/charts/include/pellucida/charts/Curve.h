@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace pellucida {
@@ -25,9 +26,11 @@ struct Curve {
 /// the greatest remain, so that peaks keep their height. Gaps remain.
 Curve thinned(const Curve& curve, std::size_t most);
 
-/// A band round a curve that goes back and forth in `x`: at `count` places from the least `x` to the greatest the least
-/// `lower` and the greatest `upper` nearby, `y` between them. The curve's gaps are none of the band's.
-Curve band_around(const Curve& curve, std::size_t count);
+/// Places of the numbers that exceed all before them: of a needle's depths, the way in. NaN is none.
+std::vector<std::size_t> way_in(std::span<const double> x);
+/// The band of a curve that goes back and forth in `x`, along its way in alone: those of a hold and of the way back
+/// would lie on it as one block. The curve's gaps are none of the band's.
+Curve band_of_way_in(const Curve& curve);
 /// Whether `x` never falls.
 bool is_ascending(const Curve& curve);
 

@@ -97,6 +97,12 @@ struct ForceEstimate {
   /// patch and pulls at its middle. All nodes together sum to zero, since the outer forces do.
   Eigen::Matrix3Xd force_uN;
   Eigen::VectorXd force_sigma_uN;     ///< (n) standard deviation of its magnitude
+  /// (3 x n) uN, frame W: forces of the needle and of the holding pipette on the membrane, 0 on nodes they don't touch.
+  /// What balances their sum with `force_uN` is the liquid's pressure. Of a single node they say little: how a tool's
+  /// force is spread over its patch depends on the bond; their sums are `tip_force_uN` and its reaction.
+  Eigen::Matrix3Xd needle_force_uN, holder_force_uN;
+  /// (n) %, the model's: area of the triangles round a node against that at rest, less 1.
+  Eigen::VectorXd area_strain_percent;
   Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
 };
 

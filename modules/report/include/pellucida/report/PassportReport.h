@@ -29,6 +29,10 @@ struct PassportReport {
 /// Where a report goes without a folder of its own: in the session's, where `pellucida check` leaves it alone.
 inline constexpr const char* kReportFolder = "report";
 
+/// The files that `write_report` writes: the page, then the tables.
+std::vector<std::filesystem::path> report_names(const std::filesystem::path& session,
+                                                const std::filesystem::path& output);
+
 /// Writes `report.html`, `cells.csv` and `contacts.csv` into the folder `output`; where `output` ends in `.html`, the
 /// page under that name and the tables beside it (`NAME_cells.csv`, `NAME_contacts.csv`); where it is empty, into
 /// `SESSION/report`. Each file replaces an older one at once. The session's own files are not touched.

@@ -15,6 +15,8 @@ struct Annotation {
   };
   double time_s = 0.0;  ///< of the session
   std::optional<Place> place_um;
+  /// One more place: a distance from `place_um` to it was measured. Two: the angle at the first of them.
+  std::vector<Place> further_um;
   std::optional<long> node;  ///< of the frame's surface, from 0
   std::string text;          ///< UTF-8, one line
 };

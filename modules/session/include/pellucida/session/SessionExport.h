@@ -27,6 +27,9 @@ struct ExportReport {
   std::size_t node_count = 0;                ///< rows of `nodes.csv`
 };
 
+/// The files that an export into `output` may write; the last ones only where a session has what belongs in them.
+std::vector<std::filesystem::path> export_names(const std::filesystem::path& output);
+
 /// Writes a session as flat files for other tools: `measurements.csv`, `events.csv`, `contours.csv`
 /// (`frame,membrane,point,x_um,y_um`), `nodes.csv`
 /// (`frame,node,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_sigma_uN`); if a hand was recorded, `haptics.csv`

@@ -35,6 +35,7 @@ struct Scenario {
     double center_x_um = 270.0;
     double center_y_um = 200.0;
     double size_scale = 1.0;
+    double stiffness_ratio = 1.0;
     double perivitelline_gap_um = 0.0;
     bool in_view = true;
   } cell;
@@ -122,9 +123,9 @@ struct Scenario {
   std::uint64_t seed = 1;
 };
 
-/// Reads a scenario: a name in `resources/scenarios` or a JSON file.
-/// Throws InputError (no such scenario; not JSON), UsageError (unknown key; wrong type; value outside its range: names
-/// key, value and range).
+/// Reads a scenario: a name in `resources/scenarios` or a JSON file. Keys may follow that replace those of the file:
+/// `injection,cell.stiffness_ratio=2`; they become part of its name. Throws InputError (no such scenario; not JSON),
+/// UsageError (unknown key; wrong type; value outside its range: names key, value and range).
 Scenario load_scenario(std::string_view name_or_file);
 
 /// The same from JSON text; `name` is used in messages.

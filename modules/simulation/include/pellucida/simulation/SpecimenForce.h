@@ -47,6 +47,7 @@ class SpecimenForce {
     PlainVector3 axis;       ///< unit, from the cell's centre to the needle
     PlainVector3 across;     ///< unit, at right angles to it in the image plane
     double size_scale = 1.0;
+    double stiffness_ratio = 1.0;  ///< factor on all forces
   };
   /// Reads the tables of a cell in a configuration. Without a table of offsets, as of specimens that were computed on
   /// their axis only, the centre's curve counts beside it too, and a tip 1 um off is out of range. Throws as

@@ -81,6 +81,7 @@ class VirtualSpecimen {
  private:
   std::unique_ptr<const SectionField> sections_;
   double scale_ = 1.0;
+  double stiffness_ratio_ = 1.0;
   SpecimenPose pose_;
   Eigen::Vector2d holder_direction_ = Eigen::Vector2d::UnitX();
   SpecimenContact contact_;

@@ -15,7 +15,7 @@ inline constexpr double kDirectionStep = 1.0 / 8192.0;
 /// Components of the force on a node are multiples of a power of two, at most this share of the force's standard
 /// deviation at the node.
 inline constexpr double kForceStepShare = 1.0 / 32.0;
-/// Tension and `force_sigma_uN` have so many binary digits: off by 0.1 % at most.
+/// Tension, area strain and `force_sigma_uN` have so many binary digits: off by 0.1 % at most.
 inline constexpr int kRelativeBits = 10;
 }  // namespace surface_precision
 
@@ -24,7 +24,7 @@ inline constexpr int kRelativeBits = 10;
 /// finite numbers stay what they are. `surface` isn't changed.
 vtkSmartPointer<vtkPolyData> narrowed_surface(vtkPolyData* surface);
 
-/// The same for force, its standard deviation and tension alone, in place: arrays of these names are replaced, none is
+/// The same for what the mechanics adds (forces, their standard deviation, tension, area strain) alone, in place: arrays of these names are replaced, none is
 /// changed.
 void narrow_forces(vtkPolyData* surface);
 

@@ -50,14 +50,19 @@ class NoteControl : public QObject {
   QPushButton& button() noexcept { return *button_; }
 
   /// Annotations that can't be read are left alone, and said.
-  void set_session(const std::filesystem::path& folder);
+  void set_session(const std::filesystem::path& folder, double pixel_size_um);
+  double pixel_size_um() const noexcept { return pixel_size_um_; }
+  /// Whether a note can be made now; says why where it can't.
+  bool ready();
+  /// Adds a note at the time shown; its own time is left out of account.
+  void keep(Annotation note);
   /// The note at that time in the strip, which hides without one.
   void show_at(double time_s);
   const std::vector<Annotation>& notes() const noexcept;
   /// Marks on the image for the notes at that time that have a place.
   std::vector<HintMark> marks_at(double time_s) const;
   /// A note in the list of events: its words, then its node or place.
-  static std::string listed(const Annotation& note);
+  std::string listed(const Annotation& note) const;
 
  protected:
   bool eventFilter(QObject* target, QEvent* event) override;
@@ -69,6 +74,8 @@ class NoteControl : public QObject {
   void begin(std::optional<Eigen::Vector2d> place_um);
   void write();
   void remove();
+  void show_note();
+  void leaf(int by);
   void step_back(bool forwards);
   void attempt(const std::function<void()>& change);
 
@@ -79,12 +86,15 @@ class NoteControl : public QObject {
   std::optional<Annotation> draft_;   // being written for the first time
   std::optional<std::size_t> shown_;  // of the book, in the strip
   double shown_s_ = 0.0;
+  double pixel_size_um_ = 0.0;
+  std::string prompt_;
   bool waits_ = false;
   bool swallows_release_ = false;
   QFrame* strip_ = nullptr;
   QLabel* where_ = nullptr;
   QLineEdit* text_ = nullptr;
   QPushButton* delete_ = nullptr;
+  QPushButton* next_ = nullptr;
   QPushButton* button_ = nullptr;
 };
 

@@ -10,7 +10,6 @@ namespace pellucida {
 
 /// Options of the start page.
 struct StartOptions : WindowOptions {
-  bool remembered_size = true;            ///< open in the size it last had, where one is remembered
   std::string problem;                    ///< why the last choice came to nothing, shown on its card; empty: no problem
   std::filesystem::path recording;        ///< file or folder to fill in; empty: none
   std::filesystem::path settings_file;    ///< what is remembered; empty: `Pellucida/start.ini` in the user's settings

@@ -17,6 +17,20 @@ struct CurveMark {
   Color color;
 };
 
+/// How a named curve is drawn.
+enum class CurveRole {
+  kBack,            ///< the same as the curve, on its way back: dashed, in its colour
+  kReference,       ///< what a model or a table says: dashed, in a colour of its own
+  kFaintReference,  ///< likewise, in grey
+};
+
+/// A further curve, without a band.
+struct NamedCurve {
+  std::string name;
+  Curve curve;
+  CurveRole role = CurveRole::kReference;
+};
+
 /// What a `CurveChart` shows.
 struct CurveChartData {
   std::string x_title;  ///< with its unit
@@ -26,7 +40,8 @@ struct CurveChartData {
   Curve inner;                         ///< the same points with a narrower band, drawn over it; empty: none
   Curve other;                         ///< what it is held against, in another colour, with its band
   std::string curve_name, other_name;  ///< where there are two curves, each is named
-  std::string faint_name;              ///< of the grey one beside them; may be empty
+  std::vector<NamedCurve> named;       ///< below the curve; each is named, and so is the curve then
+  std::string band_name;               ///< of the curve, in print; empty: the 95 % interval
   std::vector<CurveMark> marks;
   double x_begin = 0.0;  ///< ends of the x axis; equal: 0 and a round number above the data
   double x_end = 0.0;
@@ -67,6 +82,7 @@ class CurveChart : public View {
  private:
   struct Plots;
   void fill();
+  std::vector<const Curve*> curves() const;
   void set_ranges(double width_px, double height_px);
   void draw_marks(HudCanvas& hud) const;
   void draw_names(HudCanvas& hud) const;

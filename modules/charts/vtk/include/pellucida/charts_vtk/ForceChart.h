@@ -16,7 +16,8 @@ enum class ForceChartKind {
   kForceTime,         ///< the last `time_window_s`, or all
 };
 
-/// A curve of the contact force in uN with its 95 % band and the present value marked; over time also the moments of
+/// A curve of the contact force in uN with its 95 % band and the present value marked; over indentation the band goes
+/// along the way in alone, and the present value has its interval as a bar; over time also the moments of
 /// contact, puncture and loss.
 class ForceChart : public View {
  public:
@@ -28,6 +29,8 @@ class ForceChart : public View {
   /// A curve behind the others on kForceIndentation, in place of the touch before; `name` is written beside it.
   void set_reference(std::string name, const std::vector<double>& depth_um, const std::vector<double>& force_uN);
   void follow_theme() override;
+  /// True when the next rendering would show something else than the last one.
+  bool is_stale() const noexcept { return changed_; }
   /// The newest point, as it is marked.
   std::optional<TracePoint> newest() const;
   /// Width of the time axis in s; 0 (the default) shows all. Of no effect on kForceIndentation.
@@ -44,6 +47,7 @@ class ForceChart : public View {
   void fill();
   void set_ranges();
   void draw_marks(HudCanvas& hud) const;
+  void draw_interval(HudCanvas& hud, const TracePoint& point) const;
 
   ForceChartKind kind_;
   const std::vector<TracePoint>& behind() const;

@@ -18,15 +18,19 @@ inline constexpr const char* kConfidence = "confidence";         ///< points of 
 inline constexpr const char* kSigma = "sigma_um";                ///< points of a contour
 inline constexpr const char* kTool = "tool";                     ///< cells: 0 needle, 1 holder
 inline constexpr const char* kEvidence = "evidence";  ///< cells of the tools: NeedleEvidence's bits; 0 for the holder
-inline constexpr const char* kTipSigma = "tip_sigma_um";         ///< cells of the tools; 0 for the holder
-inline constexpr const char* kForce = "force_uN";                ///< points of the surface, 3 components
-inline constexpr const char* kForceSigma = "force_sigma_uN";     ///< points of the surface
-inline constexpr const char* kDisplacement = "displacement_um";  ///< points of the surface, 3 components
-inline constexpr const char* kTension = "tension_uN_per_um";     ///< points of the surface
-inline constexpr const char* kPath = "path";                     ///< cells of a recording of the hand: 0 hand, 1 tip
-inline constexpr const char* kCenter = "center_um";              ///< field data of membranes and surface, 3 values
-inline constexpr const char* kAxis = "axis";                     ///< field data, 3 values: unit, cell centre to needle
-inline constexpr const char* kRestRadius = "rest_radius_um";     ///< field data, 2 values: outer, inner; 0 = unknown
+inline constexpr const char* kTipSigma = "tip_sigma_um";      ///< cells of the tools; 0 for the holder
+inline constexpr const char* kForce = "force_uN";             ///< points of the surface, 3 components
+inline constexpr const char* kForceSigma = "force_sigma_uN";  ///< points of the surface
+inline constexpr const char* kNeedleForce =
+    "needle_force_uN";  ///< points of the surface, 3: the needle's on the membrane
+inline constexpr const char* kHolderForce = "holder_force_uN";     ///< points of the surface, 3: the holding pipette's
+inline constexpr const char* kAreaStrain = "area_strain_percent";  ///< points of the surface
+inline constexpr const char* kDisplacement = "displacement_um";    ///< points of the surface, 3 components
+inline constexpr const char* kTension = "tension_uN_per_um";       ///< points of the surface
+inline constexpr const char* kPath = "path";                       ///< cells of a recording of the hand: 0 hand, 1 tip
+inline constexpr const char* kCenter = "center_um";                ///< field data of membranes and surface, 3 values
+inline constexpr const char* kAxis = "axis";                  ///< field data, 3 values: unit, cell centre to needle
+inline constexpr const char* kRestRadius = "rest_radius_um";  ///< field data, 2 values: outer, inner; 0 = unknown
 inline constexpr const char* kRestDirection =
     "rest_direction";  ///< points of the surface, 3: unit, from the cell centre
 }  // namespace array_name

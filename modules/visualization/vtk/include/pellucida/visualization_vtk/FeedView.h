@@ -20,6 +20,15 @@ enum class FeedFraming {
   kFrame,  ///< the whole frame
 };
 
+/// How bright the image is shown; what is measured in it stays the same.
+struct ImageLook {
+  bool follows = true;      ///< black and white follow the image slowly; else they stay as they are
+  double brightness = 0.0;  ///< -1..1: of the range from black to white
+  double contrast = 1.0;    ///< > 0: times as steep
+
+  bool operator==(const ImageLook&) const = default;
+};
+
 /// A line of the feed's legend.
 struct LegendRow {
   std::string text;
@@ -48,6 +57,8 @@ class FeedView : public View {
   /// Frames this place in place of the cell that is found, until a picture of another size comes.
   void frame_place(const Eigen::Vector2d& middle_um, double radius_um);
 
+  void set_image_look(const ImageLook& look);
+  const ImageLook& image_look() const noexcept { return image_look_; }
   void show_contours(bool shown);
   void show_model_section(bool shown);
   void show_tools(bool shown);
@@ -55,11 +66,13 @@ class FeedView : public View {
   void show_legend(bool shown);
   /// The injection plan: the straight path with its corridor, entry, depth stop and target. Nothing: none is drawn.
   void set_plan(const std::optional<PlanMarks>& plan);
+  const std::optional<PlanMarks>& plan() const noexcept { return plan_; }
 
   /// Where a person pointed.
   void set_hints(std::vector<HintMark> marks) { hints_ = std::move(marks); }
   /// What a click is waited for, large at the top; empty for nothing.
   void set_prompt(std::string utf8) { prompt_ = std::move(utf8); }
+  const std::string& prompt() const noexcept { return prompt_; }
   /// Where the manipulator says that the tip is: for the arrow at the edge while the needle isn't seen.
   void set_reported_tip(const std::optional<Eigen::Vector2d>& tip_um) { reported_tip_um_ = tip_um; }
   /// Where a place of the view, logical pixels from its upper left corner, lies in the image plane, um.
@@ -78,6 +91,7 @@ class FeedView : public View {
   struct Pipeline;
 
   void refresh_window_level(vtkImageData* frame);
+  void apply_image_look();
   void refresh_cell_frame();
   void refresh_legend();
 
@@ -102,6 +116,7 @@ class FeedView : public View {
   double cell_um_[2] = {0.0, 0.0};  // middle of the framed cell
   double cell_radius_um_ = 0.0;     // 0 before one was found
   bool cell_given_ = false;         // by `frame_place`
+  ImageLook image_look_;
   double window_low_ = 0.0;
   double window_high_ = 0.0;
   double fitted_scale_um_ = 0.0;
