@@ -46,10 +46,6 @@ and </source>
 und </translation>
     </message>
     <message>
-        <source>   In contact   </source>
-        <translation>   In Kontakt   </translation>
-    </message>
-    <message>
         <source> % OF LIMIT</source>
         <translation> % DER GRENZE</translation>
     </message>
@@ -236,6 +232,8 @@ und </translation>
     <message>
         <source> µm beyond the entry</source>
         <translation> µm hinter dem Eintritt</translation>
+    </message>
+    <message>
         <source> µm per px</source>
         <translation> µm je px</translation>
     </message>
@@ -374,6 +372,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
     </message>
     <message>
+        <source>1.5 times as stiff</source>
+        <translation>1.5-mal so steif</translation>
+    </message>
+    <message>
         <source>2-D image</source>
         <translation>2-D-Bild</translation>
     </message>
@@ -388,8 +390,6 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     <message>
         <source>3-D view</source>
         <translation>3-D-Ansicht</translation>
-        <source>1.5 times as stiff</source>
-        <translation>1.5-mal so steif</translation>
     </message>
     <message>
         <source>3-D view as PNG</source>
@@ -490,6 +490,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Geometrie und Konstanten eines Profils</translation>
     </message>
     <message>
+        <source>A push on each point, outwards; inwards below 0</source>
+        <translation>Ein Druck auf jeden Punkt, nach außen; unter 0 nach innen</translation>
+    </message>
+    <message>
+        <source>A recorded session …</source>
+        <translation>Eine aufgezeichnete Sitzung …</translation>
+    </message>
+    <message>
         <source>A recorded session: it opens in Review.</source>
         <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
     </message>
@@ -498,8 +506,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine Aufnahme enthält das Netz des Modells nicht</translation>
     </message>
     <message>
+        <source>A recording is running. Everything recorded so far is kept.</source>
+        <translation>Eine Aufnahme läuft. Alles bisher Aufgenommene bleibt erhalten.</translation>
+    </message>
+    <message>
         <source>A remark for the session's events; Enter writes it</source>
         <translation>Bemerkung zu den Ereignissen der Sitzung; Eingabe schreibt sie</translation>
+    </message>
+    <message>
         <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
         <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
     </message>
@@ -516,6 +530,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ein simulierter Bediener injiziert Zelle um Zelle.</translation>
     </message>
     <message>
+        <source>A solid wall (finite elements)</source>
+        <translation>Eine feste Wand (finite Elemente)</translation>
+    </message>
+    <message>
         <source>A video, a folder of images or a stack is measured; a recorded session opens in Review.</source>
         <translation>Video, Bilderordner oder Bildstapel werden gemessen; eine aufgezeichnete Sitzung öffnet sich in der Auswertung.</translation>
     </message>
@@ -528,8 +546,6 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Fügt den Ereignissen der Sitzung eine Bemerkung hinzu</translation>
     </message>
     <message>
-        <source>All keys of this window</source>
-        <translation>Alle Tasten dieses Fensters</translation>
         <source>Add sessions</source>
         <translation>Sitzungen hinzufügen</translation>
     </message>
@@ -540,6 +556,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>All columns of the report's cells.csv, with the group of each</source>
         <translation>Alle Spalten der cells.csv des Berichts, mit der Gruppe jeder Zelle</translation>
+    </message>
+    <message>
+        <source>All keys of this window</source>
+        <translation>Alle Tasten dieses Fensters</translation>
     </message>
     <message>
         <source>All kinds</source>
@@ -556,6 +576,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Along x, y, z</source>
         <translation>Längs x, y, z</translation>
+    </message>
+    <message>
+        <source>An active contour on a picture, step by step</source>
+        <translation>Eine aktive Kontur auf einem Bild, Schritt für Schritt</translation>
     </message>
     <message>
         <source>An angle: three clicks, the second at its vertex</source>
@@ -596,6 +620,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>As at the start</source>
         <translation>Wie am Anfang</translation>
+    </message>
+    <message>
         <source>As usual</source>
         <translation>Wie üblich</translation>
     </message>
@@ -608,12 +634,36 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>An einer Stelle im Bild</translation>
     </message>
     <message>
+        <source>At equal distances, as a snake's points</source>
+        <translation>In gleichen Abständen, wie die Punkte einer Snake</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>At the nearest place</source>
+        <translation>An der nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
         <source>At this time, on the node picked</source>
         <translation>Zu diesem Zeitpunkt, am gewählten Knoten</translation>
     </message>
     <message>
         <source>Axis of the node's chart</source>
         <translation>Achse des Diagramms des Knotens</translation>
+    </message>
+    <message>
+        <source>BALLOON</source>
+        <translation>BALLON</translation>
+    </message>
+    <message>
+        <source>BENDING</source>
+        <translation>BIEGUNG</translation>
     </message>
     <message>
         <source>Back to its kind</source>
@@ -624,8 +674,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zurück zum ersten Blickpunkt</translation>
     </message>
     <message>
+        <source>Balloon</source>
+        <translation>Ballon</translation>
+    </message>
+    <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Bending, β</source>
+        <translation>Biegung, β</translation>
     </message>
     <message>
         <source>Beside the measured one, from the specimen's own finite elements; never recorded</source>
@@ -644,6 +702,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Instabil geworden nach </translation>
     </message>
     <message>
+        <source>Blur</source>
+        <translation>Unschärfe</translation>
+    </message>
+    <message>
+        <source>Both read the same contour with the same springs. In equilibrium the contour says how deep the needle is, and the shape is the network's own; prescribed, every node is laid on the contour, and the connectors under the tip are read.</source>
+        <translation>Beide lesen dieselbe Kontur mit denselben Federn. Im Gleichgewicht sagt die Kontur, wie tief die Nadel ist, und die Form ist die des Netzes selbst; vorgeschrieben liegt jeder Knoten auf der Kontur, und die Verbinder unter der Spitze werden abgelesen.</translation>
+    </message>
+    <message>
         <source>Both views, and the cell's force on the hand</source>
         <translation>Beide Ansichten, und die Kraft der Zelle an der Hand</translation>
     </message>
@@ -658,6 +724,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Bringing the needle back into view</source>
         <translation>Nadel kommt ins Bild zurück</translation>
+    </message>
+    <message>
         <source>By a scale bar, or a needle of known diameter</source>
         <translation>An einem Maßstabsbalken oder einer Nadel bekannten Durchmessers</translation>
     </message>
@@ -698,8 +766,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zelle</translation>
     </message>
     <message>
+        <source>Cell at rest</source>
+        <translation>Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>Cell with a deep dimple</source>
+        <translation>Zelle mit tiefer Delle</translation>
+    </message>
+    <message>
+        <source>Cell with a dimple</source>
+        <translation>Zelle mit Delle</translation>
+    </message>
+    <message>
         <source>Cells</source>
         <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of several sessions in one table</source>
+        <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
     </message>
     <message>
         <source>Cells of this run</source>
@@ -710,18 +794,12 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zellen dieses Laufs mit ihrem Ausgang, und der Ordner der Aufnahmen</translation>
     </message>
     <message>
-        <source>Change</source>
-        <translation>Ändern</translation>
-    </message>
-    <message>
-        <source>Chart of the node as SVG, PDF or PNG</source>
-        <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
-        <source>Cells of several sessions in one table</source>
-        <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
-    </message>
-    <message>
         <source>Cells read: %1, from sessions: %2</source>
         <translation>Gelesene Zellen: %1, aus Sitzungen: %2</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
     </message>
     <message>
         <source>Change of the membrane's area from rest, from the model: red is larger, blue smaller, grey zero.</source>
@@ -748,6 +826,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ordner wählen</translation>
     </message>
     <message>
+        <source>Choose a session</source>
+        <translation>Sitzung wählen</translation>
+    </message>
+    <message>
         <source>Choose card %1</source>
         <translation>Karte %1 wählen</translation>
     </message>
@@ -758,6 +840,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Choose the folder of a session, or drop it on this window.</source>
         <translation>Wählen Sie den Ordner einer Sitzung, oder ziehen Sie ihn auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klicken</translation>
     </message>
     <message>
         <source>Click a node of the cell: each term of the equations becomes an arrow.</source>
@@ -832,6 +918,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Grob 100:1</translation>
     </message>
     <message>
+        <source>Collapsed</source>
+        <translation>Zusammengefallen</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -880,6 +970,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kontakt, </translation>
     </message>
     <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
         <source>Contours</source>
         <translation>Konturen</translation>
     </message>
@@ -896,6 +990,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>TIEFE</translation>
     </message>
     <message>
+        <source>DEPTH SEEN</source>
+        <translation>GESEHENE TIEFE</translation>
+    </message>
+    <message>
         <source>DO</source>
         <translation>AUFGABE</translation>
     </message>
@@ -910,6 +1008,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Damping ratio</source>
         <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>Dark lines</source>
+        <translation>Dunkle Linien</translation>
     </message>
     <message>
         <source>Deflection</source>
@@ -934,6 +1036,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Depositing</source>
         <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>Depth at peak (µm)</source>
@@ -984,14 +1090,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Verschiebung (µm)</translation>
     </message>
     <message>
-        <source>Display ▾</source>
-        <translation>Darstellung ▾</translation>
         <source>Displacement of a node (µm)</source>
         <translation>Verschiebung eines Knotens (µm)</translation>
     </message>
     <message>
         <source>Displacement of the nodes</source>
         <translation>Verschiebung der Knoten</translation>
+    </message>
+    <message>
+        <source>Display ▾</source>
+        <translation>Darstellung ▾</translation>
     </message>
     <message>
         <source>Distance </source>
@@ -1014,18 +1122,32 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zweifel, geringe Sicherheit</translation>
     </message>
     <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
+        <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
+    </message>
+    <message>
         <source>Drag a ring</source>
         <translation>Ring ziehen</translation>
     </message>
     <message>
         <source>Drag, wheel</source>
         <translation>Ziehen, Rad</translation>
-        <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
-        <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
     </message>
     <message>
         <source>Drag: needle</source>
         <translation>Ziehen: Nadel</translation>
+    </message>
+    <message>
+        <source>Drag: turn</source>
+        <translation>Ziehen: drehen</translation>
+    </message>
+    <message>
+        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
+        <translation>Ziehen Sie eine Linie von mindestens 20 px; je länger, desto genauer.</translation>
     </message>
     <message>
         <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png);;Table (*.csv)</source>
@@ -1034,6 +1156,18 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drawn anew at this size: lines and letters stay sharp.</source>
         <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
+    </message>
+    <message>
+        <source>Drawn to</source>
+        <translation>Angezogen von</translation>
+    </message>
+    <message>
+        <source>Draws the contour's errors anew</source>
+        <translation>Zieht die Fehler der Kontur neu</translation>
+    </message>
+    <message>
+        <source>Draws the snake together and spreads its points evenly</source>
+        <translation>Zieht die Snake zusammen und verteilt ihre Punkte gleichmäßig</translation>
     </message>
     <message>
         <source>Drop one file or one folder of this computer.</source>
@@ -1048,8 +1182,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>ENERGIE</translation>
     </message>
     <message>
+        <source>EQUILIBRIUM</source>
+        <translation>GLEICHGEWICHT</translation>
+    </message>
+    <message>
         <source>Edge of a pixel</source>
         <translation>Kantenlänge eines Pixels</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
     </message>
     <message>
         <source>Emergency stop: pipette held</source>
@@ -1064,8 +1206,12 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Aufnahme beenden</translation>
     </message>
     <message>
-        <source>End the recording and close</source>
-        <translation>Aufnahme beenden und schließen</translation>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Energy over steps</source>
+        <translation>Energie über den Schritten</translation>
     </message>
     <message>
         <source>Engaged</source>
@@ -1082,6 +1228,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Events and doubts</source>
         <translation>Ereignisse und Zweifel</translation>
+    </message>
+    <message>
+        <source>Every node prescribed</source>
+        <translation>Jeder Knoten vorgeschrieben</translation>
     </message>
     <message>
         <source>Every push needs four times the force.</source>
@@ -1116,6 +1266,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>F1 oder Esc schließt das Blatt.</translation>
     </message>
     <message>
+        <source>FARTHEST MOVE</source>
+        <translation>WEITESTER WEG</translation>
+    </message>
+    <message>
         <source>FASTEST NODE</source>
         <translation>SCHNELLSTER KNOTEN</translation>
     </message>
@@ -1142,6 +1296,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>File or folder</source>
         <translation>Datei oder Ordner</translation>
+    </message>
+    <message>
+        <source>Finds no rest</source>
+        <translation>Kommt nicht zur Ruhe</translation>
     </message>
     <message>
         <source>Fine 500:1</source>
@@ -1248,6 +1406,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Kräfte in 3-D</translation>
     </message>
     <message>
+        <source>Forces on a node</source>
+        <translation>Kräfte an einem Knoten</translation>
+    </message>
+    <message>
         <source>Forget this cell's own scale: for another cell</source>
         <translation>Vergisst die eigene Skala dieser Zelle: für eine andere Zelle</translation>
     </message>
@@ -1276,14 +1438,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Bildrate</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>Frames a second that were measured, and that this window has drawn</source>
         <translation>Bilder je Sekunde, die gemessen und von diesem Fenster gezeichnet wurden</translation>
     </message>
     <message>
         <source>Frames that were not measured, that the source lost, or that are recorded in part</source>
         <translation>Bilder, die nicht gemessen, von der Quelle verloren oder nur zum Teil aufgezeichnet wurden</translation>
-        <source>Frames</source>
-        <translation>Bilder</translation>
     </message>
     <message>
         <source>Frames/s: </source>
@@ -1310,6 +1474,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Vom Ende wieder an den Anfang</translation>
     </message>
     <message>
+        <source>From the lesson's beginning</source>
+        <translation>Vom Anfang der Lektion an</translation>
+    </message>
+    <message>
         <source>From the tip to the plan's target, along the planned way, with the 95 % interval of the tip. The mark is the target, the fine one beyond it the depth stop.</source>
         <translation>Von der Spitze zum Ziel des Plans, längs des geplanten Wegs, mit dem 95-%-Intervall der Spitze. Die Marke ist das Ziel, die feine dahinter der Tiefenanschlag.</translation>
     </message>
@@ -1322,8 +1490,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Nachgiebigkeit der Hand</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Go on recording</source>
+        <translation>Weiter aufnehmen</translation>
+    </message>
+    <message>
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
@@ -1348,14 +1518,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>HAND</translation>
     </message>
     <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
+        <source>Half as stiff</source>
+        <translation>Halb so steif</translation>
+    </message>
+    <message>
         <source>Half the 95 % interval (µN)</source>
         <translation>Halbes 95-%-Intervall (µN)</translation>
     </message>
     <message>
         <source>Half-width of the force's interval</source>
         <translation>Halbe Breite des Intervalls der Kraft</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
     </message>
     <message>
         <source>Hedges' g against the first</source>
@@ -1440,6 +1616,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>How much of the image is shown, and how bright: the measurement stays the same</source>
         <translation>Wie viel vom Bild gezeigt wird und wie hell: die Messung bleibt gleich</translation>
+    </message>
+    <message>
         <source>How often this window was busy for more than %1 ms, in the last %2 s; the longest ended after %3 s.
 Meanwhile keys and clicks wait. The emergency stop, the hand and the recording do not.</source>
         <translation>Wie oft dieses Fenster länger als %1 ms beschäftigt war, in den letzten %2 s; das längste Mal endete nach %3 s.
@@ -1450,22 +1628,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wie sicher die Bildverfolgung in diesem Bild bei Zelle und Nadel ist. Unter 50 % sehen Sie sich das Bild an, bevor Sie eine Zahl verwenden.</translation>
     </message>
     <message>
+        <source>How the contact with the cell ended</source>
+        <translation>Wie der Kontakt mit der Zelle endete</translation>
+    </message>
+    <message>
         <source>How the liquid inside pushes outwards on each node's share of the membrane. All together the arrows add up to zero.</source>
         <translation>Wie die Flüssigkeit im Inneren den Membrananteil jedes Knotens nach außen drückt. Alle Pfeile zusammen ergeben null.</translation>
     </message>
     <message>
         <source>How the stretched membrane pulls on its own points. It balances pressure and tools, so on a taut cell it points inwards although nothing pushes from outside. At rest it is zero: this is also its change from rest.</source>
         <translation>Wie die gespannte Membran an ihren eigenen Punkten zieht. Sie hält Druck und Werkzeugen das Gleichgewicht und zeigt bei einer prallen Zelle nach innen, obwohl nichts von außen drückt. In Ruhe ist sie null: Dies ist auch ihre Änderung gegenüber der Ruhe.</translation>
-        <source>How the contact with the cell ended</source>
-        <translation>Wie der Kontakt mit der Zelle endete</translation>
-    </message>
-    <message>
-        <source>How the forces on the membrane are drawn</source>
-        <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
     </message>
     <message>
         <source>Hysteresis (pJ)</source>
         <translation>Hysterese (pJ)</translation>
+    </message>
+    <message>
+        <source>IMAGE</source>
+        <translation>BILD</translation>
     </message>
     <message>
         <source>IN DOUBT</source>
@@ -1476,8 +1656,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>EINDELLUNG</translation>
     </message>
     <message>
+        <source>Image with a line</source>
+        <translation>Bild mit einer Linie</translation>
+    </message>
+    <message>
         <source>Image ▾</source>
         <translation>Bild ▾</translation>
+    </message>
+    <message>
         <source>Images along the session's time</source>
         <translation>Bilder längs der Zeit der Sitzung</translation>
     </message>
@@ -1488,6 +1674,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>In contact</source>
         <translation>In Kontakt</translation>
+    </message>
+    <message>
+        <source>In equilibrium</source>
+        <translation>Im Gleichgewicht</translation>
     </message>
     <message>
         <source>In the virtual microscope: scenario %1</source>
@@ -1550,6 +1740,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Hält die Spitze auf der geplanten Linie, hinein und hinaus</translation>
     </message>
     <message>
+        <source>Keeps the snake smooth; too much cuts across the dimple</source>
+        <translation>Hält die Snake glatt; zu viel schneidet die Delle ab</translation>
+    </message>
+    <message>
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
@@ -1590,6 +1784,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Linkes Diagramm als SVG, PDF, PNG oder CSV</translation>
     </message>
     <message>
+        <source>Left the picture</source>
+        <translation>Bild verlassen</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1610,6 +1808,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Lektionen</translation>
     </message>
     <message>
+        <source>Lessons about cells, contours and forces</source>
+        <translation>Lektionen über Zellen, Konturen und Kräfte</translation>
+    </message>
+    <message>
         <source>Light theme</source>
         <translation>Helles Farbschema</translation>
     </message>
@@ -1628,6 +1830,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>List of cells saved: </source>
         <translation>Liste der Zellen gespeichert: </translation>
+    </message>
+    <message>
         <source>Loading</source>
         <translation>Belastung</translation>
     </message>
@@ -1678,6 +1882,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Measure how stiff this cell is, so that the forces are its own</source>
         <translation>Misst, wie steif diese Zelle ist, sodass die Kräfte ihre eigenen sind</translation>
+    </message>
+    <message>
+        <source>Measure on the image ...</source>
+        <translation>Im Bild messen ...</translation>
     </message>
     <message>
         <source>Measure ▾</source>
@@ -1748,6 +1956,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Modell, Maße dieser Zelle</translation>
     </message>
     <message>
+        <source>Moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
         <source>Most arrows</source>
         <translation>Höchstens Pfeile</translation>
     </message>
@@ -1764,8 +1976,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ziel, Eintritt oder Tiefenanschlag des Plans verschieben</translation>
     </message>
     <message>
+        <source>Move the circle, or its rim; elsewhere place it</source>
+        <translation>Den Kreis oder seinen Rand bewegen; anderswo ihn setzen</translation>
+    </message>
+    <message>
         <source>Move the image, zoom</source>
         <translation>Bild verschieben, vergrößern</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
     </message>
     <message>
         <source>NEEDLE NOT SEEN</source>
@@ -1806,20 +2026,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Needle on membrane (µN)</source>
         <translation>Nadel auf Membran (µN)</translation>
-        <source>Needle back by 1 µm</source>
-        <translation>Nadel 1 µm zurück</translation>
     </message>
     <message>
-        <source>Needle down by 1 µm</source>
-        <translation>Nadel 1 µm abwärts</translation>
+        <source>Needle or circle down by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach unten</translation>
     </message>
     <message>
-        <source>Needle forwards by 1 µm</source>
-        <translation>Nadel 1 µm vor</translation>
+        <source>Needle or circle to the left by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach links</translation>
     </message>
     <message>
-        <source>Needle up by 1 µm</source>
-        <translation>Nadel 1 µm aufwärts</translation>
+        <source>Needle or circle to the right by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach rechts</translation>
+    </message>
+    <message>
+        <source>Needle or circle up by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach oben</translation>
     </message>
     <message>
         <source>New cell</source>
@@ -1836,6 +2058,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Next lesson</source>
         <translation>Nächste Lektion</translation>
+    </message>
+    <message>
         <source>Next note of this frame</source>
         <translation>Nächste Notiz dieses Bildes</translation>
     </message>
@@ -1912,6 +2136,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Kein Knoten hat diese Zahl</translation>
     </message>
     <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
         <source>No surface at the same place</source>
         <translation>Keine Oberfläche an gleicher Stelle</translation>
     </message>
@@ -1954,6 +2182,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Nodes of the network; the profile's constants hold for its own mesh of 812</source>
         <translation>Knoten des Netzes; die Konstanten des Profils gelten für sein eigenes Netz mit 812</translation>
+    </message>
+    <message>
+        <source>Noise of the contour</source>
+        <translation>Rauschen der Kontur</translation>
     </message>
     <message>
         <source>None yet: what you record is kept in </source>
@@ -2000,10 +2232,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Notiz ▾</translation>
     </message>
     <message>
-        <source>Notes are waiting for the next recording and would be lost. Close the window?</source>
-        <translation>Notizen warten auf die nächste Aufnahme und gingen verloren. Fenster schließen?</translation>
-    </message>
-    <message>
         <source>Nothing is recording: the note goes into the next recording</source>
         <translation>Es läuft keine Aufnahme: die Notiz kommt in die nächste</translation>
     </message>
@@ -2020,8 +2248,28 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Objektiv</translation>
     </message>
     <message>
+        <source>Of each of its points, along its normal</source>
+        <translation>Jedes ihrer Punkte, längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Of the circle that the snake begins on</source>
+        <translation>Des Kreises, auf dem die Snake beginnt</translation>
+    </message>
+    <message>
+        <source>Of the image: more is felt from farther away, and less sharply</source>
+        <translation>Des Bildes: mehr wirkt von weiter her und weniger scharf</translation>
+    </message>
+    <message>
         <source>Of the integrator</source>
         <translation>Des Integrators</translation>
+    </message>
+    <message>
+        <source>Of the needle</source>
+        <translation>Der Nadel</translation>
+    </message>
+    <message>
+        <source>Of the virtual microscope, or recorded</source>
+        <translation>Des virtuellen Mikroskops oder aufgezeichnet</translation>
     </message>
     <message>
         <source>Of the zona; scales every force and no shape</source>
@@ -2038,6 +2286,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>One frame forward</source>
         <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>One step</source>
+        <translation>Ein Schritt</translation>
     </message>
     <message>
         <source>Oolemma</source>
@@ -2072,6 +2324,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wird geöffnet: </translation>
     </message>
     <message>
+        <source>Other noise</source>
+        <translation>Anderes Rauschen</translation>
+    </message>
+    <message>
         <source>Outcome</source>
         <translation>Ausgang</translation>
     </message>
@@ -2086,6 +2342,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>PAST THE DEPTH STOP</source>
         <translation>HINTER DEM TIEFENANSCHLAG</translation>
+    </message>
+    <message>
+        <source>PRESCRIBED</source>
+        <translation>VORGESCHRIEBEN</translation>
     </message>
     <message>
         <source>PRESSURE</source>
@@ -2152,6 +2412,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Pellucida, Lehre</translation>
     </message>
     <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
         <source>Picture (*.png)</source>
         <translation>Bild (*.png)</translation>
     </message>
@@ -2194,6 +2458,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Point at what the tracking took for something else: it goes on from there</source>
         <translation>Zeigen Sie, was die Bildverfolgung verwechselt hat: sie macht von dort weiter</translation>
+    </message>
+    <message>
+        <source>Poor camera, a dimple</source>
+        <translation>Schlechte Kamera, Delle</translation>
+    </message>
+    <message>
+        <source>Preparing the picture</source>
+        <translation>Das Bild wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Prescribed: close</source>
+        <translation>Vorgeschrieben: nahe</translation>
+    </message>
+    <message>
+        <source>Prescribed: wrong</source>
+        <translation>Vorgeschrieben: falsch</translation>
     </message>
     <message>
         <source>Press %1 to choose this card</source>
@@ -2256,8 +2536,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Größe des Knotens</translation>
     </message>
     <message>
+        <source>Radius at the start</source>
+        <translation>Radius am Anfang</translation>
+    </message>
+    <message>
         <source>Reading </source>
         <translation>Liest </translation>
+    </message>
+    <message>
+        <source>Reading an image ...</source>
+        <translation>Bild wird gelesen ...</translation>
     </message>
     <message>
         <source>Reading the session</source>
@@ -2342,6 +2630,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Auswertung der Sitzung vom </translation>
     </message>
     <message>
+        <source>Right drag, wheel</source>
+        <translation>Rechts ziehen, Rad</translation>
+    </message>
+    <message>
         <source>Right drag: turn</source>
         <translation>Rechts ziehen: drehen</translation>
     </message>
@@ -2350,12 +2642,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Richtig. </translation>
     </message>
     <message>
+        <source>Run</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>S: one step. R: run.</source>
+        <translation>S: ein Schritt. R: laufen.</translation>
+    </message>
+    <message>
         <source>SCALE</source>
         <translation>SKALA</translation>
     </message>
     <message>
         <source>SPEED</source>
         <translation>TEMPO</translation>
+    </message>
+    <message>
+        <source>STEP</source>
+        <translation>SCHRITT</translation>
     </message>
     <message>
         <source>STEPS, PACE</source>
@@ -2368,6 +2672,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>STOPPED</source>
         <translation>GESTOPPT</translation>
+    </message>
+    <message>
+        <source>STRETCHING</source>
+        <translation>DEHNUNG</translation>
     </message>
     <message>
         <source>Save as CSV</source>
@@ -2426,10 +2734,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Schnitt durch das mechanische Modell</translation>
     </message>
     <message>
-        <source>Set the target</source>
-        <translation>Ziel setzen</translation>
         <source>Session</source>
         <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Set the target</source>
+        <translation>Ziel setzen</translation>
     </message>
     <message>
         <source>Set up again</source>
@@ -2480,6 +2790,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Langsamer</translation>
     </message>
     <message>
+        <source>Snake</source>
+        <translation>Snake</translation>
+    </message>
+    <message>
         <source>Sounds at contact, puncture and alarms</source>
         <translation>Töne bei Kontakt, Durchstich und Alarmen</translation>
     </message>
@@ -2512,8 +2826,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Start the chosen card, or press the button that has the focus</source>
-        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
         <source>Start page</source>
         <translation>Startseite</translation>
     </message>
@@ -2522,12 +2834,28 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Startseite: andere Quelle, Sitzung oder Lektion wählen</translation>
     </message>
     <message>
+        <source>Start the chosen card, or press the button that has the focus</source>
+        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
+    </message>
+    <message>
         <source>Start the source again from its first frame</source>
         <translation>Beginnt die Quelle wieder bei ihrem ersten Bild</translation>
     </message>
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Steps a second while it runs</source>
+        <translation>Schritte je Sekunde, während sie läuft</translation>
+    </message>
+    <message>
+        <source>Steps until it rests, or until it is stopped</source>
+        <translation>Schritte, bis sie ruht oder angehalten wird</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -2550,6 +2878,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Steifigkeit bei 30 µm (µN/µm)</translation>
     </message>
     <message>
+        <source>Stiffness of the cell</source>
+        <translation>Steifigkeit der Zelle</translation>
+    </message>
+    <message>
         <source>Stiffness of the fibre</source>
         <translation>Steifigkeit der Faser</translation>
     </message>
@@ -2560,6 +2892,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Stopped</source>
         <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Stretching, α</source>
+        <translation>Dehnung, α</translation>
     </message>
     <message>
         <source>Suction</source>
@@ -2592,6 +2928,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>TO TARGET</source>
         <translation>ZUM ZIEL</translation>
+    </message>
+    <message>
+        <source>TRUE FORCE</source>
+        <translation>WAHRE KRAFT</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -2682,10 +3022,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Das wären </translation>
     </message>
     <message>
-        <source>The cell at rest</source>
-        <translation>Die Zelle in Ruhe</translation>
-    </message>
-    <message>
         <source>The cell is as stiff as its profile says.</source>
         <translation>Die Zelle ist so steif, wie ihr Profil sagt.</translation>
     </message>
@@ -2706,8 +3042,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Kraft ließ sich nicht berechnen: keine Kraft auf die Hand</translation>
     </message>
     <message>
+        <source>The force read from a contour in two ways</source>
+        <translation>Die Kraft, aus einer Kontur auf zwei Arten gelesen</translation>
+    </message>
+    <message>
         <source>The holding pipette draws a tongue of the zona into its mouth under a known suction. Finite elements of the aspirated shell give its modulus; that takes some seconds.</source>
         <translation>Die Haltepipette saugt mit bekanntem Sog eine Zunge der Zona in ihre Mündung. Finite Elemente der angesaugten Schale geben den Modul; das dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>The image shows where the membrane is, not which piece of it is where</source>
+        <translation>Das Bild zeigt, wo die Membran ist, nicht welches Stück von ihr wo ist</translation>
     </message>
     <message>
         <source>The image, and the membranes in 3-D</source>
@@ -2744,6 +3088,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The microscope's image alone</source>
         <translation>Das Bild des Mikroskops allein</translation>
+    </message>
+    <message>
         <source>The model's curves: with this cell's sizes as seen, and of the profile's own cell</source>
         <translation>Die Kurven des Modells: mit den gesehenen Maßen dieser Zelle und für die Zelle des Profils</translation>
     </message>
@@ -2812,8 +3158,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Bilder der Sitzung längs ihrer Zeit; ein Druck springt dorthin</translation>
     </message>
     <message>
+        <source>The smaller, the longer a step; too small overshoots</source>
+        <translation>Je kleiner, desto länger ein Schritt; zu klein schießt über</translation>
+    </message>
+    <message>
         <source>The source has ended</source>
         <translation>Die Quelle ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The spring network itself</source>
+        <translation>Das Federnetz selbst</translation>
     </message>
     <message>
         <source>The time step, </source>
@@ -2892,10 +3246,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Anmerkungen dieser Sitzung sind nicht lesbar: berichtigen oder entfernen Sie zuerst annotations.csv</translation>
     </message>
     <message>
-        <source>This window is recording, and goes on while you decide. Close it? What is recorded will be whole.</source>
-        <translation>Dieses Fenster nimmt auf, auch während Sie entscheiden. Schließen? Das Aufgenommene bleibt vollständig.</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -2922,6 +3272,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Tools on membrane (µN)</source>
         <translation>Werkzeuge auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>True force of the virtual cell</source>
         <translation>Wahre Kraft der virtuellen Zelle</translation>
     </message>
@@ -2930,10 +3282,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Virtuelles Mikroskop ausprobieren</translation>
     </message>
     <message>
+        <source>Turn both cells, zoom</source>
+        <translation>Beide Zellen drehen, vergrößern</translation>
+    </message>
+    <message>
         <source>Turn the view, zoom</source>
         <translation>Ansicht drehen, vergrößern</translation>
+    </message>
+    <message>
         <source>Twice as stiff</source>
         <translation>Doppelt so steif</translation>
+    </message>
+    <message>
+        <source>Two read-outs</source>
+        <translation>Zwei Ablesungen</translation>
     </message>
     <message>
         <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
@@ -2958,8 +3320,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Undo the plan's change</source>
         <translation>Änderung des Plans zurücknehmen</translation>
+    </message>
+    <message>
         <source>Unloading</source>
         <translation>Entlastung</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Use this measurement</source>
@@ -2984,6 +3352,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>View as PNG</source>
         <translation>Ansicht als PNG</translation>
+    </message>
+    <message>
+        <source>Viscosity, γ</source>
+        <translation>Zähigkeit, γ</translation>
     </message>
     <message>
         <source>Wait for the export that is running, or cancel it</source>
@@ -3018,8 +3390,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was beide Werkzeuge mit der Membran tun: Die Nadel drückt, die Haltepipette hält dagegen.</translation>
     </message>
     <message>
+        <source>What has the least energy in the image</source>
+        <translation>Was im Bild die geringste Energie hat</translation>
+    </message>
+    <message>
         <source>What is drawn of the node</source>
         <translation>Was vom Knoten gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
     </message>
     <message>
         <source>What is shown of the other session</source>
@@ -3046,12 +3426,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Haltepipette rund um ihre Öffnung mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
     </message>
     <message>
-        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
-        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+        <source>What the image shows</source>
+        <translation>Was das Bild zeigt</translation>
     </message>
     <message>
-        <source>When it was, since the source began</source>
-        <translation>Wann das war, seit Beginn der Quelle</translation>
         <source>What the left chart shows</source>
         <translation>Was das linke Diagramm zeigt</translation>
     </message>
@@ -3064,12 +3442,36 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Nadel unter ihrer Spitze mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
     </message>
     <message>
+        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
+        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+    </message>
+    <message>
         <source>What was measured as CSV…</source>
         <translation>Gemessenes als CSV …</translation>
     </message>
     <message>
+        <source>When it was, since the source began</source>
+        <translation>Wann das war, seit Beginn der Quelle</translation>
+    </message>
+    <message>
+        <source>Where a node is laid on it</source>
+        <translation>Wo ein Knoten auf ihr liegt</translation>
+    </message>
+    <message>
+        <source>Where each piece really is</source>
+        <translation>Wo jedes Stück wirklich ist</translation>
+    </message>
+    <message>
+        <source>Where it began</source>
+        <translation>Wo sie begann</translation>
+    </message>
+    <message>
         <source>Which forces on the membrane the arrows show, and how. Now: </source>
         <translation>Welche Kräfte auf die Membran die Pfeile zeigen, und wie. Jetzt: </translation>
+    </message>
+    <message>
+        <source>Which frame of the film or the recording is seen</source>
+        <translation>Welches Bild des Films oder der Aufnahme zu sehen ist</translation>
     </message>
     <message>
         <source>Which frames of both sessions belong together</source>
@@ -3084,14 +3486,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ganzes Bild</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
+        <source>Whose contour</source>
+        <translation>Wessen Kontur</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
     <message>
         <source>Width and height</source>
         <translation>Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>Window as PNG</source>
@@ -3108,6 +3516,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Work of the needle up to it</source>
         <translation>Arbeit der Nadel bis dahin</translation>
+    </message>
+    <message>
         <source>Work to the largest depth (pJ)</source>
         <translation>Arbeit bis zur größten Tiefe (pJ)</translation>
     </message>
@@ -3248,6 +3658,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ende des Wegs</translation>
     </message>
     <message>
+        <source>external</source>
+        <translation>äußere</translation>
+    </message>
+    <message>
         <source>force on the cell at its limit</source>
         <translation>Kraft auf die Zelle an der Grenze</translation>
     </message>
@@ -3280,12 +3694,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Bild</translation>
     </message>
     <message>
+        <source>in equilibrium</source>
+        <translation>im Gleichgewicht</translation>
+    </message>
+    <message>
         <source>indentation ±</source>
         <translation>Eindellung ±</translation>
     </message>
     <message>
         <source>inner membrane</source>
         <translation>innere Membran</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>innere</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -3302,6 +3724,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>left out: </source>
         <translation>ausgelassen: </translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>lessons</source>
@@ -3436,6 +3862,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Pixelgröße</translation>
     </message>
     <message>
+        <source>prescribed</source>
+        <translation>vorgeschrieben</translation>
+    </message>
+    <message>
         <source>puncture </source>
         <translation>Durchstich </translation>
     </message>
@@ -3516,6 +3946,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>etwa 3.45</translation>
     </message>
     <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
         <source>taken back</source>
         <translation>zurückgenommen</translation>
     </message>
@@ -3592,8 +4026,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>ab Eintritt</translation>
     </message>
     <message>
+        <source>true</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
         <source>true </source>
         <translation>wahr </translation>
+    </message>
+    <message>
         <source>unfinished</source>
         <translation>unbeendet</translation>
     </message>

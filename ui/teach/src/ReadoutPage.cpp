@@ -251,12 +251,13 @@ void ReadoutPage::show_curves(const ReadoutCurves& curves) {
   data.y_title = words("Force (µN)");
   data.curve_name = words("in equilibrium");
   data.other_name = words("prescribed");
-  data.faint_name = words("true");
+  NamedCurve truth{words("true"), {}, CurveRole::kFaintReference};
   for (std::size_t k = 0; k < curves.depth_um.size(); ++k) {
     data.curve.add(curves.depth_um[k], curves.equilibrium_uN[k]);
     data.other.add(curves.depth_um[k], curves.prescribed_uN[k]);
-    data.faint.add(curves.depth_um[k], curves.true_uN[k]);
+    truth.curve.add(curves.depth_um[k], curves.true_uN[k]);
   }
+  data.named.push_back(std::move(truth));
   data.x_end = 50.0;
   chart_.set_data(std::move(data));
 }

@@ -318,12 +318,13 @@ void SnakePage::show_snake() {
   data.y_title = words("Energy");
   data.curve_name = words("internal");
   data.other_name = words("external");
-  data.faint_name = words("sum");
+  NamedCurve sum{words("sum"), {}, CurveRole::kFaintReference};
   for (std::size_t k = 0; k < energies_.size(); ++k) {
     data.curve.add(static_cast<double>(k), energies_[k].internal());
     data.other.add(static_cast<double>(k), energies_[k].external());
-    data.faint.add(static_cast<double>(k), energies_[k].total());
+    sum.curve.add(static_cast<double>(k), energies_[k].total());
   }
+  data.named.push_back(std::move(sum));
   if (energies_.size() < 2) {
     data = CurveChartData{.x_title = words("Step"), .y_title = words("Energy")};
     data.empty_text = words("S: one step. R: run.");

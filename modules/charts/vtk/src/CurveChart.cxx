@@ -326,7 +326,6 @@ void CurveChart::draw_names(HudCanvas& hud) const {
   };
   if (data.curve.size() > 1) name(data.curve_name, current_theme().curve, {0.0});
   if (data.other.size() > 1 || data.named.empty()) name(data.other_name, current_theme().curve_other, {0.0});
-  if (data.faint.size() > 1) name(data.faint_name, current_theme().curve_before, {0.0});
   for (const NamedCurve& named : data.named) {
     if (named.curve.size() < 2) continue;
     if (named.role == CurveRole::kFaintReference) {

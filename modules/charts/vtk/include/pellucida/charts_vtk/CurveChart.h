@@ -40,7 +40,6 @@ struct CurveChartData {
   Curve inner;                         ///< the same points with a narrower band, drawn over it; empty: none
   Curve other;                         ///< what it is held against, in another colour, with its band
   std::string curve_name, other_name;  ///< where there are two curves, each is named
-  std::string faint_name;              ///< of the grey one beside them; may be empty
   std::vector<NamedCurve> named;       ///< below the curve; each is named, and so is the curve then
   std::string band_name;               ///< of the curve, in print; empty: the 95 % interval
   std::vector<CurveMark> marks;

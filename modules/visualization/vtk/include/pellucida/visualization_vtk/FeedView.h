@@ -115,8 +115,8 @@ class FeedView : public View {
   FeedFraming framing_ = FeedFraming::kCell;
   double cell_um_[2] = {0.0, 0.0};  // middle of the framed cell
   double cell_radius_um_ = 0.0;     // 0 before one was found
-  ImageLook image_look_;
   bool cell_given_ = false;         // by `frame_place`
+  ImageLook image_look_;
   double window_low_ = 0.0;
   double window_high_ = 0.0;
   double fitted_scale_um_ = 0.0;
