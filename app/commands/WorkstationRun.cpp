@@ -71,11 +71,19 @@ std::optional<std::string_view> hand_name(const WorkstationArguments& arguments)
   return std::nullopt;
 }
 
+// What a virtual microscope knows of its specimen; nothing of another source.
+std::function<std::optional<double>(long)> truth_of(const FrameSource& source) {
+  const auto* microscope = dynamic_cast<const VirtualMicroscope*>(&source);
+  if (!microscope) return {};
+  return [log = microscope->truth_log()](long frame) { return log->force_uN(frame); };
+}
+
 // With a hand: a virtual cell whose needle it moves. Without: any source.
 int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   const auto hand = hand_name(arguments);
   if (!hand) {
     auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
+    options.true_force_uN = truth_of(*source);
     return run_guide(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio), nullptr,
                      options);
   }
@@ -89,7 +97,9 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   }
   const auto colon = arguments.source.find(':');
   VirtualInjectionSetup setup(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
-  auto run = std::make_unique<LiveRun>(setup.make_microscope(Pace::kWallClock), arguments.pipeline);
+  auto microscope = setup.make_microscope(Pace::kWallClock);
+  options.true_force_uN = truth_of(*microscope);
+  auto run = std::make_unique<LiveRun>(std::move(microscope), arguments.pipeline);
   auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
   options.hand = console->find_hand(*hand).value_or(-1);
   return run_guide(std::move(run), std::move(console), options);

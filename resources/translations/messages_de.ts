@@ -276,6 +276,10 @@
         <translation>%1: enthält schon eine Sitzung (%2), die nie überschrieben wird; wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
+        <source>%1: already there; give another --output, or --replace to replace it</source>
+        <translation>%1: schon vorhanden; geben Sie ein anderes --output an, oder --replace, um es zu ersetzen</translation>
+    </message>
+    <message>
         <source>%1: broken TIFF (it has no size)</source>
         <translation>%1: beschädigtes TIFF (es hat keine Größe)</translation>
     </message>
@@ -1056,8 +1060,8 @@
         <translation>Diagramme: es gibt nichts zu zeichnen</translation>
     </message>
     <message>
-        <source>choose another folder with --output</source>
-        <translation>wählen Sie mit --output einen anderen Ordner</translation>
+        <source>choose another folder</source>
+        <translation>wählen Sie einen anderen Ordner</translation>
     </message>
     <message>
         <source>chosen; spacenavd reports about 350 at the end of the cap's way</source>
@@ -1196,8 +1200,8 @@
         <translation>frei</translation>
     </message>
     <message>
-        <source>free some space, or choose another disk with --output</source>
-        <translation>schaffen Sie Platz, oder wählen Sie mit --output einen anderen Datenträger</translation>
+        <source>free some space, or choose another disk</source>
+        <translation>schaffen Sie Platz, oder wählen Sie einen anderen Datenträger</translation>
     </message>
     <message>
         <source>frequency of the hand: it must be above 0 Hz</source>
@@ -1406,6 +1410,10 @@
     <message>
         <source>mismatch</source>
         <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>model curve: depth and step must be above 0</source>
+        <translation>Modellkurve: Tiefe und Schritt müssen größer als 0 sein</translation>
     </message>
     <message>
         <source>more than %1 arrays</source>
@@ -1624,8 +1632,8 @@
         <translation>durchstochen</translation>
     </message>
     <message>
-        <source>raise the file size limit, or choose another disk with --output</source>
-        <translation>erhöhen Sie die Grenze der Dateigröße, oder wählen Sie mit --output einen anderen Datenträger</translation>
+        <source>raise the file size limit, or choose another disk</source>
+        <translation>erhöhen Sie die Grenze der Dateigröße, oder wählen Sie einen anderen Datenträger</translation>
     </message>
     <message>
         <source>recording of %1</source>

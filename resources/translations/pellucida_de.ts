@@ -5,6 +5,12 @@
     <name>Pellucida</name>
     <message>
         <source>
+Choose another folder: Cells (E), Change.</source>
+        <translation>
+Wählen Sie einen anderen Ordner: Zellen (E), Ändern.</translation>
+    </message>
+    <message>
+        <source>
 No force: </source>
         <translation>
 Keine Kraft: </translation>
@@ -40,16 +46,16 @@ and </source>
 und </translation>
     </message>
     <message>
-        <source>   In contact   </source>
-        <translation>   In Kontakt   </translation>
-    </message>
-    <message>
         <source> % OF LIMIT</source>
         <translation> % DER GRENZE</translation>
     </message>
     <message>
         <source> %). The formula takes the zona for a flat, clamped membrane: tens of per cent are usual.</source>
         <translation> %). Die Formel hält die Zona für eine ebene, eingespannte Membran: Dutzende Prozent sind üblich.</translation>
+    </message>
+    <message>
+        <source> (Esc: no more)</source>
+        <translation> (Esc: beenden)</translation>
     </message>
     <message>
         <source> (spread </source>
@@ -86,6 +92,14 @@ und </translation>
     <message>
         <source> can't be read and are left out; pellucida check names them</source>
         <translation> sind nicht lesbar und fehlen; pellucida check nennt sie</translation>
+    </message>
+    <message>
+        <source> cell</source>
+        <translation> Zelle</translation>
+    </message>
+    <message>
+        <source> cells</source>
+        <translation> Zellen</translation>
     </message>
     <message>
         <source> drawn</source>
@@ -216,6 +230,10 @@ und </translation>
         <translation> µm jenseits des Randes</translation>
     </message>
     <message>
+        <source> µm beyond the entry</source>
+        <translation> µm hinter dem Eintritt</translation>
+    </message>
+    <message>
         <source> µm per px</source>
         <translation> µm je px</translation>
     </message>
@@ -232,12 +250,24 @@ und </translation>
         <translation> µs; Energiereserve </translation>
     </message>
     <message>
+        <source> · 5 to 95 %: </source>
+        <translation> · 5 bis 95 %: </translation>
+    </message>
+    <message>
         <source> · frame rate not in the file</source>
         <translation> · Bildrate nicht in der Datei</translation>
     </message>
     <message>
+        <source> · median </source>
+        <translation> · Median </translation>
+    </message>
+    <message>
         <source> · pixel size not in the file</source>
         <translation> · Pixelgröße nicht in der Datei</translation>
+    </message>
+    <message>
+        <source> · quartiles </source>
+        <translation> · Quartile </translation>
     </message>
     <message>
         <source>" is no number: give the </source>
@@ -266,6 +296,10 @@ und </translation>
     <message>
         <source>%1 tables written to %2</source>
         <translation>%1 Tabellen geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
     </message>
     <message>
         <source>(1) &amp;nbsp;&lt;b&gt;f&lt;sub&gt;ij&lt;/sub&gt;&lt;/b&gt; = k (L/|p| − 1) p − b (v·p)/(p·p) p&lt;br&gt;(2) &amp;nbsp;&lt;b&gt;m a&lt;/b&gt; = Σ &lt;b&gt;f&lt;/b&gt;</source>
@@ -342,12 +376,36 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>1.5-mal so steif</translation>
     </message>
     <message>
+        <source>2-D image</source>
+        <translation>2-D-Bild</translation>
+    </message>
+    <message>
+        <source>3-D + haptics</source>
+        <translation>3-D + Haptik</translation>
+    </message>
+    <message>
+        <source>3-D + haptics + guide</source>
+        <translation>3-D + Haptik + Führung</translation>
+    </message>
+    <message>
+        <source>3-D view</source>
+        <translation>3-D-Ansicht</translation>
+    </message>
+    <message>
         <source>3-D view as PNG</source>
         <translation>3-D-Ansicht als PNG</translation>
     </message>
     <message>
+        <source>95 % from (µN)</source>
+        <translation>95 % von (µN)</translation>
+    </message>
+    <message>
         <source>95 % interval</source>
         <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>95 % interval at each arrow</source>
+        <translation>95-%-Intervall an jedem Pfeil</translation>
     </message>
     <message>
         <source>95 % interval, picture</source>
@@ -356,6 +414,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     <message>
         <source>95 % interval, the whole</source>
         <translation>95-%-Intervall, gesamt</translation>
+    </message>
+    <message>
+        <source>95 % to (µN)</source>
+        <translation>95 % bis (µN)</translation>
     </message>
     <message>
         <source>: all forces are scaled to cells of this kind.
@@ -392,6 +454,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>; 1 kHz: </translation>
     </message>
     <message>
+        <source>; key 6 shows or hides them, key 7 shows the next force</source>
+        <translation>; Taste 6 zeigt oder verbirgt sie, Taste 7 zeigt die nächste Kraft</translation>
+    </message>
+    <message>
         <source>; waits until a rendering has finished: </source>
         <translation>; wartet das Ende einer Bildausgabe ab: </translation>
     </message>
@@ -412,16 +478,44 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine Zelle zum Anstupsen, mit Lektionen darüber, wie ihre Kraft zustande kommt.</translation>
     </message>
     <message>
+        <source>A distance: two clicks</source>
+        <translation>Ein Abstand: zwei Klicks</translation>
+    </message>
+    <message>
+        <source>A double click opens the session at the touch; a click on a column's title sorts</source>
+        <translation>Ein Doppelklick öffnet die Sitzung beim Kontakt; ein Klick auf den Titel einer Spalte sortiert</translation>
+    </message>
+    <message>
         <source>A profile's geometry and constants</source>
         <translation>Geometrie und Konstanten eines Profils</translation>
+    </message>
+    <message>
+        <source>A push on each point, outwards; inwards below 0</source>
+        <translation>Ein Druck auf jeden Punkt, nach außen; unter 0 nach innen</translation>
+    </message>
+    <message>
+        <source>A recorded session …</source>
+        <translation>Eine aufgezeichnete Sitzung …</translation>
     </message>
     <message>
         <source>A recorded session: it opens in Review.</source>
         <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
     </message>
     <message>
+        <source>A recording doesn't hold the model's mesh</source>
+        <translation>Eine Aufnahme enthält das Netz des Modells nicht</translation>
+    </message>
+    <message>
         <source>A recording is running. Everything recorded so far is kept.</source>
-        <translation>Eine Aufzeichnung läuft. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
+        <translation>Eine Aufnahme läuft. Alles bisher Aufgenommene bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>A remark for the session's events; Enter writes it</source>
+        <translation>Bemerkung zu den Ereignissen der Sitzung; Eingabe schreibt sie</translation>
+    </message>
+    <message>
+        <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
+        <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
     </message>
     <message>
         <source>A simulated cell to poke</source>
@@ -436,6 +530,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ein simulierter Bediener injiziert Zelle um Zelle.</translation>
     </message>
     <message>
+        <source>A solid wall (finite elements)</source>
+        <translation>Eine feste Wand (finite Elemente)</translation>
+    </message>
+    <message>
         <source>A video, a folder of images or a stack is measured; a recorded session opens in Review.</source>
         <translation>Video, Bilderordner oder Bildstapel werden gemessen; eine aufgezeichnete Sitzung öffnet sich in der Auswertung.</translation>
     </message>
@@ -448,6 +546,22 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Fügt den Ereignissen der Sitzung eine Bemerkung hinzu</translation>
     </message>
     <message>
+        <source>Add sessions</source>
+        <translation>Sitzungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add sessions, or drop them here: a row for each cell</source>
+        <translation>Fügen Sie Sitzungen hinzu, oder ziehen Sie sie hierher: eine Zeile je Zelle</translation>
+    </message>
+    <message>
+        <source>All columns of the report's cells.csv, with the group of each</source>
+        <translation>Alle Spalten der cells.csv des Berichts, mit der Gruppe jeder Zelle</translation>
+    </message>
+    <message>
+        <source>All keys of this window</source>
+        <translation>Alle Tasten dieses Fensters</translation>
+    </message>
+    <message>
         <source>All kinds</source>
         <translation>Alle Arten</translation>
     </message>
@@ -456,8 +570,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Den ganzen Bildschirm nutzen, und zurück</translation>
     </message>
     <message>
+        <source>All tables as CSV</source>
+        <translation>Alle Tabellen als CSV</translation>
+    </message>
+    <message>
         <source>Along x, y, z</source>
         <translation>Längs x, y, z</translation>
+    </message>
+    <message>
+        <source>An active contour on a picture, step by step</source>
+        <translation>Eine aktive Kontur auf einem Bild, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>An angle: three clicks, the second at its vertex</source>
+        <translation>Ein Winkel: drei Klicks, der zweite am Scheitel</translation>
+    </message>
+    <message>
+        <source>Angle </source>
+        <translation>Winkel </translation>
     </message>
     <message>
         <source>Angle from the needle (°)</source>
@@ -468,12 +598,28 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Annähern</translation>
     </message>
     <message>
+        <source>Area strain</source>
+        <translation>Flächendehnung</translation>
+    </message>
+    <message>
+        <source>Area strain (%)</source>
+        <translation>Flächendehnung (%)</translation>
+    </message>
+    <message>
         <source>Arrows head to tail: a balance closes</source>
         <translation>Pfeile aneinandergereiht</translation>
     </message>
     <message>
         <source>Arrows ▾</source>
         <translation>Pfeile ▾</translation>
+    </message>
+    <message>
+        <source>Arrows: the next force</source>
+        <translation>Pfeile: die nächste Kraft</translation>
+    </message>
+    <message>
+        <source>As at the start</source>
+        <translation>Wie am Anfang</translation>
     </message>
     <message>
         <source>As usual</source>
@@ -488,8 +634,36 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>An einer Stelle im Bild</translation>
     </message>
     <message>
+        <source>At equal distances, as a snake's points</source>
+        <translation>In gleichen Abständen, wie die Punkte einer Snake</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>At the nearest place</source>
+        <translation>An der nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
         <source>At this time, on the node picked</source>
         <translation>Zu diesem Zeitpunkt, am gewählten Knoten</translation>
+    </message>
+    <message>
+        <source>Axis of the node's chart</source>
+        <translation>Achse des Diagramms des Knotens</translation>
+    </message>
+    <message>
+        <source>BALLOON</source>
+        <translation>BALLON</translation>
+    </message>
+    <message>
+        <source>BENDING</source>
+        <translation>BIEGUNG</translation>
     </message>
     <message>
         <source>Back to its kind</source>
@@ -500,8 +674,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zurück zum ersten Blickpunkt</translation>
     </message>
     <message>
+        <source>Balloon</source>
+        <translation>Ballon</translation>
+    </message>
+    <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Bending, β</source>
+        <translation>Biegung, β</translation>
+    </message>
+    <message>
+        <source>Beside the measured one, from the specimen's own finite elements; never recorded</source>
+        <translation>Neben der gemessenen, aus den Finiten Elementen des Präparats; wird nie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Black and white follow the image</source>
+        <translation>Schwarz und Weiß folgen dem Bild</translation>
     </message>
     <message>
         <source>Blown up</source>
@@ -510,6 +700,30 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Blown up after </source>
         <translation>Instabil geworden nach </translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Unschärfe</translation>
+    </message>
+    <message>
+        <source>Both read the same contour with the same springs. In equilibrium the contour says how deep the needle is, and the shape is the network's own; prescribed, every node is laid on the contour, and the connectors under the tip are read.</source>
+        <translation>Beide lesen dieselbe Kontur mit denselben Federn. Im Gleichgewicht sagt die Kontur, wie tief die Nadel ist, und die Form ist die des Netzes selbst; vorgeschrieben liegt jeder Knoten auf der Kontur, und die Verbinder unter der Spitze werden abgelesen.</translation>
+    </message>
+    <message>
+        <source>Both views, and the cell's force on the hand</source>
+        <translation>Beide Ansichten, und die Kraft der Zelle an der Hand</translation>
+    </message>
+    <message>
+        <source>Both views, the force, and the guide along the planned line</source>
+        <translation>Beide Ansichten, die Kraft und die Führung entlang der geplanten Linie</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Bringing the needle back into view</source>
+        <translation>Nadel kommt ins Bild zurück</translation>
     </message>
     <message>
         <source>By a scale bar, or a needle of known diameter</source>
@@ -552,8 +766,48 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zelle</translation>
     </message>
     <message>
-        <source>Chart of the node as SVG, PDF or PNG</source>
-        <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
+        <source>Cell at rest</source>
+        <translation>Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>Cell with a deep dimple</source>
+        <translation>Zelle mit tiefer Delle</translation>
+    </message>
+    <message>
+        <source>Cell with a dimple</source>
+        <translation>Zelle mit Delle</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of several sessions in one table</source>
+        <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
+    </message>
+    <message>
+        <source>Cells of this run</source>
+        <translation>Zellen dieses Laufs</translation>
+    </message>
+    <message>
+        <source>Cells of this run with their outcome, and the recordings' folder</source>
+        <translation>Zellen dieses Laufs mit ihrem Ausgang, und der Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Cells read: %1, from sessions: %2</source>
+        <translation>Gelesene Zellen: %1, aus Sitzungen: %2</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Change of the membrane's area from rest, from the model: red is larger, blue smaller, grey zero.</source>
+        <translation>Änderung der Membranfläche gegenüber der Ruhe, nach dem Modell: Rot ist größer, Blau kleiner, Grau null.</translation>
+    </message>
+    <message>
+        <source>Chart of the node as SVG, PDF, PNG or CSV</source>
+        <translation>Diagramm des Knotens als SVG, PDF, PNG oder CSV</translation>
     </message>
     <message>
         <source>Choose a file</source>
@@ -572,8 +826,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ordner wählen</translation>
     </message>
     <message>
+        <source>Choose a session</source>
+        <translation>Sitzung wählen</translation>
+    </message>
+    <message>
+        <source>Choose card %1</source>
+        <translation>Karte %1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder for recordings, pictures and tables</source>
+        <translation>Ordner für Aufnahmen, Bilder und Tabellen wählen</translation>
+    </message>
+    <message>
         <source>Choose the folder of a session, or drop it on this window.</source>
         <translation>Wählen Sie den Ordner einer Sitzung, oder ziehen Sie ihn auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klicken</translation>
     </message>
     <message>
         <source>Click a node of the cell: each term of the equations becomes an arrow.</source>
@@ -584,8 +854,28 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Klicken Sie in die Zelle</translation>
     </message>
     <message>
+        <source>Click one end of the distance</source>
+        <translation>Klicken Sie ein Ende des Abstands an</translation>
+    </message>
+    <message>
+        <source>Click the angle's vertex</source>
+        <translation>Klicken Sie den Scheitel des Winkels an</translation>
+    </message>
+    <message>
+        <source>Click the end of one leg</source>
+        <translation>Klicken Sie das Ende eines Schenkels an</translation>
+    </message>
+    <message>
+        <source>Click the end of the other leg</source>
+        <translation>Klicken Sie das Ende des anderen Schenkels an</translation>
+    </message>
+    <message>
         <source>Click the needle's tip</source>
         <translation>Klicken Sie auf die Nadelspitze</translation>
+    </message>
+    <message>
+        <source>Click the other end</source>
+        <translation>Klicken Sie das andere Ende an</translation>
     </message>
     <message>
         <source>Click the place of the note (Shift+A: not now)</source>
@@ -600,12 +890,36 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Klick: Kräfte an einem Knoten</translation>
     </message>
     <message>
+        <source>Cliff's delta against the first</source>
+        <translation>Cliffs Delta gegen die erste</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
+        <source>Close the list</source>
+        <translation>Liste schließen</translation>
+    </message>
+    <message>
+        <source>Close the sheet</source>
+        <translation>Blatt schließen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Close: nothing typed is kept</source>
+        <translation>Schließen: Getipptes wird nicht behalten</translation>
+    </message>
+    <message>
         <source>Coarse 100:1</source>
         <translation>Grob 100:1</translation>
+    </message>
+    <message>
+        <source>Collapsed</source>
+        <translation>Zusammengefallen</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -632,6 +946,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Sicherheit</translation>
     </message>
     <message>
+        <source>Confidence (%)</source>
+        <translation>Sicherheit (%)</translation>
+    </message>
+    <message>
         <source>Connect</source>
         <translation>Verbinden</translation>
     </message>
@@ -652,12 +970,28 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kontakt, </translation>
     </message>
     <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
         <source>Contours</source>
         <translation>Konturen</translation>
     </message>
     <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
+    <message>
         <source>DEPTH</source>
         <translation>TIEFE</translation>
+    </message>
+    <message>
+        <source>DEPTH SEEN</source>
+        <translation>GESEHENE TIEFE</translation>
     </message>
     <message>
         <source>DO</source>
@@ -674,6 +1008,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Damping ratio</source>
         <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>Dark lines</source>
+        <translation>Dunkle Linien</translation>
     </message>
     <message>
         <source>Deflection</source>
@@ -700,8 +1038,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Abgeben</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth at peak (µm)</source>
+        <translation>Tiefe beim Höchstwert (µm)</translation>
+    </message>
+    <message>
         <source>Depth stop</source>
         <translation>Tiefenanschlag</translation>
+    </message>
+    <message>
+        <source>Depth stop </source>
+        <translation>Tiefenanschlag </translation>
+    </message>
+    <message>
+        <source>Depth stop set</source>
+        <translation>Tiefenanschlag gesetzt</translation>
     </message>
     <message>
         <source>Device lost, pipette held: plug it in or choose another hand</source>
@@ -736,6 +1090,30 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Verschiebung (µm)</translation>
     </message>
     <message>
+        <source>Displacement of a node (µm)</source>
+        <translation>Verschiebung eines Knotens (µm)</translation>
+    </message>
+    <message>
+        <source>Displacement of the nodes</source>
+        <translation>Verschiebung der Knoten</translation>
+    </message>
+    <message>
+        <source>Display ▾</source>
+        <translation>Darstellung ▾</translation>
+    </message>
+    <message>
+        <source>Distance </source>
+        <translation>Abstand </translation>
+    </message>
+    <message>
+        <source>Distances and angles</source>
+        <translation>Abstände und Winkel</translation>
+    </message>
+    <message>
+        <source>Distances and angles on the image, kept with the session's notes</source>
+        <translation>Abstände und Winkel im Bild, aufbewahrt bei den Notizen der Sitzung</translation>
+    </message>
+    <message>
         <source>Done; a new cell follows</source>
         <translation>Fertig; eine neue Zelle folgt</translation>
     </message>
@@ -744,20 +1122,52 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zweifel, geringe Sicherheit</translation>
     </message>
     <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
         <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
         <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
+    </message>
+    <message>
+        <source>Drag a ring</source>
+        <translation>Ring ziehen</translation>
+    </message>
+    <message>
+        <source>Drag, wheel</source>
+        <translation>Ziehen, Rad</translation>
     </message>
     <message>
         <source>Drag: needle</source>
         <translation>Ziehen: Nadel</translation>
     </message>
     <message>
-        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
-        <translation>Eine Linie von mindestens 20 px ziehen; je länger, desto genauer.</translation>
+        <source>Drag: turn</source>
+        <translation>Ziehen: drehen</translation>
     </message>
     <message>
-        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png)</source>
-        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png)</translation>
+        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
+        <translation>Ziehen Sie eine Linie von mindestens 20 px; je länger, desto genauer.</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png);;Table (*.csv)</source>
+        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png);;Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Drawn anew at this size: lines and letters stay sharp.</source>
+        <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
+    </message>
+    <message>
+        <source>Drawn to</source>
+        <translation>Angezogen von</translation>
+    </message>
+    <message>
+        <source>Draws the contour's errors anew</source>
+        <translation>Zieht die Fehler der Kontur neu</translation>
+    </message>
+    <message>
+        <source>Draws the snake together and spreads its points evenly</source>
+        <translation>Zieht die Snake zusammen und verteilt ihre Punkte gleichmäßig</translation>
     </message>
     <message>
         <source>Drop one file or one folder of this computer.</source>
@@ -772,8 +1182,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>ENERGIE</translation>
     </message>
     <message>
+        <source>EQUILIBRIUM</source>
+        <translation>GLEICHGEWICHT</translation>
+    </message>
+    <message>
         <source>Edge of a pixel</source>
         <translation>Kantenlänge eines Pixels</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
     </message>
     <message>
         <source>Emergency stop: pipette held</source>
@@ -786,6 +1204,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>End recording</source>
         <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Energy over steps</source>
+        <translation>Energie über den Schritten</translation>
     </message>
     <message>
         <source>Engaged</source>
@@ -802,6 +1228,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Events and doubts</source>
         <translation>Ereignisse und Zweifel</translation>
+    </message>
+    <message>
+        <source>Every node prescribed</source>
+        <translation>Jeder Knoten vorgeschrieben</translation>
     </message>
     <message>
         <source>Every push needs four times the force.</source>
@@ -826,6 +1256,18 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Export ▾</source>
         <translation>Export ▾</translation>
+    </message>
+    <message>
+        <source>F1 closes the sheet. Esc does too, and stops the needle.</source>
+        <translation>F1 schließt das Blatt. Esc auch, und hält die Nadel an.</translation>
+    </message>
+    <message>
+        <source>F1 or Esc closes the sheet.</source>
+        <translation>F1 oder Esc schließt das Blatt.</translation>
+    </message>
+    <message>
+        <source>FARTHEST MOVE</source>
+        <translation>WEITESTER WEG</translation>
     </message>
     <message>
         <source>FASTEST NODE</source>
@@ -856,6 +1298,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Datei oder Ordner</translation>
     </message>
     <message>
+        <source>Finds no rest</source>
+        <translation>Kommt nicht zur Ruhe</translation>
+    </message>
+    <message>
         <source>Fine 500:1</source>
         <translation>Fein 500:1</translation>
     </message>
@@ -876,6 +1322,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ordner ...</translation>
     </message>
     <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufnahmen</translation>
+    </message>
+    <message>
         <source>Folder for the tables</source>
         <translation>Ordner für die Tabellen</translation>
     </message>
@@ -892,8 +1342,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kraft (µN)</translation>
     </message>
     <message>
+        <source>Force at the puncture; without one, the largest</source>
+        <translation>Kraft beim Durchstich; ohne ihn die größte</translation>
+    </message>
+    <message>
         <source>Force in doubt: </source>
         <translation>Kraft zweifelhaft: </translation>
+    </message>
+    <message>
+        <source>Force of a node (µN)</source>
+        <translation>Kraft eines Knotens (µN)</translation>
     </message>
     <message>
         <source>Force of the needle on the cell against that at which this kind of cell gives way. Light band: the whole 95 % interval; dark band: what the picture leaves open.</source>
@@ -912,6 +1370,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
 </translation>
     </message>
     <message>
+        <source>Force of the nodes</source>
+        <translation>Kraft der Knoten</translation>
+    </message>
+    <message>
         <source>Force on the hand; full: the largest force of the device</source>
         <translation>Kraft auf die Hand; voll: die größte Kraft des Geräts</translation>
     </message>
@@ -924,16 +1386,12 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Kraft über der Eindellung</translation>
     </message>
     <message>
-        <source>Force over indentation as SVG, PDF or PNG</source>
-        <translation>Kraft über der Eindellung als SVG, PDF oder PNG</translation>
-    </message>
-    <message>
         <source>Force over time</source>
         <translation>Kraft über der Zeit</translation>
     </message>
     <message>
-        <source>Force over time as SVG, PDF or PNG</source>
-        <translation>Kraft über der Zeit als SVG, PDF oder PNG</translation>
+        <source>Force over time as SVG, PDF, PNG or CSV</source>
+        <translation>Kraft über der Zeit als SVG, PDF, PNG oder CSV</translation>
     </message>
     <message>
         <source>Force too old: released</source>
@@ -946,6 +1404,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Forces in 3-D</source>
         <translation>Kräfte in 3-D</translation>
+    </message>
+    <message>
+        <source>Forces on a node</source>
+        <translation>Kräfte an einem Knoten</translation>
     </message>
     <message>
         <source>Forget this cell's own scale: for another cell</source>
@@ -976,6 +1438,18 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Bildrate</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Frames a second that were measured, and that this window has drawn</source>
+        <translation>Bilder je Sekunde, die gemessen und von diesem Fenster gezeichnet wurden</translation>
+    </message>
+    <message>
+        <source>Frames that were not measured, that the source lost, or that are recorded in part</source>
+        <translation>Bilder, die nicht gemessen, von der Quelle verloren oder nur zum Teil aufgezeichnet wurden</translation>
+    </message>
+    <message>
         <source>Frames/s: </source>
         <translation>Bilder/s: </translation>
     </message>
@@ -992,8 +1466,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Frei, </translation>
     </message>
     <message>
+        <source>From a frame's arrival to its force on screen</source>
+        <translation>Von der Ankunft eines Bildes bis zu seiner Kraft auf dem Schirm</translation>
+    </message>
+    <message>
         <source>From the end on from the beginning</source>
         <translation>Vom Ende wieder an den Anfang</translation>
+    </message>
+    <message>
+        <source>From the lesson's beginning</source>
+        <translation>Vom Anfang der Lektion an</translation>
     </message>
     <message>
         <source>From the tip to the plan's target, along the planned way, with the 95 % interval of the tip. The mark is the target, the fine one beyond it the depth stop.</source>
@@ -1009,7 +1491,19 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     </message>
     <message>
         <source>Go on recording</source>
-        <translation>Weiter aufzeichnen</translation>
+        <translation>Weiter aufnehmen</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>Groups by </source>
+        <translation>Gruppen nach </translation>
     </message>
     <message>
         <source>Guide</source>
@@ -1026,6 +1520,26 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Half as stiff</source>
         <translation>Halb so steif</translation>
+    </message>
+    <message>
+        <source>Half the 95 % interval (µN)</source>
+        <translation>Halbes 95-%-Intervall (µN)</translation>
+    </message>
+    <message>
+        <source>Half-width of the force's interval</source>
+        <translation>Halbe Breite des Intervalls der Kraft</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Hedges' g against the first</source>
+        <translation>Hedges’ g gegen die erste</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1052,6 +1566,14 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Hinweis: </translation>
     </message>
     <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Histogram: </source>
+        <translation>Histogramm: </translation>
+    </message>
+    <message>
         <source>Hold for a second to release the emergency stop</source>
         <translation>Eine Sekunde halten, um den Nothalt zu lösen</translation>
     </message>
@@ -1064,6 +1586,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Haltepipette</translation>
     </message>
     <message>
+        <source>Holder on membrane (µN)</source>
+        <translation>Haltepipette auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Holding pipette</source>
         <translation>Haltepipette</translation>
     </message>
@@ -1072,12 +1598,24 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Wie Gl. (2) durch die Zeit geführt wird</translation>
     </message>
     <message>
+        <source>How far each place of the tracked surface is from where it was at rest.</source>
+        <translation>Wie weit jede Stelle der verfolgten Oberfläche von ihrem Ort in Ruhe entfernt ist.</translation>
+    </message>
+    <message>
         <source>How far the needle has pushed the outer membrane in, along the needle, from where it was at rest.</source>
         <translation>Wie weit die Nadel die äußere Membran eingedrückt hat, längs der Nadel, von ihrer Ruhelage aus.</translation>
     </message>
     <message>
+        <source>How far the tip is out of the image plane, as the manipulator reports it: above 0 behind it, away from you; below 0 before it</source>
+        <translation>Wie weit die Spitze außerhalb der Bildebene liegt, wie der Manipulator meldet: über 0 dahinter, von Ihnen weg; unter 0 davor</translation>
+    </message>
+    <message>
         <source>How far the tip stays behind the hand for each µN</source>
         <translation>Wie weit die Spitze je µN hinter der Hand bleibt</translation>
+    </message>
+    <message>
+        <source>How much of the image is shown, and how bright: the measurement stays the same</source>
+        <translation>Wie viel vom Bild gezeigt wird und wie hell: die Messung bleibt gleich</translation>
     </message>
     <message>
         <source>How often this window was busy for more than %1 ms, in the last %2 s; the longest ended after %3 s.
@@ -1090,8 +1628,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wie sicher die Bildverfolgung in diesem Bild bei Zelle und Nadel ist. Unter 50 % sehen Sie sich das Bild an, bevor Sie eine Zahl verwenden.</translation>
     </message>
     <message>
-        <source>How the forces on the membrane are drawn</source>
-        <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
+        <source>How the contact with the cell ended</source>
+        <translation>Wie der Kontakt mit der Zelle endete</translation>
+    </message>
+    <message>
+        <source>How the liquid inside pushes outwards on each node's share of the membrane. All together the arrows add up to zero.</source>
+        <translation>Wie die Flüssigkeit im Inneren den Membrananteil jedes Knotens nach außen drückt. Alle Pfeile zusammen ergeben null.</translation>
+    </message>
+    <message>
+        <source>How the stretched membrane pulls on its own points. It balances pressure and tools, so on a taut cell it points inwards although nothing pushes from outside. At rest it is zero: this is also its change from rest.</source>
+        <translation>Wie die gespannte Membran an ihren eigenen Punkten zieht. Sie hält Druck und Werkzeugen das Gleichgewicht und zeigt bei einer prallen Zelle nach innen, obwohl nichts von außen drückt. In Ruhe ist sie null: Dies ist auch ihre Änderung gegenüber der Ruhe.</translation>
+    </message>
+    <message>
+        <source>Hysteresis (pJ)</source>
+        <translation>Hysterese (pJ)</translation>
+    </message>
+    <message>
+        <source>IMAGE</source>
+        <translation>BILD</translation>
     </message>
     <message>
         <source>IN DOUBT</source>
@@ -1106,12 +1660,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Bild mit einer Linie</translation>
     </message>
     <message>
+        <source>Image ▾</source>
+        <translation>Bild ▾</translation>
+    </message>
+    <message>
+        <source>Images along the session's time</source>
+        <translation>Bilder längs der Zeit der Sitzung</translation>
+    </message>
+    <message>
         <source>Implicit Euler</source>
         <translation>Implizites Euler-Verfahren</translation>
     </message>
     <message>
         <source>In contact</source>
         <translation>In Kontakt</translation>
+    </message>
+    <message>
+        <source>In equilibrium</source>
+        <translation>Im Gleichgewicht</translation>
     </message>
     <message>
         <source>In the virtual microscope: scenario %1</source>
@@ -1124,6 +1690,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Indentation (µm)</source>
         <translation>Eindellung (µm)</translation>
+    </message>
+    <message>
+        <source>Indentation at that force</source>
+        <translation>Eindellung bei dieser Kraft</translation>
     </message>
     <message>
         <source>Indentation of the cell</source>
@@ -1170,6 +1740,18 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Hält die Spitze auf der geplanten Linie, hinein und hinaus</translation>
     </message>
     <message>
+        <source>Keeps the snake smooth; too much cuts across the dimple</source>
+        <translation>Hält die Snake glatt; zu viel schneidet die Delle ab</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Keys of this window</source>
+        <translation>Tasten dieses Fensters</translation>
+    </message>
+    <message>
         <source>Kind</source>
         <translation>Art</translation>
     </message>
@@ -1198,6 +1780,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Lernen</translation>
     </message>
     <message>
+        <source>Left chart as SVG, PDF, PNG or CSV</source>
+        <translation>Linkes Diagramm als SVG, PDF, PNG oder CSV</translation>
+    </message>
+    <message>
+        <source>Left the picture</source>
+        <translation>Bild verlassen</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1210,8 +1800,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Lektion</translation>
     </message>
     <message>
+        <source>Lesson before</source>
+        <translation>Vorige Lektion</translation>
+    </message>
+    <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Lessons about cells, contours and forces</source>
+        <translation>Lektionen über Zellen, Konturen und Kräfte</translation>
     </message>
     <message>
         <source>Light theme</source>
@@ -1228,6 +1826,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Liquid keeps its volume</source>
         <translation>Flüssigkeit behält ihr Volumen</translation>
+    </message>
+    <message>
+        <source>List of cells saved: </source>
+        <translation>Liste der Zellen gespeichert: </translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>Belastung</translation>
     </message>
     <message>
         <source>Look ▾</source>
@@ -1262,6 +1868,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Masse eines Knotens</translation>
     </message>
     <message>
+        <source>Mean tension of the membrane, from the model: red is stretched, blue compressed, grey zero.</source>
+        <translation>Mittlere Spannung der Membran, nach dem Modell: Rot ist gedehnt, Blau gestaucht, Grau null.</translation>
+    </message>
+    <message>
         <source>Measure a pixel</source>
         <translation>Pixel ausmessen</translation>
     </message>
@@ -1278,6 +1888,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Im Bild messen ...</translation>
     </message>
     <message>
+        <source>Measure ▾</source>
+        <translation>Messen ▾</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
         <source>Measured: %1</source>
         <translation>Gemessen: %1</translation>
     </message>
@@ -1288,6 +1906,18 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Measuring again</source>
         <translation>Wird neu gemessen</translation>
+    </message>
+    <message>
+        <source>Median (quartiles), number</source>
+        <translation>Median (Quartile), Anzahl</translation>
+    </message>
+    <message>
+        <source>Membrane resultant</source>
+        <translation>Resultierende der Membran</translation>
+    </message>
+    <message>
+        <source>Membrane resultant (µN)</source>
+        <translation>Resultierende der Membran (µN)</translation>
     </message>
     <message>
         <source>Membranes found in the image</source>
@@ -1318,6 +1948,18 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Modellschnitt</translation>
     </message>
     <message>
+        <source>Model, profile's cell</source>
+        <translation>Modell, Zelle des Profils</translation>
+    </message>
+    <message>
+        <source>Model, this cell's sizes</source>
+        <translation>Modell, Maße dieser Zelle</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
         <source>Most arrows</source>
         <translation>Höchstens Pfeile</translation>
     </message>
@@ -1330,12 +1972,44 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Maus und Tastatur</translation>
     </message>
     <message>
+        <source>Move target, entry or depth stop of the plan</source>
+        <translation>Ziel, Eintritt oder Tiefenanschlag des Plans verschieben</translation>
+    </message>
+    <message>
+        <source>Move the circle, or its rim; elsewhere place it</source>
+        <translation>Den Kreis oder seinen Rand bewegen; anderswo ihn setzen</translation>
+    </message>
+    <message>
+        <source>Move the image, zoom</source>
+        <translation>Bild verschieben, vergrößern</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
         <source>NEEDLE NOT SEEN</source>
         <translation>NADEL NICHT ZU SEHEN</translation>
     </message>
     <message>
         <source>NO FORCE</source>
         <translation>KEINE KRAFT</translation>
+    </message>
+    <message>
+        <source>Name of the cell in view</source>
+        <translation>Name der Zelle im Bild</translation>
+    </message>
+    <message>
+        <source>Name the cell in view</source>
+        <translation>Die Zelle im Bild benennen</translation>
+    </message>
+    <message>
+        <source>Name, or number in this run</source>
+        <translation>Name, oder Nummer in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>Name; Enter takes it</source>
+        <translation>Name; Eingabe übernimmt ihn</translation>
     </message>
     <message>
         <source>Needle</source>
@@ -1350,6 +2024,26 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Nadel und Haltepipette</translation>
     </message>
     <message>
+        <source>Needle on membrane (µN)</source>
+        <translation>Nadel auf Membran (µN)</translation>
+    </message>
+    <message>
+        <source>Needle or circle down by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach unten</translation>
+    </message>
+    <message>
+        <source>Needle or circle to the left by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach links</translation>
+    </message>
+    <message>
+        <source>Needle or circle to the right by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach rechts</translation>
+    </message>
+    <message>
+        <source>Needle or circle up by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach oben</translation>
+    </message>
+    <message>
         <source>New cell</source>
         <translation>Neue Zelle</translation>
     </message>
@@ -1360,6 +2054,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Next event</source>
         <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
+    </message>
+    <message>
+        <source>Next note of this frame</source>
+        <translation>Nächste Notiz dieses Bildes</translation>
     </message>
     <message>
         <source>No camera</source>
@@ -1406,6 +2108,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Kein Bild an gleicher Stelle</translation>
     </message>
     <message>
+        <source>No frame has this number</source>
+        <translation>Kein Bild hat diese Zahl</translation>
+    </message>
+    <message>
+        <source>No frame of this session has such a number</source>
+        <translation>Kein Bild dieser Sitzung hat eine solche Zahl</translation>
+    </message>
+    <message>
         <source>No frame yet</source>
         <translation>Noch kein Bild</translation>
     </message>
@@ -1420,6 +2130,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>No node</source>
         <translation>Kein Knoten</translation>
+    </message>
+    <message>
+        <source>No node has this number</source>
+        <translation>Kein Knoten hat diese Zahl</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
     </message>
     <message>
         <source>No surface at the same place</source>
@@ -1458,8 +2176,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Knotenkräfte</translation>
     </message>
     <message>
+        <source>Nodes</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
         <source>Nodes of the network; the profile's constants hold for its own mesh of 812</source>
         <translation>Knoten des Netzes; die Konstanten des Profils gelten für sein eigenes Netz mit 812</translation>
+    </message>
+    <message>
+        <source>Noise of the contour</source>
+        <translation>Rauschen der Kontur</translation>
     </message>
     <message>
         <source>None yet: what you record is kept in </source>
@@ -1522,12 +2248,36 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Objektiv</translation>
     </message>
     <message>
+        <source>Of each of its points, along its normal</source>
+        <translation>Jedes ihrer Punkte, längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Of the circle that the snake begins on</source>
+        <translation>Des Kreises, auf dem die Snake beginnt</translation>
+    </message>
+    <message>
+        <source>Of the image: more is felt from farther away, and less sharply</source>
+        <translation>Des Bildes: mehr wirkt von weiter her und weniger scharf</translation>
+    </message>
+    <message>
         <source>Of the integrator</source>
         <translation>Des Integrators</translation>
     </message>
     <message>
+        <source>Of the needle</source>
+        <translation>Der Nadel</translation>
+    </message>
+    <message>
+        <source>Of the virtual microscope, or recorded</source>
+        <translation>Des virtuellen Mikroskops oder aufgezeichnet</translation>
+    </message>
+    <message>
         <source>Of the zona; scales every force and no shape</source>
         <translation>Der Zona; skaliert jede Kraft und keine Form</translation>
+    </message>
+    <message>
+        <source>On the screen alone: the measurement stays the same.</source>
+        <translation>Nur auf dem Schirm: die Messung bleibt gleich.</translation>
     </message>
     <message>
         <source>One frame back</source>
@@ -1536,6 +2286,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>One frame forward</source>
         <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>One step</source>
+        <translation>Ein Schritt</translation>
     </message>
     <message>
         <source>Oolemma</source>
@@ -1570,6 +2324,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wird geöffnet: </translation>
     </message>
     <message>
+        <source>Other noise</source>
+        <translation>Anderes Rauschen</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
         <source>Outer membrane</source>
         <translation>Äußere Membran</translation>
     </message>
@@ -1580,6 +2342,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>PAST THE DEPTH STOP</source>
         <translation>HINTER DEM TIEFENANSCHLAG</translation>
+    </message>
+    <message>
+        <source>PRESCRIBED</source>
+        <translation>VORGESCHRIEBEN</translation>
     </message>
     <message>
         <source>PRESSURE</source>
@@ -1618,8 +2384,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Angehalten</translation>
     </message>
     <message>
+        <source>Peak force (µN)</source>
+        <translation>Höchste Kraft (µN)</translation>
+    </message>
+    <message>
         <source>Pellucida - </source>
         <translation>Pellucida - </translation>
+    </message>
+    <message>
+        <source>Pellucida - Cells of several sessions</source>
+        <translation>Pellucida - Zellen mehrerer Sitzungen</translation>
     </message>
     <message>
         <source>Pellucida - Review</source>
@@ -1636,6 +2410,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Pellucida, teach</source>
         <translation>Pellucida, Lehre</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
@@ -1662,6 +2440,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Plan</translation>
     </message>
     <message>
+        <source>Plan ▾</source>
+        <translation>Plan ▾</translation>
+    </message>
+    <message>
         <source>Play</source>
         <translation>Start</translation>
     </message>
@@ -1678,6 +2460,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Zeigen Sie, was die Bildverfolgung verwechselt hat: sie macht von dort weiter</translation>
     </message>
     <message>
+        <source>Poor camera, a dimple</source>
+        <translation>Schlechte Kamera, Delle</translation>
+    </message>
+    <message>
+        <source>Preparing the picture</source>
+        <translation>Das Bild wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Prescribed: close</source>
+        <translation>Vorgeschrieben: nahe</translation>
+    </message>
+    <message>
+        <source>Prescribed: wrong</source>
+        <translation>Vorgeschrieben: falsch</translation>
+    </message>
+    <message>
         <source>Press %1 to choose this card</source>
         <translation>Drücken Sie %1, um diese Karte zu wählen</translation>
     </message>
@@ -1686,12 +2484,32 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Druck</translation>
     </message>
     <message>
+        <source>Pressure (Pa)</source>
+        <translation>Druck (Pa)</translation>
+    </message>
+    <message>
+        <source>Pressure on membrane (µN)</source>
+        <translation>Druck auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Profile of the cell</source>
         <translation>Profil der Zelle</translation>
     </message>
     <message>
         <source>Pull of a connector (µN)</source>
         <translation>Zug einer Verbindung (µN)</translation>
+    </message>
+    <message>
+        <source>Puncture depth (µm)</source>
+        <translation>Tiefe beim Durchstich (µm)</translation>
+    </message>
+    <message>
+        <source>Puncture force (µN)</source>
+        <translation>Kraft beim Durchstich (µN)</translation>
+    </message>
+    <message>
+        <source>Puncture work (pJ)</source>
+        <translation>Arbeit bis zum Durchstich (pJ)</translation>
     </message>
     <message>
         <source>Punctured</source>
@@ -1714,8 +2532,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>FRAGE</translation>
     </message>
     <message>
+        <source>Quantity of the node</source>
+        <translation>Größe des Knotens</translation>
+    </message>
+    <message>
+        <source>Radius at the start</source>
+        <translation>Radius am Anfang</translation>
+    </message>
+    <message>
+        <source>Reading </source>
+        <translation>Liest </translation>
+    </message>
+    <message>
         <source>Reading an image ...</source>
-        <translation>Ein Bild wird gelesen ...</translation>
+        <translation>Bild wird gelesen ...</translation>
     </message>
     <message>
         <source>Reading the session</source>
@@ -1746,18 +2576,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Aufnahme nach </translation>
     </message>
     <message>
+        <source>Recordings in</source>
+        <translation>Aufnahmen in</translation>
+    </message>
+    <message>
         <source>Redo</source>
         <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo the plan's change</source>
+        <translation>Änderung des Plans wiederholen</translation>
     </message>
     <message>
         <source>Release
 (hold)</source>
         <translation>Lösen
 (halten)</translation>
-    </message>
-    <message>
-        <source>Remark for the session's events:</source>
-        <translation>Bemerkung zu den Ereignissen der Sitzung:</translation>
     </message>
     <message>
         <source>Replace?</source>
@@ -1796,6 +2630,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Auswertung der Sitzung vom </translation>
     </message>
     <message>
+        <source>Right drag, wheel</source>
+        <translation>Rechts ziehen, Rad</translation>
+    </message>
+    <message>
         <source>Right drag: turn</source>
         <translation>Rechts ziehen: drehen</translation>
     </message>
@@ -1804,12 +2642,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Richtig. </translation>
     </message>
     <message>
+        <source>Run</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>S: one step. R: run.</source>
+        <translation>S: ein Schritt. R: laufen.</translation>
+    </message>
+    <message>
         <source>SCALE</source>
         <translation>SKALA</translation>
     </message>
     <message>
         <source>SPEED</source>
         <translation>TEMPO</translation>
+    </message>
+    <message>
+        <source>STEP</source>
+        <translation>SCHRITT</translation>
     </message>
     <message>
         <source>STEPS, PACE</source>
@@ -1822,6 +2672,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>STOPPED</source>
         <translation>GESTOPPT</translation>
+    </message>
+    <message>
+        <source>STRETCHING</source>
+        <translation>DEHNUNG</translation>
+    </message>
+    <message>
+        <source>Save as CSV</source>
+        <translation>Als CSV speichern</translation>
     </message>
     <message>
         <source>Save the difference as SVG, PDF or PNG</source>
@@ -1842,6 +2700,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Scale</source>
         <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Scale grew, was </source>
+        <translation>Skala gewachsen, war </translation>
     </message>
     <message>
         <source>Scale of this cell</source>
@@ -1872,6 +2734,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Schnitt durch das mechanische Modell</translation>
     </message>
     <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Set the target</source>
+        <translation>Ziel setzen</translation>
+    </message>
+    <message>
         <source>Set up again</source>
         <translation>Neu aufbauen</translation>
     </message>
@@ -1880,24 +2750,60 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Knotenkräfte zeigen</translation>
     </message>
     <message>
+        <source>Show or hide the arrows</source>
+        <translation>Pfeile zeigen oder verbergen</translation>
+    </message>
+    <message>
         <source>Show the events and doubts beside the views</source>
         <translation>Zeigt Ereignisse und Zweifel neben den Ansichten</translation>
+    </message>
+    <message>
+        <source>Show the plan</source>
+        <translation>Plan zeigen</translation>
     </message>
     <message>
         <source>Sigma</source>
         <translation>Sigma</translation>
     </message>
     <message>
+        <source>Sigma of a node's force (µN)</source>
+        <translation>Sigma der Kraft eines Knotens (µN)</translation>
+    </message>
+    <message>
+        <source>Sigma of the nodes' forces</source>
+        <translation>Sigma der Kräfte der Knoten</translation>
+    </message>
+    <message>
         <source>Simulated seconds a second, at most: slow motion</source>
         <translation>Simulierte Sekunden je Sekunde, höchstens: Zeitlupe</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>Größe des Bildes</translation>
     </message>
     <message>
         <source>Slower</source>
         <translation>Langsamer</translation>
     </message>
     <message>
+        <source>Snake</source>
+        <translation>Snake</translation>
+    </message>
+    <message>
+        <source>Sounds at contact, puncture and alarms</source>
+        <translation>Töne bei Kontakt, Durchstich und Alarmen</translation>
+    </message>
+    <message>
         <source>Space plays, arrow keys step, a press on the timeline or on force over time seeks, a click on the membrane picks a node</source>
         <translation>Leertaste spielt ab, Pfeiltasten gehen Bild für Bild, ein Druck auf die Zeitleiste oder auf die Kraft über der Zeit springt dorthin, ein Klick auf die Membran wählt einen Knoten</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Speed of the tip, as its manipulator reports it, else as it is seen. The mark is the largest speed of the hand: in contact, that of the push.</source>
@@ -1928,12 +2834,48 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Startseite: andere Quelle, Sitzung oder Lektion wählen</translation>
     </message>
     <message>
+        <source>Start the chosen card, or press the button that has the focus</source>
+        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
+    </message>
+    <message>
         <source>Start the source again from its first frame</source>
         <translation>Beginnt die Quelle wieder bei ihrem ersten Bild</translation>
     </message>
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Steps a second while it runs</source>
+        <translation>Schritte je Sekunde, während sie läuft</translation>
+    </message>
+    <message>
+        <source>Steps until it rests, or until it is stopped</source>
+        <translation>Schritte, bis sie ruht oder angehalten wird</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness (µN/µm)</source>
+        <translation>Steifigkeit (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Stiffness at 10 µm (µN/µm)</source>
+        <translation>Steifigkeit bei 10 µm (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Stiffness at 20 µm (µN/µm)</source>
+        <translation>Steifigkeit bei 20 µm (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Stiffness at 30 µm (µN/µm)</source>
+        <translation>Steifigkeit bei 30 µm (µN/µm)</translation>
     </message>
     <message>
         <source>Stiffness of the cell</source>
@@ -1952,8 +2894,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Angehalten</translation>
     </message>
     <message>
+        <source>Stretching, α</source>
+        <translation>Dehnung, α</translation>
+    </message>
+    <message>
         <source>Suction</source>
         <translation>Sog</translation>
+    </message>
+    <message>
+        <source>Suggested: Enter takes it</source>
+        <translation>Vorschlag: Eingabe übernimmt ihn</translation>
     </message>
     <message>
         <source>Sum: residual</source>
@@ -1968,8 +2918,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Oberfläche: %1 ▾</translation>
     </message>
     <message>
-        <source>Surface: plain ▾</source>
-        <translation>Oberfläche: einfarbig ▾</translation>
+        <source>Surface: the next quantity</source>
+        <translation>Oberfläche: die nächste Größe</translation>
     </message>
     <message>
         <source>Symplectic Euler, eq. (4)</source>
@@ -1980,12 +2930,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>ZUM ZIEL</translation>
     </message>
     <message>
+        <source>TRUE FORCE</source>
+        <translation>WAHRE KRAFT</translation>
+    </message>
+    <message>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
-        <source>Tables as CSV</source>
-        <translation>Tabellen als CSV</translation>
+        <source>Table as CSV</source>
+        <translation>Tabelle als CSV</translation>
     </message>
     <message>
         <source>Take a shorter step than </source>
@@ -1996,6 +2950,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Letzten Hinweis zurücknehmen</translation>
     </message>
     <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
         <source>Take the needle out, then replace the cell by an intact one</source>
         <translation>Nimmt die Nadel heraus und ersetzt die Zelle durch eine unversehrte</translation>
     </message>
@@ -2004,8 +2962,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Zieht die Pipette längs ihrer Achse heraus, solange gedrückt</translation>
     </message>
     <message>
+        <source>Takes the rows chosen out of the table</source>
+        <translation>Nimmt die gewählten Zeilen aus der Tabelle</translation>
+    </message>
+    <message>
         <source>Taking the needle out</source>
         <translation>Herausziehen der Nadel</translation>
+    </message>
+    <message>
+        <source>Taking the needle out for a new cell</source>
+        <translation>Nadel wird für eine neue Zelle herausgezogen</translation>
+    </message>
+    <message>
+        <source>Target </source>
+        <translation>Ziel </translation>
     </message>
     <message>
         <source>Target set</source>
@@ -2036,16 +3006,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Spannung (µN/µm)</translation>
     </message>
     <message>
+        <source>Tension at a node (µN/µm)</source>
+        <translation>Spannung an einem Knoten (µN/µm)</translation>
+    </message>
+    <message>
+        <source>Tension of the nodes</source>
+        <translation>Spannung der Knoten</translation>
+    </message>
+    <message>
         <source>Text</source>
         <translation>Text</translation>
     </message>
     <message>
         <source>That would be </source>
         <translation>Das wären </translation>
-    </message>
-    <message>
-        <source>The cell at rest</source>
-        <translation>Die Zelle in Ruhe</translation>
     </message>
     <message>
         <source>The cell is as stiff as its profile says.</source>
@@ -2068,8 +3042,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Kraft ließ sich nicht berechnen: keine Kraft auf die Hand</translation>
     </message>
     <message>
+        <source>The force read from a contour in two ways</source>
+        <translation>Die Kraft, aus einer Kontur auf zwei Arten gelesen</translation>
+    </message>
+    <message>
         <source>The holding pipette draws a tongue of the zona into its mouth under a known suction. Finite elements of the aspirated shell give its modulus; that takes some seconds.</source>
         <translation>Die Haltepipette saugt mit bekanntem Sog eine Zunge der Zona in ihre Mündung. Finite Elemente der angesaugten Schale geben den Modul; das dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>The image shows where the membrane is, not which piece of it is where</source>
+        <translation>Das Bild zeigt, wo die Membran ist, nicht welches Stück von ihr wo ist</translation>
+    </message>
+    <message>
+        <source>The image, and the membranes in 3-D</source>
+        <translation>Das Bild, und die Membranen in 3-D</translation>
     </message>
     <message>
         <source>The kind's scale again</source>
@@ -2092,6 +3078,26 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Membran</translation>
     </message>
     <message>
+        <source>The membrane is clear, and shows what is behind it.</source>
+        <translation>Die Membran ist durchsichtig und zeigt, was hinter ihr liegt.</translation>
+    </message>
+    <message>
+        <source>The mesh that the forces are computed on, as a wire: where it leaves the seen surface, model and image disagree</source>
+        <translation>Das Netz, auf dem die Kräfte berechnet werden, als Draht: Wo es von der gesehenen Oberfläche abweicht, widersprechen sich Modell und Bild</translation>
+    </message>
+    <message>
+        <source>The microscope's image alone</source>
+        <translation>Das Bild des Mikroskops allein</translation>
+    </message>
+    <message>
+        <source>The model's curves: with this cell's sizes as seen, and of the profile's own cell</source>
+        <translation>Die Kurven des Modells: mit den gesehenen Maßen dieser Zelle und für die Zelle des Profils</translation>
+    </message>
+    <message>
+        <source>The model's own surface</source>
+        <translation>Die Oberfläche des Modells</translation>
+    </message>
+    <message>
         <source>The needle moves as the scenario describes, again and again.</source>
         <translation>Die Nadel bewegt sich, wie es das Szenario beschreibt, immer wieder.</translation>
     </message>
@@ -2102,6 +3108,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The needle pushes this cell, and another instrument gives the force (or leave it 0 and give the stiffness, the rise of the force with depth).</source>
         <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
+    </message>
+    <message>
+        <source>The next recording goes into </source>
+        <translation>Die nächste Aufnahme kommt in </translation>
     </message>
     <message>
         <source>The next window has it</source>
@@ -2116,8 +3126,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Das Bild zeigt Formen, nicht wie steif diese Zelle ist. Eine Messung macht alle Kräfte zu ihren eigenen. Mehrere ergänzen sich.</translation>
     </message>
     <message>
+        <source>The planned way: drag its rings while the cell is untouched</source>
+        <translation>Der geplante Weg: ziehen Sie seine Ringe, solange die Zelle unberührt ist</translation>
+    </message>
+    <message>
         <source>The recording was interrupted, or is still being written</source>
         <translation>Die Aufnahme wurde unterbrochen oder läuft noch</translation>
+    </message>
+    <message>
+        <source>The same, on the number pad</source>
+        <translation>Dasselbe, auf dem Ziffernblock</translation>
     </message>
     <message>
         <source>The scenario's own motion</source>
@@ -2136,8 +3154,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Sitzung enthält diese Größe für den Knoten nicht</translation>
     </message>
     <message>
+        <source>The session's images along its time; a press seeks</source>
+        <translation>Die Bilder der Sitzung längs ihrer Zeit; ein Druck springt dorthin</translation>
+    </message>
+    <message>
+        <source>The smaller, the longer a step; too small overshoots</source>
+        <translation>Je kleiner, desto länger ein Schritt; zu klein schießt über</translation>
+    </message>
+    <message>
         <source>The source has ended</source>
         <translation>Die Quelle ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The spring network itself</source>
+        <translation>Das Federnetz selbst</translation>
     </message>
     <message>
         <source>The time step, </source>
@@ -2146,10 +3176,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The tip goes no deeper than this beyond the entry</source>
         <translation>Die Spitze geht nicht tiefer als so weit hinter den Eintritt</translation>
-    </message>
-    <message>
-        <source>The whole image instead of the cell</source>
-        <translation>Das ganze Bild statt der Zelle</translation>
     </message>
     <message>
         <source>Theme and language</source>
@@ -2192,6 +3218,18 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Diese Zelle: was nach dem Messen ihrer Skala von ihrer unbekannten Steifigkeit bleibt.</translation>
     </message>
     <message>
+        <source>This frame and its charts as CSV</source>
+        <translation>Dieses Bild und seine Diagramme als CSV</translation>
+    </message>
+    <message>
+        <source>This frame has several notes: the next one</source>
+        <translation>Dieses Bild hat mehrere Notizen: die nächste</translation>
+    </message>
+    <message>
+        <source>This frame's surface holds no such numbers</source>
+        <translation>Die Oberfläche dieses Bildes enthält keine solchen Zahlen</translation>
+    </message>
+    <message>
         <source>This is no cell</source>
         <translation>Das ist keine Zelle</translation>
     </message>
@@ -2216,6 +3254,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Zeit (s)</translation>
     </message>
     <message>
+        <source>Time in contact (s)</source>
+        <translation>Zeit in Kontakt (s)</translation>
+    </message>
+    <message>
         <source>Time step</source>
         <translation>Zeitschritt</translation>
     </message>
@@ -2228,12 +3270,32 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Werkzeuge</translation>
     </message>
     <message>
+        <source>Tools on membrane (µN)</source>
+        <translation>Werkzeuge auf Membran (µN)</translation>
+    </message>
+    <message>
+        <source>True force of the virtual cell</source>
+        <translation>Wahre Kraft der virtuellen Zelle</translation>
+    </message>
+    <message>
         <source>Try the virtual microscope</source>
         <translation>Virtuelles Mikroskop ausprobieren</translation>
     </message>
     <message>
+        <source>Turn both cells, zoom</source>
+        <translation>Beide Zellen drehen, vergrößern</translation>
+    </message>
+    <message>
+        <source>Turn the view, zoom</source>
+        <translation>Ansicht drehen, vergrößern</translation>
+    </message>
+    <message>
         <source>Twice as stiff</source>
         <translation>Doppelt so steif</translation>
+    </message>
+    <message>
+        <source>Two read-outs</source>
+        <translation>Zwei Ablesungen</translation>
     </message>
     <message>
         <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
@@ -2254,6 +3316,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Undo panning and zooming</source>
         <translation>Macht Verschieben und Vergrößern rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the plan's change</source>
+        <translation>Änderung des Plans zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Unloading</source>
+        <translation>Entlastung</translation>
     </message>
     <message>
         <source>Use it</source>
@@ -2284,6 +3354,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ansicht als PNG</translation>
     </message>
     <message>
+        <source>Viscosity, γ</source>
+        <translation>Zähigkeit, γ</translation>
+    </message>
+    <message>
         <source>Wait for the export that is running, or cancel it</source>
         <translation>Warten Sie auf den laufenden Export, oder brechen Sie ihn ab</translation>
     </message>
@@ -2304,16 +3378,36 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Warten auf eine Zelle</translation>
     </message>
     <message>
+        <source>Waiting for an untouched cell</source>
+        <translation>Wartet auf eine unberührte Zelle</translation>
+    </message>
+    <message>
         <source>Waiting for the first frame</source>
         <translation>Warten auf das erste Bild</translation>
+    </message>
+    <message>
+        <source>What both tools do to the membrane: the needle pushes, the holding pipette holds against it.</source>
+        <translation>Was beide Werkzeuge mit der Membran tun: Die Nadel drückt, die Haltepipette hält dagegen.</translation>
+    </message>
+    <message>
+        <source>What has the least energy in the image</source>
+        <translation>Was im Bild die geringste Energie hat</translation>
     </message>
     <message>
         <source>What is drawn of the node</source>
         <translation>Was vom Knoten gezeichnet wird</translation>
     </message>
     <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
         <source>What is shown of the other session</source>
         <translation>Was von der anderen Sitzung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What is shown, felt and heard</source>
+        <translation>Was man sieht, fühlt und hört</translation>
     </message>
     <message>
         <source>What moves the needle</source>
@@ -2324,8 +3418,60 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Pipette bewegt</translation>
     </message>
     <message>
-        <source>What the colour of the outer membrane shows</source>
-        <translation>Was die Farbe der äußeren Membran zeigt</translation>
+        <source>What the colour of the outer membrane shows; key 8 shows the next quantity</source>
+        <translation>Was die Farbe der äußeren Membran zeigt; Taste 8 zeigt die nächste Größe</translation>
+    </message>
+    <message>
+        <source>What the holding pipette does to the membrane around its mouth. The bold arrow is the sum.</source>
+        <translation>Was die Haltepipette rund um ihre Öffnung mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
+    </message>
+    <message>
+        <source>What the image shows</source>
+        <translation>Was das Bild zeigt</translation>
+    </message>
+    <message>
+        <source>What the left chart shows</source>
+        <translation>Was das linke Diagramm zeigt</translation>
+    </message>
+    <message>
+        <source>What the left chart shows (H: histogram and back)</source>
+        <translation>Was das linke Diagramm zeigt (H: Histogramm und zurück)</translation>
+    </message>
+    <message>
+        <source>What the needle does to the membrane under its tip. The bold arrow is the sum.</source>
+        <translation>Was die Nadel unter ihrer Spitze mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
+    </message>
+    <message>
+        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
+        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+    </message>
+    <message>
+        <source>What was measured as CSV…</source>
+        <translation>Gemessenes als CSV …</translation>
+    </message>
+    <message>
+        <source>When it was, since the source began</source>
+        <translation>Wann das war, seit Beginn der Quelle</translation>
+    </message>
+    <message>
+        <source>Where a node is laid on it</source>
+        <translation>Wo ein Knoten auf ihr liegt</translation>
+    </message>
+    <message>
+        <source>Where each piece really is</source>
+        <translation>Wo jedes Stück wirklich ist</translation>
+    </message>
+    <message>
+        <source>Where it began</source>
+        <translation>Wo sie begann</translation>
+    </message>
+    <message>
+        <source>Which forces on the membrane the arrows show, and how. Now: </source>
+        <translation>Welche Kräfte auf die Membran die Pfeile zeigen, und wie. Jetzt: </translation>
+    </message>
+    <message>
+        <source>Which frame of the film or the recording is seen</source>
+        <translation>Welches Bild des Films oder der Aufnahme zu sehen ist</translation>
     </message>
     <message>
         <source>Which frames of both sessions belong together</source>
@@ -2340,6 +3486,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ganzes Bild</translation>
     </message>
     <message>
+        <source>Whose contour</source>
+        <translation>Wessen Kontur</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width and height</source>
+        <translation>Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
         <source>Window as PNG</source>
         <translation>Fenster als PNG</translation>
     </message>
@@ -2352,12 +3514,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ohne dies entweicht die Flüssigkeit ungehindert, und es gibt keinen Druck</translation>
     </message>
     <message>
+        <source>Work of the needle up to it</source>
+        <translation>Arbeit der Nadel bis dahin</translation>
+    </message>
+    <message>
+        <source>Work to the largest depth (pJ)</source>
+        <translation>Arbeit bis zur größten Tiefe (pJ)</translation>
+    </message>
+    <message>
         <source>Write a note into the session: at this time, on a node or at a place in the image</source>
         <translation>Schreibt eine Notiz in die Sitzung: zu diesem Zeitpunkt, an einem Knoten oder an einer Stelle im Bild</translation>
     </message>
     <message>
         <source>Write frames, shapes and forces to a session folder</source>
         <translation>Schreibt Bilder, Formen und Kräfte in einen Sitzungsordner</translation>
+    </message>
+    <message>
+        <source>Write the list as a table, with the columns of a report's cells.csv</source>
+        <translation>Liste als Tabelle schreiben, mit den Spalten der cells.csv eines Berichts</translation>
     </message>
     <message>
         <source>Writing tables</source>
@@ -2384,12 +3558,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>eine Zahl wuchs über alle Grenzen</translation>
     </message>
     <message>
+        <source>a size of your own</source>
+        <translation>eine eigene Größe</translation>
+    </message>
+    <message>
         <source>along the meridian</source>
         <translation>längs des Meridians</translation>
     </message>
     <message>
         <source>annotation</source>
         <translation>Anmerkung</translation>
+    </message>
+    <message>
+        <source>as on screen</source>
+        <translation>wie auf dem Bildschirm</translation>
     </message>
     <message>
         <source>at rest</source>
@@ -2440,6 +3622,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Kontakt ohne Kraft in </translation>
     </message>
     <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
         <source>damped for stability</source>
         <translation>gedämpft, damit es stabil bleibt</translation>
     </message>
@@ -2464,8 +3650,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>hierher ziehen</translation>
     </message>
     <message>
+        <source>each alone may be zero (95 %)</source>
+        <translation>jeder allein evtl. null (95 %)</translation>
+    </message>
+    <message>
         <source>end of travel</source>
         <translation>Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>external</source>
+        <translation>äußere</translation>
     </message>
     <message>
         <source>force on the cell at its limit</source>
@@ -2500,12 +3694,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Bild</translation>
     </message>
     <message>
+        <source>in equilibrium</source>
+        <translation>im Gleichgewicht</translation>
+    </message>
+    <message>
         <source>indentation ±</source>
         <translation>Eindellung ±</translation>
     </message>
     <message>
         <source>inner membrane</source>
         <translation>innere Membran</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>innere</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -2520,6 +3722,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>größte Kraft des Geräts</translation>
     </message>
     <message>
+        <source>left out: </source>
+        <translation>ausgelassen: </translation>
+    </message>
+    <message>
         <source>length</source>
         <translation>Länge</translation>
     </message>
@@ -2532,12 +3738,28 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Grenze </translation>
     </message>
     <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
         <source>lost by the source</source>
         <translation>von der Quelle verloren</translation>
     </message>
     <message>
+        <source>lost in contact</source>
+        <translation>im Kontakt verloren</translation>
+    </message>
+    <message>
         <source>magnification</source>
         <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>may be zero (95 %)</source>
+        <translation>evtl. null (95 %)</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
     </message>
     <message>
         <source>no cell</source>
@@ -2556,12 +3778,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>keine Hand, keine Grenze</translation>
     </message>
     <message>
+        <source>no holder seen: taken to be opposite the needle</source>
+        <translation>keine Haltepipette gesehen: der Nadel gegenüber angenommen</translation>
+    </message>
+    <message>
         <source>no interval</source>
         <translation>kein Intervall</translation>
     </message>
     <message>
         <source>no needle in sight</source>
         <translation>keine Nadel in Sicht</translation>
+    </message>
+    <message>
+        <source>no number</source>
+        <translation>keine Zahl</translation>
     </message>
     <message>
         <source>no plan without a hand</source>
@@ -2576,8 +3806,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>keine Oberfläche mit diesem Knoten</translation>
     </message>
     <message>
+        <source>not in this recording: measure it again,</source>
+        <translation>nicht in dieser Aufnahme: neu messen</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not measured in this frame</source>
+        <translation>in diesem Bild nicht gemessen</translation>
     </message>
     <message>
         <source>not touched</source>
@@ -2590,6 +3828,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>oolemma</source>
         <translation>Oolemm</translation>
+    </message>
+    <message>
+        <source>or choose the membrane resultant</source>
+        <translation>oder Resultierende der Membran wählen</translation>
     </message>
     <message>
         <source>or stiffness</source>
@@ -2620,8 +3862,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Pixelgröße</translation>
     </message>
     <message>
+        <source>prescribed</source>
+        <translation>vorgeschrieben</translation>
+    </message>
+    <message>
         <source>puncture </source>
         <translation>Durchstich </translation>
+    </message>
+    <message>
+        <source>punctured</source>
+        <translation>durchstochen</translation>
     </message>
     <message>
         <source>quasi-static</source>
@@ -2642,6 +3892,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>recorded without their surface</source>
         <translation>ohne Oberfläche aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>retracted</source>
+        <translation>zurückgezogen</translation>
     </message>
     <message>
         <source>same indentation</source>
@@ -2676,6 +3930,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>steifer, als das Gerät darstellen kann</translation>
     </message>
     <message>
+        <source>still in contact</source>
+        <translation>noch in Kontakt</translation>
+    </message>
+    <message>
         <source>such as 0.825</source>
         <translation>etwa 0.825</translation>
     </message>
@@ -2686,6 +3944,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>such as 3.45</source>
         <translation>etwa 3.45</translation>
+    </message>
+    <message>
+        <source>sum</source>
+        <translation>Summe</translation>
     </message>
     <message>
         <source>taken back</source>
@@ -2740,6 +4002,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>das Fenster wird nicht von einem X-Server gezeichnet</translation>
     </message>
     <message>
+        <source>the zona's thickness is the profile's</source>
+        <translation>die Dicke der Zona ist die des Profils</translation>
+    </message>
+    <message>
         <source>this cell </source>
         <translation>diese Zelle </translation>
     </message>
@@ -2760,12 +4026,28 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>ab Eintritt</translation>
     </message>
     <message>
+        <source>true</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
+        <source>true </source>
+        <translation>wahr </translation>
+    </message>
+    <message>
+        <source>unfinished</source>
+        <translation>unbeendet</translation>
+    </message>
+    <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
     <message>
         <source>unknown membrane</source>
         <translation>unbekannte Membran</translation>
+    </message>
+    <message>
+        <source>untouched</source>
+        <translation>unberührt</translation>
     </message>
     <message>
         <source>σ of that</source>

@@ -158,7 +158,8 @@ TEST(Commands, ForceTakesAnyAngleOffsetAndTip) {
   const auto last_force_uN = [&](const std::string& options) {
     const auto file = folder / "f.csv";
     const auto outcome = test::run_program(
-        "force mouse-oocyte --max-indentation-um 20 --step-um 4 --output '" + file.string() + "' " + options, folder);
+        "force mouse-oocyte --replace --max-indentation-um 20 --step-um 4 --output '" + file.string() + "' " + options,
+        folder);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     const auto force_uN = Table::read(file).column("force_uN");
     return force_uN[force_uN.size() - 1];

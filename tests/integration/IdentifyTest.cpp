@@ -91,7 +91,9 @@ TEST(Identify, AddsScaleAndRelaxationToAProfile) {
   EXPECT_NEAR(time_s[peak], after.puncture_indentation_um / 20.0, 1e-6);
   EXPECT_NEAR(force_uN[peak], anchored_uN[peak], 0.0011 * anchored_uN[peak]);
   EXPECT_LT(force_uN[force_uN.size() - 1], 0.6 * force_uN[peak]);
-  EXPECT_EQ(test::run_program("force mouse-oocyte --speed-um-per-s 20 --output " + quoted(curve), folder).exit_code, 2);
+  EXPECT_EQ(
+      test::run_program("force mouse-oocyte --replace --speed-um-per-s 20 --output " + quoted(curve), folder).exit_code,
+      2);
 }
 
 TEST(Identify, WrongInputEndsWithItsExitCodeAndOneLine) {

@@ -51,7 +51,7 @@ TEST_F(Outputs, AFileTooLargeLeavesTheOlderOne) {
   test::put(folder_ / "f.csv", "older");
   // The program's files may have one block of 512 bytes.
   const std::string limited = "sh -c 'ulimit -f 1; exec \"$0\" \"$@\"' " PELLUCIDA_PROGRAM
-                              " force mouse-oocyte --step-um 1 --output " +
+                              " force mouse-oocyte --step-um 1 --replace --output " +
                               at("f.csv") + " 2>/dev/null";
   const int status = std::system(limited.c_str());
   ASSERT_TRUE(WIFEXITED(status));

@@ -4,12 +4,15 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QImage>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QToolButton>
+#include <QUrl>
 #include <algorithm>
 #include <set>
 
@@ -212,6 +215,23 @@ TEST_F(ReviewSeat, CellsOfSeveralSessionsAreOneTable) {
   table->selectRow(0);
   cells.findChild<QPushButton*>("cellsRemove")->click();
   EXPECT_EQ(table->rowCount(), 2);
+}
+
+TEST_F(ReviewSeat, SeveralSessionsDroppedAreTheirCells) {
+  write_touch(*own_ / "a");
+  write_touch(*own_ / "b");
+  open();
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString((*own_ / "a").string())),
+                QUrl::fromLocalFile(QString::fromStdString((*own_ / "b").string()))});
+  QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(200.0, 200.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &drop);
+  ASSERT_TRUE(window_->cells());
+  EXPECT_TRUE(pass_until([&] { return window_->cells()->cells().rows().size() == 3; }));
+  EXPECT_EQ(window_->session()->folder.filename(), "S");
 }
 
 double share_of_edges(const QImage& picture) {

@@ -1,6 +1,4 @@
 // The real window on an X server: its keys, and the emergency stop as a person uses it.
-#include "GuideWindow.h"
-
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
 #include <vtkRenderWindow.h>
@@ -13,93 +11,19 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
 
 #include "Closing.h"
+#include "GuideFixture.h"
 #include "HandControl.h"
-#include "pellucida/core/TemporaryFolder.h"
-#include "pellucida/operation/VirtualInjectionSetup.h"
-#include "pellucida/pipeline/AnySource.h"
 #include "pellucida/visualization/Readout.h"
-#include "pellucida/visualization_vtk/FeedView.h"
-#include "ui/DisplayTest.h"
-#include "ui/XInput.h"
 #include "widgets/GaugeBar.h"
-#include "widgets/ViewWidget.h"
 
 namespace pellucida {
 namespace {
-
-using test::XInput;
-
-class GuideWindowTest : public test::DisplayTest {
- protected:
-  GuideWindowTest() {
-    auto run = std::make_unique<LiveRun>(setup_.make_microscope(Pace::kWallClock), PipelineOptions{});
-    auto console = std::make_unique<OperatorConsole>(*run, setup_.injector(), &setup_.needle());
-    console_ = console.get();
-    GuideOptions options;
-    options.hand = console->find_hand("Mouse").value();
-    window_ = std::make_unique<GuideWindow>(std::move(run), std::move(console), options);
-  }
-
-  // A scenario's own motion, which can start again, and no hand.
-  static std::unique_ptr<GuideWindow> window_without_a_hand() {
-    auto run = std::make_unique<LiveRun>(open_any_source("virtual:default", {}), PipelineOptions{});
-    return std::make_unique<GuideWindow>(std::move(run), nullptr, GuideOptions{});
-  }
-
-  static void show(QWidget& window) {
-    window.show();
-    window.activateWindow();
-    ASSERT_TRUE(pass_until([&] { return qApp->applicationState() == Qt::ApplicationActive; })) << "not active";
-  }
-
-  // Shown, active, and its hand at work.
-  void open() {
-    show(*window_);
-    ASSERT_TRUE(pass_until([&] { return state() == kReady; })) << "no hand";
-    // The listener is told where the stop is with the window's next tick.
-    pass(300);
-  }
-
-  static constexpr HandState kReady = HandState::kClutched;
-  HandState state() { return console_->status().tick.hand_state; }
-
-  // The window's thread is busy, as with a long rendering: no event is seen. How long until the hand is stopped, ms.
-  double busy_until_stopped_ms() {
-    QElapsedTimer clock;
-    clock.start();
-    while (state() != HandState::kStopped && clock.elapsed() < 5000) {
-    }
-    return 1e-6 * static_cast<double>(clock.nsecsElapsed());
-  }
-
-  void point_at(const QWidget& widget) {
-    const QPoint place = widget.mapToGlobal(widget.rect().center());
-    input_.move(place.x(), place.y());
-  }
-  QPushButton& stop() { return *window_->findChild<QPushButton*>("emergencyStop"); }
-  QPushButton& release() { return *window_->findChild<QPushButton*>("releaseStop"); }
-  void hold_release() {
-    ASSERT_TRUE(pass_until([&] { return release().isVisible(); }));
-    pass(100);
-    point_at(release());
-    input_.left_button(true);
-    EXPECT_TRUE(pass_until([&] { return state() == kReady; }));
-    input_.left_button(false);
-    pass(100);
-  }
-
-  XInput input_;
-  VirtualInjectionSetup setup_{"injection"};
-  OperatorConsole* console_ = nullptr;
-  std::unique_ptr<GuideWindow> window_;
-};
 
 // How often each key is given: by shortcuts, buttons, actions, and to the hand.
 std::map<QString, int> keys_of(const QWidget& window) {
@@ -273,32 +197,6 @@ TEST_F(GuideWindowTest, TheStopDoesNotWaitForABusyWindow) {
     EXPECT_LT((*all)[all->size() / 2], 100.0);
     EXPECT_LT(all->back(), 1000.0);
   }
-}
-
-// The image's place of a point, on the screen.
-QPoint on_screen(GuideWindow& window, const Eigen::Vector2d& place_um) {
-  ViewWidget* view = nullptr;
-  FeedView* found = nullptr;
-  for (auto* widget : window.findChildren<QVTKOpenGLNativeWidget*>()) {
-    auto* one = dynamic_cast<ViewWidget*>(widget);
-    if (auto* image = one ? dynamic_cast<FeedView*>(&one->view()) : nullptr) {
-      view = one;
-      found = image;
-    }
-  }
-  FeedView& feed = *found;
-  const double height_px = view->height();
-  // The view is linear: where two places lie tells where all do.
-  const Eigen::Vector2d origin_um = feed.place_um(0.0, 0.0, height_px);
-  const Eigen::Vector2d per_px = (feed.place_um(100.0, 100.0, height_px) - origin_um) / 100.0;
-  const Eigen::Vector2d place_px = (place_um - origin_um).cwiseQuotient(per_px);
-  return view->mapToGlobal(
-      QPoint(static_cast<int>(std::lround(place_px.x())), static_cast<int>(std::lround(place_px.y()))));
-}
-
-std::string label_text(QWidget& window, const char* name) {
-  const auto* label = window.findChild<QLabel*>(name);
-  return label ? label->text().toStdString() : std::string("no label ") + name;
 }
 
 TEST_F(GuideWindowTest, AHintIsGivenByKeyAndClickAndTakenBackByAKey) {

@@ -196,8 +196,7 @@ class HandControlTest : public Widgets {
   QWidget window_;
   ViewWidget* feed_widget_ = new ViewWidget(feed_, 0, nullptr);
   std::unique_ptr<ViewWidget> owner_{feed_widget_};
-  std::unique_ptr<HandControl> control_ =
-      std::make_unique<HandControl>(console_, feed_, *feed_widget_, window_, [](const QString&, bool) {});
+  std::unique_ptr<HandControl> control_ = std::make_unique<HandControl>(console_, *feed_widget_, window_);
 };
 
 TEST_F(HandControlTest, TheLeftButtonHeldOnTheFeedLeadsTheNeedle) {

@@ -1,4 +1,5 @@
 #include "presenters/HandPresenter.h"
+#include "presenters/PlanEdit.h"
 
 #include <gtest/gtest.h>
 

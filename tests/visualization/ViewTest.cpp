@@ -138,37 +138,6 @@ TEST_F(Views, FeedWaitsVisiblyForTheFirstFrame) {
   window->Finalize();
 }
 
-TEST_F(Views, MembranesShowTheInnerBodyAndColouredArrows) {
-  MembraneView view(source);
-  view.add_to(window);
-  const auto with = shot();
-  view.show_arrows(false);
-  const auto without = shot();
-  // Arrows bring the force scale's magenta, which nothing else has.
-  const Color magenta = Color::from_hex(0xDB4D9F);
-  EXPECT_GT(count_near(with, magenta), count_near(without, magenta) + 100);
-  // The picture is far from empty: most of its middle differs from the ground.
-  int lit = 0;
-  for (int y = kHeight_px / 4; y < 3 * kHeight_px / 4; ++y) {
-    for (int x = kWidth_px / 4; x < 3 * kWidth_px / 4; ++x)
-      lit += without->GetScalarComponentAsDouble(x, y, 0, 0) > 70.0;
-  }
-  EXPECT_GT(lit, kWidth_px * kHeight_px / 16);
-  window->Finalize();
-}
-
-TEST_F(Views, MembranesChangeColourWithTheQuantityChosen) {
-  MembraneView view(source);
-  view.show_arrows(false);
-  view.add_to(window);
-  const auto plain = shot();
-  view.set_coloring(SurfaceColoring::kDisplacement);
-  const auto coloured = shot();
-  const Color lime = Color::from_hex(0x95DB6B);
-  EXPECT_GT(count_near(coloured, lime, 0.15), count_near(plain, lime, 0.15) + 50);
-  window->Finalize();
-}
-
 TEST_F(Views, MembranesDrawAScenePartByPart) {
   // A surface without forces, a scene without tools, nothing at all: no view may stumble.
   Scene scene = test::synthetic_scene(25.0);
@@ -192,28 +161,6 @@ TEST_F(Views, MembranesDrawAScenePartByPart) {
   feed.refresh();
   window->Render();
   window->Finalize();
-}
-
-TEST_F(Views, ANodeIsFoundUnderTheMouseAndNoneBesideTheCell) {
-  source->SetScene(test::synthetic_scene(12.0));
-  MembraneView view(source);
-  const vtkNew<StageSource> nothing;
-  EXPECT_FALSE(MembraneView(nothing).node_at(100.0, 100.0));
-  view.add_to(window);
-  window->Render();
-  const auto node = view.node_at(320.0, 150.0);
-  ASSERT_TRUE(node);
-  const auto surface = source->GetScene().surface.shallow_copy();
-  ASSERT_LT(*node, surface->GetNumberOfPoints());
-  // Towards the camera, which looks along +z: on the near side of the cell.
-  double bounds_um[6];
-  surface->GetBounds(bounds_um);
-  EXPECT_LT(surface->GetPoint(*node)[2], 0.5 * (bounds_um[4] + bounds_um[5]));
-  EXPECT_FALSE(view.node_at(3.0, 3.0));
-  view.mark_node(node);
-  window->Render();
-  view.mark_node(surface->GetNumberOfPoints());
-  window->Render();
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ const char* const kSheet = R"(
 QMainWindow, QDialog { background: @window; }
 QWidget { color: @text; }
 QToolTip { background: @raised; color: @text; border: 1px solid @border; padding: 4px 6px; }
-#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #nodeFacts, #chartFacts { background: @panel; }
+#topBar, #panelHead, #statusLine, #readoutBar, #gaugeBar, #factLine, #handBar, #transportBar, #hintStrip, #noteStrip, #recordStrip, #cellDrawer, #nodeFacts, #chartFacts { background: @panel; }
 #topBar { border-bottom: 1px solid @border; }
 #statusLine { border-top: 1px solid @border; }
 #brand { font-size: 19px; font-weight: 700; }
@@ -58,7 +58,7 @@ QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
-QPushButton#record:checked { border-color: @record; font-weight: 700; }
+QPushButton#record:checked { border-color: @record; }
 QPushButton#guide:checked { border-color: @plan; color: @plan; font-weight: 600; }
 QPushButton#emergencyStop { background: @record; border-color: @record; color: @window; font-weight: 800; font-size: 17px; letter-spacing: 1px; }
 QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; border-width: 2px; font-size: 15px; }
@@ -90,6 +90,7 @@ QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-r
 QLabel[figure="true"] { font-size: 23px; font-weight: 700; }
 QLabel[gaugeName="true"] { color: @dim; font-size: 13px; font-weight: 700; }
 QLabel[gaugeAlarm="true"] { font-size: 13px; font-weight: 800; border-radius: 4px; padding: 1px 7px; }
+QLabel[gaugeTruth="true"] { color: @good; font-size: 13px; font-weight: 700; }
 QLabel[gaugeValue="true"] { font-weight: 700; }
 QLabel[gaugeNote="true"] { color: @dim; font-size: 12px; }
 QLabel[fact="true"] { font-size: 15px; font-weight: 700; }
@@ -114,6 +115,12 @@ QLabel[keyMeaning="true"] { font-size: 12px; }
 #startCard QLineEdit, #pixelSizeDialog QLineEdit { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 12px; selection-background-color: @accent; selection-color: @window; }
 #startCard QLineEdit[blank="true"], #pixelSizeDialog QLineEdit[blank="true"] { color: @dim; }
 #startCard QLineEdit:hover, #startCard QLineEdit:focus, #pixelSizeDialog QLineEdit:hover, #pixelSizeDialog QLineEdit:focus { border-color: @accent; }
+QFrame[message="true"] { background: @raised; border: none; border-left: 6px solid @warning; }
+QFrame[message="true"] QLabel { font-size: 15px; font-weight: 600; }
+#problemStrip { border-left: 6px solid @record; }
+QLineEdit[typed="true"] { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
+QLineEdit[typed="true"]:focus { border-color: @accent; }
+QLineEdit[typed="true"][blank="true"] { color: @dim; }
 #noteText { background: @raised; border: 1px solid @border; border-radius: 6px; padding: 3px 8px; font-size: 13px; selection-background-color: @accent; selection-color: @window; }
 #noteText:focus { border-color: @accent; }
 #noteWhere { color: @dim; font-size: 12px; }
@@ -132,7 +139,7 @@ QToolButton[recent="true"]:focus, QToolButton[recent="true"]:hover { border-colo
 #lessonText { font-size: 14px; }
 #lessonHead { color: @accent; font-size: 13px; font-weight: 700; }
 #rightAnswer { color: @good; font-size: 14px; font-weight: 600; }
-#wrongAnswer { color: @record; font-size: 14px; font-weight: 600; }
+#wrongAnswer, #pictureFault { color: @record; font-size: 14px; font-weight: 600; }
 #parameterName { font-size: 13px; font-weight: 600; }
 #parameterValue { color: @accent; font-size: 13px; font-weight: 600; }
 #parameterNote { color: @dim; font-size: 12px; }
@@ -232,9 +239,9 @@ void apply_theme(QApplication& app, const ThemeColors& theme, double type_scale)
 
   QString sheet = QString::fromUtf8(kSheet);
   const std::pair<const char*, Color> names[] = {
-      {"@window", theme.window}, {"@panel", theme.panel},  {"@raised", theme.raised}, {"@border", theme.border},
-      {"@text", theme.text},     {"@dim", theme.text_dim}, {"@accent", theme.accent}, {"@record", theme.record},
-      {"@plan", theme.plan},     {"@faint", theme.faint},  {"@good", theme.good}};
+      {"@window", theme.window}, {"@panel", theme.panel},  {"@raised", theme.raised},   {"@border", theme.border},
+      {"@text", theme.text},     {"@dim", theme.text_dim}, {"@accent", theme.accent},   {"@record", theme.record},
+      {"@plan", theme.plan},     {"@faint", theme.faint},  {"@warning", theme.warning}, {"@good", theme.good}};
   for (const auto& [name, color] : names) sheet.replace(name, QString::fromStdString(color.css()));
   app.setStyleSheet(scaled(sheet, type_scale));
   if (before.is_light != theme.is_light) recolor_labels(before, theme);

@@ -41,9 +41,9 @@ fs::path link_target(const fs::path& file) {
 }  // namespace
 
 OutputError disk_error(const fs::path& path, int reason) {
-  std::string help = "choose another folder with --output";
-  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk with --output";
-  if (reason == EFBIG) help = "raise the file size limit, or choose another disk with --output";
+  std::string help = "choose another folder";
+  if (reason == ENOSPC || reason == EDQUOT) help = "free some space, or choose another disk";
+  if (reason == EFBIG) help = "raise the file size limit, or choose another disk";
   if (reason == EACCES || reason == EPERM || reason == EROFS) help = "change its permission, or choose another folder";
   return OutputError(path.string() + ": can't be written (" + std::generic_category().message(reason) + "); " + help);
 }

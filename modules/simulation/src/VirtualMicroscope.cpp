@@ -43,6 +43,8 @@ class VirtualMicroscope::Impl {
   }
 
   void restart() {
+    // Numbered on, as a run does it.
+    first_number_ += next_index_;
     next_index_ = 0;
     specimen_.reset();
     needle_->restart();
@@ -72,6 +74,7 @@ class VirtualMicroscope::Impl {
   Scenario scenario_;
   SourceInfo info_;
   Truth truth_;
+  const std::shared_ptr<TruthLog> truths_ = std::make_shared<TruthLog>();
 
  private:
   bool ended() const noexcept { return info_.frame_count && next_index_ >= *info_.frame_count; }
@@ -117,6 +120,7 @@ class VirtualMicroscope::Impl {
     stage_ = stage_pose(scenario_, time_s);
     truth_ = make_truth(scenario_, specimen_, state_, stage_, time_s, index);
     if (optical_) optical_->shape_tools(truth_);
+    truths_->add(first_number_ + index, truth_.contact_force_uN);
   }
 
   VirtualSpecimen specimen_;
@@ -127,6 +131,7 @@ class VirtualMicroscope::Impl {
   SpecimenState state_;
   StagePose stage_;
   long next_index_ = 0;
+  long first_number_ = 0;  // of frame 0, over all restarts
 };
 
 VirtualMicroscope::VirtualMicroscope(const Scenario& scenario) {
@@ -160,6 +165,9 @@ bool VirtualMicroscope::restart() {
 }
 const Truth& VirtualMicroscope::truth() const noexcept {
   return impl_->truth_;
+}
+std::shared_ptr<const TruthLog> VirtualMicroscope::truth_log() const noexcept {
+  return impl_->truths_;
 }
 const Scenario& VirtualMicroscope::scenario() const noexcept {
   return impl_->scenario_;

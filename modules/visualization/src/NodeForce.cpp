@@ -29,7 +29,9 @@ std::string node_force_explanation(NodeForceKind kind) {
     case NodeForceKind::kHolder:
       return say("What the holding pipette does to the membrane around its mouth. The bold arrow is the sum.");
     case NodeForceKind::kPressure:
-      return say("How the liquid inside pushes the membrane outwards. Over the whole cell the arrows add up to zero.");
+      return say(
+          "How the liquid inside pushes outwards on each node's share of the membrane. All together the arrows add up "
+          "to zero.");
     case NodeForceKind::kMembrane:
       break;
   }

@@ -1,13 +1,18 @@
 #include "GuideWindow.h"
 
 #include <QCloseEvent>
+#include <QHBoxLayout>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "CellControl.h"
+#include "DisplayControl.h"
 #include "HandControl.h"
 #include "HintControl.h"
+#include "PlanControl.h"
 #include "RunControl.h"
 #include "Words.h"
 #include "pellucida/operation/ProfileStrength.h"
@@ -16,13 +21,17 @@
 #include "presenters/ScalePresenter.h"
 #include "presenters/SourcePresenter.h"
 #include "widgets/ButtonKey.h"
+#include "widgets/CellDrawer.h"
 #include "widgets/FactLine.h"
 #include "widgets/FeedPanel.h"
 #include "widgets/ForceCharts.h"
 #include "widgets/GaugeBar.h"
 #include "widgets/HandBar.h"
 #include "widgets/Icons.h"
+#include "widgets/KeySheet.h"
 #include "widgets/MembranePanel.h"
+#include "widgets/MessageStrip.h"
+#include "widgets/RecordStrip.h"
 #include "widgets/StatusLine.h"
 #include "widgets/TopBar.h"
 #include "widgets/ViewWidget.h"
@@ -51,10 +60,15 @@ GuideWindow::GuideWindow(std::unique_ptr<LiveRun> run, std::unique_ptr<OperatorC
       console_(std::move(console)),
       options_(std::move(options)),
       scenes_(*run_, source_),
-      closing_(*this, [this] { control_->toggle_recording(); }) {
+      closing_(*this, [this] { control_->end_recording(); }) {
   feed_.set_caption(source_caption(run_->source_info()));
-  control_ = std::make_unique<RunControl>(*run_, *this, options_.session_folder,
-                                          [this](const QString& text, bool problem) { notify(text, problem); });
+  control_ = std::make_unique<RunControl>(
+      *run_, *this, options_.session_folder,
+      [this] {
+        cells_->begin_recording();
+        control_->remark(display_->words_for_recording());
+      },
+      [this](const QString& text, bool problem) { problem ? warn(text) : notify(text, false); });
   build();
   clock_.start();
   facts_->show_texts(readout_texts(nullptr, run_->profile()));
@@ -83,6 +97,9 @@ void GuideWindow::end_run() {
 // The hand first: its last ticks belong to the recording.
 void GuideWindow::stop_run() {
   timer_.stop();
+  // What acts on the console.
+  delete std::exchange(plan_, nullptr);
+  delete std::exchange(display_, nullptr);
   hand_.reset();
   console_.reset();
   run_->stop();
@@ -106,22 +123,59 @@ void GuideWindow::build() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(top_bar_ = build_top_bar());
+  problem_ = new MessageStrip("problemStrip", {{words("Close"), {}}}, page);
+  column->addWidget(problem_);
   column->addWidget(gauges_ = new GaugeBar(page));
   column->addWidget(facts_ = new FactLine(page));
-  QSplitter* views = build_views();
+  QSplitter* rows = build_rows();
+  build_controls();
+  if (hand_) column->addWidget(hand_->bar());
+  column->addWidget(cells_->strip());
+  auto* middle = new QHBoxLayout;
+  middle->setContentsMargins(0, 4, 0, 0);
+  middle->setSpacing(4);
+  middle->addWidget(rows, 1);
+  middle->addWidget(cells_->drawer());
+  column->addLayout(middle, 1);
+  column->addWidget(status_line_ = new StatusLine(page));
+  setCentralWidget(page);
+  resizeEvent(nullptr);
+}
+
+// What the mouse and the keys do. Of the mouse on the image a later control takes before an earlier one.
+void GuideWindow::build_controls() {
+  const auto say_it = [this](const QString& text, bool problem) { notify(text, problem); };
   if (console_) {
-    hand_ = std::make_unique<HandControl>(*console_, feed_, feed_panel_->view(), *this,
-                                          [this](const QString& text, bool problem) { notify(text, problem); });
-    column->addWidget(hand_->bar());
+    hand_ = std::make_unique<HandControl>(*console_, feed_panel_->view(), *this);
+    plan_ = new PlanControl(*console_, feed_, *feed_panel_, say_it);
   }
   hints_ = new HintControl(
       feed_, *feed_panel_,
       [this](PersonHint::Kind kind, const Eigen::Vector2d& place_um) { give_hint(kind, place_um); },
       [this] { control_->take_back_hint(); });
+  cells_ = new CellControl(
+      *control_, run_->profile().name, *this, [this] { top_bar_->show_cells(false); },
+      [this](const QString& text, bool problem) { problem ? warn(text) : notify(text, false); });
+  add_window_key(*this, QKeySequence("Shift+N"), words("Name the cell in view"), [this] { cells_->begin_name(); });
+  DisplayControl::Parts parts;
+  parts.console = console_.get();
+  parts.hand = hand_.get();
+  parts.space = membrane_panel_;
+  parts.has_truth = static_cast<bool>(options_.true_force_uN);
+  parts.remark = [this](const std::string& text) { control_->remark(text); };
+  parts.changed = [this] {
+    scenes_.poll();
+    show_scene();
+  };
+  display_ = new DisplayControl(std::move(parts), top_bar_->display());
+}
 
-  // Views above, charts below; every border can be dragged.
+// Views above, charts below; every border can be dragged.
+QSplitter* GuideWindow::build_rows() {
+  QSplitter* views = build_views();
   charts_ = new ForceCharts(nullptr);
   auto* all = rows_ = new QSplitter(Qt::Vertical);
+  set_sheet_place(*all);
   all->setHandleWidth(4);
   all->setChildrenCollapsible(false);
   all->addWidget(views);
@@ -137,11 +191,7 @@ void GuideWindow::build() {
   all->setStretchFactor(0, 3);
   all->setStretchFactor(1, 1);
   all->setSizes({520, 250});
-  column->addSpacing(4);
-  column->addWidget(all, 1);
-  column->addWidget(status_line_ = new StatusLine(page));
-  setCentralWidget(page);
-  resizeEvent(nullptr);
+  return all;
 }
 
 // A low window has smaller gauges and charts, so that the image keeps its room; what a person has dragged stays.
@@ -171,9 +221,10 @@ TopBar* GuideWindow::build_top_bar() {
   actions.record = shown(&RunControl::toggle_recording);
   actions.pause = shown(&RunControl::toggle_pause);
   if (run_->can_restart()) actions.restart = shown(&RunControl::restart);
-  actions.note = [this] { control_->ask_for_note(); };
+  actions.note = [this] { cells_->begin_note(); };
   actions.scale = [this] { control_->ask_for_scale(scenes_.measured()); };
   actions.picture = [this] { control_->save_picture(); };
+  actions.cells = [this](bool on) { cells_->drawer()->setVisible(on); };
   return new TopBar(text_of(source_label(run_->source_info())), text_of(run_->source_info().name), std::move(actions),
                     nullptr);
 }
@@ -184,6 +235,7 @@ QSplitter* GuideWindow::build_views() {
   views->setChildrenCollapsible(false);
   views->addWidget(feed_panel_ = new FeedPanel(feed_, nullptr));
   views->addWidget(membrane_panel_ = new MembranePanel(membranes_, nullptr));
+  membrane_panel_->setObjectName("space");
   return views;
 }
 
@@ -195,16 +247,19 @@ void GuideWindow::tick() {
   QElapsedTimer spent;
   spent.start();
   const double begin_s = now_s();
-  const bool plan_changed = hand_ && hand_->tick();
+  if (hand_) hand_->tick();
+  const bool plan_changed = plan_ && plan_->tick();
   const bool has_scene = scenes_.poll();
   if (has_scene) {
     show_scene();
   } else if (plan_changed) {
     feed_panel_->view().render();
   }
-  take_events();
-  if (begin_s - status_shown_s_ >= kStatusPeriod_s) {
-    if (!has_scene) show_gauges();
+  const std::vector<Event> events = take_events();
+  const bool is_due = begin_s - status_shown_s_ >= kStatusPeriod_s;
+  if (is_due && !has_scene) show_gauges();
+  display_->hear(events, gauges_->gauges(), begin_s);
+  if (is_due) {
     show_status();
     figures_.look();
     status_shown_s_ = begin_s;
@@ -219,10 +274,11 @@ void GuideWindow::show_scene() {
   facts_->show_texts(readout_texts(scenes_.measured(), run_->profile()));
   facts_->show_scale(scale_texts(scenes_.measured(), run_->profile()));
   if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
+  if (scenes_.measured()) cells_->take(*scenes_.measured(), scenes_.new_rows());
   show_gauges();
   feed_.refresh();
   membranes_.set_plan(feed_.plan());
-  membranes_.refresh();
+  if (membrane_panel_->isVisible()) membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();
   membrane_panel_->view().render();
@@ -254,13 +310,17 @@ void GuideWindow::show_gauges() {
     }
   }
   feed_.set_reported_tip(input.tip_um ? std::optional<Eigen::Vector2d>(input.tip_um->head<2>()) : std::nullopt);
+  if (display_->shows_truth() && input.scene) {
+    input.true_force_uN = options_.true_force_uN(input.scene->measurement.frame);
+  }
   gauges_->show_gauges(make_gauges(input));
 }
 
 // What happened since the last tick: a puncture to keep on screen, what came of a hint.
-void GuideWindow::take_events() {
+std::vector<Event> GuideWindow::take_events() {
   const std::vector<Event> events = run_->events_since(event_count_);
   event_count_ += events.size();
+  cells_->take(events);
   if (!events.empty()) {
     puncture_.take(events);
     facts_->show_puncture(text_of(puncture_.text()));
@@ -273,6 +333,7 @@ void GuideWindow::take_events() {
     hint_until_s_ = 0.0;
     feed_.set_hints({});
   }
+  return events;
 }
 
 void GuideWindow::give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um) {
@@ -288,8 +349,16 @@ void GuideWindow::show_status() {
   const StatusTexts texts = status_.update(status, scenes_.measured(), run_->paused(), drawn_count_, now_s());
   status_line_->show_texts(texts);
   if (now_s() >= notice_until_s_ || status.fault) status_line_->show_notice(texts.notice);
+  if (status.fault && status.fault != shown_fault_) warn(text_of(say_message(*status.fault)));
+  shown_fault_ = status.fault;
+  display_->follow();
   if (hand_) hand_->show_status();
   top_bar_->show_state(status.recording, run_->paused());
+}
+
+// What must not be overlooked: large, and until a person has closed it.
+void GuideWindow::warn(const QString& text) {
+  problem_->say_text(text);
 }
 
 void GuideWindow::notify(const QString& text, bool problem) {

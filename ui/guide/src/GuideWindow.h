@@ -23,6 +23,8 @@ class QSplitter;
 
 namespace pellucida {
 
+class CellControl;
+class DisplayControl;
 class FeedPanel;
 class ForceCharts;
 class FactLine;
@@ -30,6 +32,8 @@ class GaugeBar;
 class HandControl;
 class HintControl;
 class MembranePanel;
+class MessageStrip;
+class PlanControl;
 class RunControl;
 class StatusLine;
 class TopBar;
@@ -58,14 +62,17 @@ class GuideWindow : public QMainWindow {
   void build();
   TopBar* build_top_bar();
   QSplitter* build_views();
+  QSplitter* build_rows();
+  void build_controls();
 
   void tick();
   void show_scene();
   void show_gauges();
-  void take_events();
+  std::vector<Event> take_events();
   void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
   void show_status();
   void notify(const QString& text, bool problem);
+  void warn(const QString& text);
   double now_s() const;
 
   std::unique_ptr<LiveRun> run_;
@@ -84,7 +91,11 @@ class GuideWindow : public QMainWindow {
   TopBar* top_bar_ = nullptr;
   GaugeBar* gauges_ = nullptr;
   FactLine* facts_ = nullptr;
-  HintControl* hints_ = nullptr;  // the feed panel's
+  HintControl* hints_ = nullptr;  // the feed panel's, as the next
+  PlanControl* plan_ = nullptr;   // with a hand
+  CellControl* cells_ = nullptr;
+  DisplayControl* display_ = nullptr;
+  MessageStrip* problem_ = nullptr;
   FeedPanel* feed_panel_ = nullptr;
   MembranePanel* membrane_panel_ = nullptr;
   ForceCharts* charts_ = nullptr;
@@ -102,6 +113,7 @@ class GuideWindow : public QMainWindow {
   double status_shown_s_ = -1.0;
   double notice_until_s_ = 0.0;
   std::uint64_t drawn_count_ = 0;
+  std::optional<std::string> shown_fault_;
   std::unique_ptr<TimedScreenshot> screenshot_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <QWidget>
@@ -11,7 +12,6 @@
 #include "StopListener.h"
 #include "Words.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/visualization_vtk/FeedView.h"
 #include "presenters/HandPresenter.h"
 #include "widgets/HandBar.h"
 #include "widgets/ViewWidget.h"
@@ -31,14 +31,8 @@ QStringList to_list(const std::vector<std::string>& names) {
 
 }  // namespace
 
-HandControl::HandControl(OperatorConsole& console, FeedView& feed, ViewWidget& feed_widget, QWidget& window,
-                         Notify notify)
-    : console_(console),
-      feed_(feed),
-      feed_widget_(feed_widget),
-      window_(window),
-      notify_(std::move(notify)),
-      bar_(make_bar()) {
+HandControl::HandControl(OperatorConsole& console, ViewWidget& feed_widget, QWidget& window)
+    : console_(console), feed_widget_(feed_widget), window_(window), bar_(make_bar()) {
   qApp->installEventFilter(this);
   listen_for_stop();
 }
@@ -74,15 +68,9 @@ void HandControl::place_stop_button() {
 HandBar* HandControl::make_bar() {
   HandBar::Actions actions;
   actions.choose_hand = [this](int index) { choose(index); };
-  actions.guide = [this](bool on) {
-    console_.guide(on);
-    plan_stale_ = true;
-  };
+  actions.guide = [this](bool on) { console_.guide(on); };
   actions.choose_scale = [this](int index) { console_.scale(index); };
-  actions.depth_stop = [this](double depth_um) {
-    console_.depth_stop_um(depth_um);
-    plan_stale_ = true;
-  };
+  actions.depth_stop = [this](double depth_um) { console_.depth_stop_um(depth_um); };
   actions.inject = [this](bool held) { console_.inject(held); };
   actions.retract = [this](bool held) { console_.retract(held); };
   if (console_.can_renew()) actions.new_cell = [this] { console_.new_cell(); };
@@ -102,17 +90,9 @@ void HandControl::choose(int index) {
   show_status();
 }
 
-bool HandControl::tick() {
+void HandControl::tick() {
   console_.update();
   place_stop_button();
-  // A plan that was made or dropped, or one that the person changed.
-  const bool changed = plan_stale_ || console_.plan().has_value() != plan_drawn_;
-  if (!changed) return false;
-  plan_drawn_ = console_.plan().has_value();
-  plan_stale_ = false;
-  feed_.set_plan(plan_drawn_ ? std::optional(plan_marks(*console_.plan(), console_.depth_stop_um(), console_.guided()))
-                             : std::nullopt);
-  return true;
 }
 
 void HandControl::show_status() {
@@ -122,6 +102,10 @@ void HandControl::show_status() {
   bar_->set_choice(console_.chosen(), console_.scale());
   bar_->set_depth_stop_um(console_.depth_stop_um());
   bar_->set_manual(!console_.is_demonstration());
+}
+
+void HandControl::set_guided(bool on) {
+  bar_->set_guided(on);
 }
 
 bool HandControl::eventFilter(QObject* target, QEvent* event) {
@@ -150,6 +134,8 @@ void HandControl::take_stop_key(const QKeyEvent& event, bool pressed) {
 bool HandControl::take_held_key(const QKeyEvent& event, bool pressed) {
   if (event.modifiers() != Qt::NoModifier && pressed) return false;
   if (event.key() != kInjectKey && event.key() != kRetractKey) return false;
+  // A letter that is being typed.
+  if (qobject_cast<QLineEdit*>(QApplication::focusWidget())) return false;
   if (event.isAutoRepeat() || console_.is_demonstration()) return true;
   if (event.key() == kInjectKey) {
     console_.inject(pressed);
@@ -174,14 +160,11 @@ bool HandControl::take_feed_event(QEvent* event) {
     }
     case QEvent::MouseButtonRelease: {
       if (static_cast<const QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
-      const bool ours = dragged_px_ || target_pressed_;
-      target_pressed_ = false;
-      if (dragged_px_) {
-        dragged_px_.reset();
-        console_.grip(false);
-        feed_widget_.setCursor(Qt::OpenHandCursor);
-      }
-      return ours;
+      if (!dragged_px_) return false;
+      dragged_px_.reset();
+      console_.grip(false);
+      feed_widget_.setCursor(Qt::OpenHandCursor);
+      return true;
     }
     case QEvent::Wheel:
       if (!dragged_px_) return false;
@@ -194,27 +177,11 @@ bool HandControl::take_feed_event(QEvent* event) {
 
 bool HandControl::take_press(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton) return false;
-  if ((event.modifiers() & Qt::ControlModifier) != 0) {
-    target_pressed_ = true;
-    set_target(event.localPos());
-    return true;
-  }
   if (!console_.is_mouse()) return false;
   dragged_px_ = event.localPos();
   console_.grip(true);
   feed_widget_.setCursor(Qt::ClosedHandCursor);
   return true;
-}
-
-void HandControl::set_target(const QPointF& place_px) {
-  const Eigen::Vector2d place_um = feed_.place_um(place_px.x(), place_px.y(), feed_widget_.height());
-  const auto objection = console_.set_target(place_um.x(), place_um.y());
-  plan_stale_ = true;
-  if (objection) {
-    notify_(words("Target: ") + QString::fromStdString(say_message(*objection)), true);
-  } else {
-    notify_(words("Target set"), false);
-  }
 }
 
 void HandControl::emergency_stop() {

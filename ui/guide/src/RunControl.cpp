@@ -2,9 +2,9 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QPixmap>
 
+#include "GuideMemory.h"
 #include "Words.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/pipeline/LiveRun.h"
@@ -18,19 +18,32 @@ constexpr double kRepeatPause_s = 2.0;
 
 }  // namespace
 
-RunControl::RunControl(LiveRun& run, QWidget& window, const std::string& session_folder, Notify notify)
+RunControl::RunControl(LiveRun& run, QWidget& window, const std::string& session_folder, std::function<void()> begun,
+                       Notify notify)
     : run_(run),
       window_(window),
       recordings_(session_folder, QDir::homePath().toStdString()),
-      notify_(std::move(notify)) {}
+      begun_(std::move(begun)),
+      notify_(std::move(notify)) {
+  if (const auto chosen = remembered_recordings(); session_folder.empty() && !chosen.empty()) set_place(chosen);
+}
 
 void RunControl::toggle_recording() {
+  if (run_.status().recording) {
+    end_recording();
+    return;
+  }
   try {
-    if (run_.status().recording) {
-      run_.stop_recording();
-    } else {
-      run_.start_recording(recordings_.next_folder(RecordingPresenter::utc_stamp()));
-    }
+    run_.start_recording(recordings_.next_folder(RecordingPresenter::utc_stamp()));
+    begun_();
+  } catch (const Error& error) {
+    notify_(words_of(error) + words("\nChoose another folder: Cells (E), Change."), true);
+  }
+}
+
+void RunControl::end_recording() {
+  try {
+    run_.stop_recording();
   } catch (const Error& error) {
     notify_(words_of(error), true);
   }
@@ -46,15 +59,19 @@ void RunControl::restart() {
   hint_count_ = 0;
 }
 
-void RunControl::ask_for_note() {
-  bool given = false;
-  const QString text = QInputDialog::getText(&window_, words("Note"), words("Remark for the session's events:"),
-                                             QLineEdit::Normal, {}, &given);
-  if (!given || text.trimmed().isEmpty()) return;
-  const bool written = run_.note(text.trimmed().toStdString());
+void RunControl::note(const QString& text) {
+  const bool written = run_.note(text.toStdString());
   notify_(written ? words("Note written into the recording")
                   : words("Nothing is recording: the note goes into the next recording"),
           false);
+}
+
+void RunControl::remark(const std::string& text) {
+  run_.add_event({run_.clock().now_s() - run_.session_lag_s(), event_kind::kNote, text});
+}
+
+std::filesystem::path RunControl::cells_file() const {
+  return recordings_.cells_file(RecordingPresenter::utc_stamp());
 }
 
 void RunControl::ask_for_scale(const Scene* scene) {
@@ -68,7 +85,10 @@ void RunControl::ask_for_scale(const Scene* scene) {
     notify_(words("The kind's scale again"), false);
   };
   const bool has_own_scale = scene && scene->remarks.has_own_scale;
-  ScaleDialog(run_.profile(), seen_for_scale(scene), has_own_scale, std::move(actions), &window_).exec();
+  // Not modal: the cell lives on, and the stop is in reach.
+  auto* dialog = new ScaleDialog(run_.profile(), seen_for_scale(scene), has_own_scale, std::move(actions), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
 }
 
 void RunControl::give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um) {

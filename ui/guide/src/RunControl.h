@@ -23,14 +23,25 @@ class RunControl {
 
   /// `run` and `window` must outlive the control. `session_folder`: where the first recording goes; empty: a new folder
   /// each time.
-  RunControl(LiveRun& run, QWidget& window, const std::string& session_folder, Notify notify);
+  /// `begun`: a recording has begun.
+  RunControl(LiveRun& run, QWidget& window, const std::string& session_folder, std::function<void()> begun,
+             Notify notify);
 
   void toggle_recording();
+  void end_recording();
   void toggle_pause();
   void restart();
-  /// Asks for a remark.
-  void ask_for_note();
-  /// Asks for a measurement of this cell's scale. `scene`: the one on screen; nullptr: none yet.
+  /// A person's words, for the session; kept for the next one while nothing records.
+  void note(const QString& text);
+  /// A note of the window's own, for the log and the recording that runs.
+  void remark(const std::string& text);
+
+  /// Where recordings, pictures and tables go.
+  std::filesystem::path place() const { return recordings_.place(); }
+  void set_place(const std::filesystem::path& folder) { recordings_.set_place(folder); }
+  std::filesystem::path cells_file() const;
+
+  /// Asks for a measurement of this cell's scale, beside the run. `scene`: the one on screen; nullptr: none yet.
   void ask_for_scale(const Scene* scene);
   /// A person's hint about the image, for the next frame; and the latest one taken back.
   void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
@@ -44,6 +55,7 @@ class RunControl {
   LiveRun& run_;
   QWidget& window_;
   RecordingPresenter recordings_;
+  std::function<void()> begun_;
   Notify notify_;
   int hint_count_ = 0;             // in force
   std::optional<double> ended_s_;  // when the source was first seen at its end

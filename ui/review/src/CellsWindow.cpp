@@ -136,7 +136,7 @@ CellsWindow::CellsWindow(FileChoice choice, Open open, QWidget* parent)
   connect(table_, &QTableWidget::itemSelectionChanged, this,
           [this] { remove_->setEnabled(!table_->selectedItems().isEmpty()); });
   connect(table_->horizontalHeader(), &QHeaderView::sectionClicked, this, [this](int clicked) {
-    column_ = clicked;
+    column_ = static_cast<std::size_t>(std::max(clicked, 0));
     fill_groups();
   });
   table_->installEventFilter(this);
@@ -232,10 +232,9 @@ void CellsWindow::fill() {
 }
 
 void CellsWindow::fill_groups() {
-  const auto column = static_cast<std::size_t>(std::max(column_, 0));
-  const auto groups = cells_.groups(CellTable::is_quantity(column) ? column : 4);
-  group_title_->setText(words("Groups by ") +
-                        QString::fromStdString(CellTable::column_title(CellTable::is_quantity(column) ? column : 4)));
+  const std::size_t column = CellTable::is_quantity(column_) ? column_ : CellTable::kPeakForce;
+  const auto groups = cells_.groups(column);
+  group_title_->setText(words("Groups by ") + QString::fromStdString(CellTable::column_title(column)));
   groups_->setRowCount(static_cast<int>(groups.size()));
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const GroupRow& group = groups[k];

@@ -56,7 +56,7 @@ class CellsWindow : public QWidget {
   QPushButton* remove_ = nullptr;
   QPushButton* save_ = nullptr;
   TaskLine* line_ = nullptr;
-  int column_ = 4;  // the groups are compared by it
+  std::size_t column_ = CellTable::kPeakForce;  // the groups are compared by it
   BackgroundTask reading_;
 };
 

@@ -1,4 +1,4 @@
-// What the buttons of the window in Review mode do.
+// What the buttons of the window in Review mode do, and what is dropped on it.
 #include "CellsWindow.h"
 #include "ComparisonReview.h"
 #include "HintControl.h"
@@ -24,7 +24,10 @@
 #include "widgets/TimelineBar.h"
 #include "widgets/TransportBar.h"
 
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QSplitter>
+#include <QUrl>
 #include <algorithm>
 #include <cmath>
 
@@ -207,6 +210,29 @@ TransportBar* ReviewWindow::build_transport() {
   actions.set_loop = [this](bool on) { playback_.set_loop(on); };
   actions.set_backwards = [this](bool on) { playback_.set_backwards(on, clock_->now_s()); };
   return new TransportBar(std::move(actions), nullptr);
+}
+
+void ReviewWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.empty() && std::all_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); })) {
+    event->acceptProposedAction();
+  }
+}
+
+// One session is opened, of several the cells are put into their table.
+void ReviewWindow::dropEvent(QDropEvent* event) {
+  std::vector<std::filesystem::path> dropped;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (!url.isLocalFile()) return;
+    dropped.emplace_back(url.toLocalFile().toStdString());
+    // One of a session's files means its session.
+    if (std::filesystem::is_regular_file(dropped.back())) dropped.back() = dropped.back().parent_path();
+  }
+  if (dropped.empty()) return;
+  event->acceptProposedAction();
+  if (dropped.size() == 1) return open(dropped.front());
+  show_cells();
+  for (const auto& folder : dropped) cells_->add(folder);
 }
 
 }  // namespace pellucida

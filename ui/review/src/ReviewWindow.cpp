@@ -1,10 +1,7 @@
 #include "ReviewWindow.h"
 
-#include <QDragEnterEvent>
-#include <QMimeData>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -378,21 +375,6 @@ void ReviewWindow::arrange_side() {
 void ReviewWindow::resizeEvent(QResizeEvent*) {
   if (comparison_) arrange_side();
   if (thumbnails_) thumbnails_->set_room(height() >= kRoomForThumbnails_px);
-}
-
-void ReviewWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
-}
-
-void ReviewWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (urls.size() != 1 || !urls.front().isLocalFile()) return;
-  event->acceptProposedAction();
-  std::filesystem::path dropped = urls.front().toLocalFile().toStdString();
-  // One of a session's files means its session.
-  if (std::filesystem::is_regular_file(dropped)) dropped = dropped.parent_path();
-  open(dropped);
 }
 
 }  // namespace pellucida

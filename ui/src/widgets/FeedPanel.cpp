@@ -5,6 +5,7 @@
 #include "Words.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/PanZoomStyle.h"
+#include "widgets/ImageMenu.h"
 #include "widgets/KeySheet.h"
 #include "widgets/ViewWidget.h"
 
@@ -36,13 +37,8 @@ void FeedPanel::add_buttons(FeedView& feed, bool has_model) {
   }
   toggle(words("Tools"), words("Needle and holding pipette"), Qt::Key_3, true,
          [](FeedView& view, bool on) { view.show_tools(on); });
-  toggle(words("Whole frame"), words("The whole image instead of the cell"), Qt::Key_W, false,
-         [](FeedView& view, bool on) { view.set_framing(on ? FeedFraming::kFrame : FeedFraming::kCell); });
-  connect(add_button(words("Reset"), words("Undo panning and zooming"), Qt::Key_F), &QToolButton::clicked, this,
-          [this, &feed] {
-            feed.reset_camera();
-            view_->render();
-          });
+  add_control(new ImageMenu(
+      feed, [this] { view_->render(); }, this));
 }
 
 }  // namespace pellucida

@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QShortcut>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -24,7 +25,7 @@ constexpr const char* kGroupProperty = "keyGroup";
 constexpr const char* kGestureProperty = "gestures";
 constexpr const char* kPlaceProperty = "keySheetPlace";
 constexpr const char* kSheetName = "keySheet";
-constexpr int kColumn_px = 330, kMargin_px = 12, kTopBar_px = 46;
+constexpr int kColumn_px = 300, kMargin_px = 12, kTopBar_px = 46;
 
 QString group_of(const QObject* part) {
   for (; part; part = part->parent()) {
@@ -208,13 +209,15 @@ void KeySheet::place() {
   // No higher than what is on it.
   layout()->activate();
   QWidget* page = scroll_->widget();
-  const int page_px = std::max(page->sizeHint().height(), page->heightForWidth(scroll_->width()));
+  const int page_px =
+      page->hasHeightForWidth() ? page->heightForWidth(scroll_->viewport()->width()) : page->sizeHint().height();
   const int needed_px = page_px + height() - scroll_->viewport()->height();
   setGeometry(room.x(), room.y(), room.width(), std::min(room.height(), needed_px));
 }
 
 bool KeySheet::eventFilter(QObject* target, QEvent* event) {
-  if (target == parentWidget() && event->type() == QEvent::Resize) place();
+  // Once the window's parts have their places.
+  if (target == parentWidget() && event->type() == QEvent::Resize) QTimer::singleShot(0, this, [this] { place(); });
   if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
   auto& key = static_cast<QKeyEvent&>(*event);
   if (key.key() != Qt::Key_Escape || key.modifiers() != Qt::NoModifier) return false;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "Theme.h"
+#include "Words.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/visualization/Readout.h"
 #include "presenters/Phrase.h"
@@ -21,6 +22,7 @@ StatePill::StatePill(QWidget* parent) : QLabel(parent) {
     const QString name = QString::fromStdString(readout::state(state));
     widest_px = std::max(widest_px, fontMetrics().horizontalAdvance(name));
   }
+  setToolTip(words("What the picture shows of the cell: whether it is seen, touched, punctured or lost"));
   setFixedSize(widest_px + 2 * kEdge_px, 30);
 }
 

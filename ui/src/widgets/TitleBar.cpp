@@ -51,11 +51,17 @@ TitleBar::TitleBar(QWidget* parent) : QWidget(parent) {
 
 QPushButton* TitleBar::add_button(const QString& text, const QKeySequence& key, const QString& tip,
                                   std::function<void()> action) {
+  QPushButton* button = add_menu_button(text, tip);
+  bind_key(*button, key, tip);
+  if (action) connect(button, &QPushButton::clicked, this, std::move(action));
+  return button;
+}
+
+QPushButton* TitleBar::add_menu_button(const QString& text, const QString& tip) {
   auto* button = new QPushButton(text, this);
   button->setFixedHeight(30);
   button->setFocusPolicy(Qt::TabFocus);
-  bind_key(*button, key, tip);
-  connect(button, &QPushButton::clicked, this, std::move(action));
+  button->setToolTip(tip);
   row_->addWidget(button);
   return button;
 }

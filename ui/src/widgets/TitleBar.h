@@ -15,6 +15,8 @@ class TitleBar : public QWidget {
 
   QPushButton* add_button(const QString& text, const QKeySequence& key, const QString& tip,
                           std::function<void()> action);
+  /// A button that has no key: for a menu.
+  QPushButton* add_menu_button(const QString& text, const QString& tip);
   /// Back to the start page.
   void add_start_button();
   /// Theme and language, and the sheet of keys; `light_key` changes the theme.

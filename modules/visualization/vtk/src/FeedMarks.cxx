@@ -12,6 +12,22 @@
 
 namespace pellucida {
 
+namespace {
+
+// On a dark underlay.
+void draw_ring(HudCanvas& hud, const Eigen::Vector2d& at, double radius_px, const Color& color) {
+  constexpr int kCorners = 24;
+  for (const auto& [width_px, ink] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, color}}) {
+    for (int k = 0; k < kCorners; ++k) {
+      const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
+      hud.line(at.x() + radius_px * std::cos(from), at.y() + radius_px * std::sin(from),
+               at.x() + radius_px * std::cos(to), at.y() + radius_px * std::sin(to), width_px, ink);
+    }
+  }
+}
+
+}  // namespace
+
 double draw_legend(HudCanvas& hud, const std::vector<LegendRow>& rows, double width_px, double height_px) {
   // A cell in the middle of the view, with the tools beside it, begins below about so much of its height.
   constexpr double kMostHeight = 0.27;
@@ -83,12 +99,17 @@ void draw_plan(HudCanvas& hud, const PlanMarks& plan, const ToHud& place, const 
   hud.disc(end.x(), end.y(), kCross + 2.0, under, 0.5);
   hud.line(end.x() - kCross, end.y(), end.x() + kCross, end.y(), 2.0, line);
   hud.line(end.x(), end.y() - kCross, end.x(), end.y() + kCross, 2.0, line);
+  if (!plan.has_handles) return;
+  for (const auto& [handle, at_um] :
+       {std::pair{PlanHandle::kEntry, plan.entry_um}, std::pair{PlanHandle::kTarget, plan.target_um},
+        std::pair{PlanHandle::kDepthStop, plan.depth_stop_um}}) {
+    draw_ring(hud, place(at_um), handle == plan.handle ? 13.0 : 9.0, line);
+  }
 }
 
 void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {
-  constexpr double kRing_px = 9.0;
-  constexpr int kCorners = 24;
   const Eigen::Vector2d at = place(mark.place_um);
+  if (mark.further_um.empty()) draw_ring(hud, at, 9.0, palette::kWarning);
   for (const auto& [width_px, color] : {std::pair{4.5, palette::kWindow}, std::pair{2.0, palette::kWarning}}) {
     Eigen::Vector2d start = place(mark.place_um);
     for (const Eigen::Vector2d& further_um : mark.further_um) {
@@ -97,11 +118,6 @@ void draw_hint(HudCanvas& hud, const HintMark& mark, const ToHud& place) {
       hud.disc(start.x(), start.y(), width_px + 1.0, color);
       hud.disc(to.x(), to.y(), width_px + 1.0, color);
       start = to;
-    }
-    for (int k = 0; mark.further_um.empty() && k < kCorners; ++k) {
-      const double from = 2.0 * std::numbers::pi * k / kCorners, to = 2.0 * std::numbers::pi * (k + 1) / kCorners;
-      hud.line(at.x() + kRing_px * std::cos(from), at.y() + kRing_px * std::sin(from), at.x() + kRing_px * std::cos(to),
-               at.y() + kRing_px * std::sin(to), width_px, color);
     }
   }
   if (mark.text.empty()) return;

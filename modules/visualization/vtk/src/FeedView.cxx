@@ -136,9 +136,10 @@ void FeedView::refresh() {
       frame_height_um_ = height_um;
       window_high_ = window_low_ = 0.0;
       cell_radius_um_ = 0.0;
+      cell_given_ = false;
       reset_camera();
     }
-    refresh_window_level(frame);
+    if (image_look_.follows || !(window_high_ > window_low_)) refresh_window_level(frame);
   }
   p.membrane_lines.show(contours_shown_ && has_points(scene.membranes));
   p.tool_lines.show(tools_shown_ && has_points(scene.tools));
@@ -170,18 +171,27 @@ void FeedView::refresh_window_level(vtkImageData* frame) {
   const double follow = window_high_ > window_low_ ? 0.05 : 1.0;
   window_low_ += follow * (low - window_low_);
   window_high_ += follow * (high - window_high_);
+  apply_image_look();
+}
+
+void FeedView::apply_image_look() {
   // Head room, so that coloured lines stand out against the brightest parts.
-  const double low_end = window_low_ - 0.10 * (window_high_ - window_low_);
-  const double high_end = window_high_ + 0.20 * (window_high_ - window_low_);
-  pipeline_->image->GetProperty()->SetColorWindow(high_end - low_end);
-  pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end));
+  const double range = window_high_ - window_low_;
+  const double low_end = window_low_ - 0.10 * range, high_end = window_high_ + 0.20 * range;
+  pipeline_->image->GetProperty()->SetColorWindow((high_end - low_end) / image_look_.contrast);
+  pipeline_->image->GetProperty()->SetColorLevel(0.5 * (high_end + low_end) - image_look_.brightness * range);
+}
+
+void FeedView::set_image_look(const ImageLook& look) {
+  image_look_ = look;
+  if (window_high_ > window_low_) apply_image_look();
 }
 
 // Where the cell was first found; followed only when it has moved far or was mistaken, so that the picture stays
 // where it is.
 void FeedView::refresh_cell_frame() {
   const Frozen<vtkPolyData>& membranes = source_->GetScene().membranes;
-  if (!has_points(membranes)) return;
+  if (cell_given_ || !has_points(membranes)) return;
   double bounds_um[6];
   const_cast<vtkPolyData*>(membranes.get())->GetBounds(bounds_um);
   const double middle_um[2] = {0.5 * (bounds_um[0] + bounds_um[1]), 0.5 * (bounds_um[2] + bounds_um[3])};
@@ -195,6 +205,14 @@ void FeedView::refresh_cell_frame() {
   cell_um_[1] = middle_um[1];
   cell_radius_um_ = radius_um;
   if (fitted_) fitted_scale_um_ = 0.0;
+}
+
+void FeedView::frame_place(const Eigen::Vector2d& middle_um, double radius_um) {
+  cell_um_[0] = middle_um.x();
+  cell_um_[1] = middle_um.y();
+  cell_radius_um_ = radius_um;
+  cell_given_ = true;
+  reset_camera();
 }
 
 void FeedView::set_framing(FeedFraming framing) {

@@ -85,13 +85,17 @@ void MembraneView::draw_scales(HudCanvas& hud, double width_px, double height_px
 // Below the arrows' scale, ending at `x`: what grey and the bars mean.
 void MembraneView::draw_arrow_notes(HudCanvas& hud, double x, double y) {
   const ThemeColors& theme = current_theme();
+  // On a plate: the cell may lie behind.
+  constexpr double kSign_px = 24.0;
   const auto note = [&](const std::string& text) {
     const HudText style{.color = theme.text, .align = HudAlign::kRight};
+    const double width = hud.text_width_px(text, style);
+    hud.rounded(x - width - kSign_px - 14.0, y - 10.0, width + kSign_px + 20.0, 20.0, 4.0, theme.window, 0.6);
     hud.text(x, y, text, style);
-    return x - hud.text_width_px(text, style) - 10.0;
+    return x - width - 8.0;
   };
   if (has_unsure_) {
-    const double end = note(say("single node may be zero (95 %)"));
+    const double end = note(has_sure_ ? say("may be zero (95 %)") : say("each alone may be zero (95 %)"));
     hud.rectangle(end - 12.0, y - 6.0, 12.0, 12.0, theme.unsure);
     y -= kNoteRow_px;
   }

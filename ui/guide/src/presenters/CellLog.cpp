@@ -18,6 +18,11 @@ constexpr std::array<std::string_view, 8> kTellingKinds{
     event_kind::kContact, event_kind::kRelease, event_kind::kPuncture, event_kind::kRevoked,
     event_kind::kLost,    event_kind::kFound,   event_kind::kStarted,  event_kind::kResumed};
 
+// In the words of report/CellPassport, for lupdate.
+[[maybe_unused]] constexpr const char* kOutcomes[] = {
+    PELLUCIDA_WORDS("punctured"), PELLUCIDA_WORDS("retracted"), PELLUCIDA_WORDS("lost in contact"),
+    PELLUCIDA_WORDS("still in contact"), PELLUCIDA_WORDS("not touched")};
+
 bool tells_of_cells(const Event& event) {
   return begins_new_cell(event) || named_cell(event) ||
          std::find(kTellingKinds.begin(), kTellingKinds.end(), event.kind) != kTellingKinds.end();

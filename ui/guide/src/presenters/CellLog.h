@@ -16,6 +16,8 @@ struct CellRow {
   std::string work;     ///< up to the puncture, else to the largest depth; pJ
   std::string time;     ///< of the puncture, else of the largest force; s
   bool is_punctured = false;
+
+  bool operator==(const CellRow&) const = default;
 };
 CellRow cell_row(const CellPassport& cell);
 

@@ -72,6 +72,10 @@ Gauge force_gauge(const GaugeInput& in) {
   gauge.to = share_of(m.contact_force_upper_uN, limit_uN);
   gauge.inner_from = share_of(m.contact_force_picture_lower_uN, limit_uN);
   gauge.inner_to = share_of(m.contact_force_picture_upper_uN, limit_uN);
+  if (in.true_force_uN) {
+    gauge.truth = say("true ") + readout::number(*in.true_force_uN, 2);
+    gauge.truth_share = share_of(*in.true_force_uN, limit_uN);
+  }
   // The number beside it has the unit.
   if (std::isfinite(gauge.from) && std::isfinite(gauge.to)) {
     gauge.note = "95 %: " + readout::number(m.contact_force_lower_uN, 2) + " \u2013 " +
@@ -264,14 +268,16 @@ std::optional<double> TipSpeed::update(const Scene& scene) {
 }
 
 bool Gauge::operator==(const Gauge& other) const {
-  const auto texts = [](const Gauge& g) { return std::tie(g.key, g.name, g.value, g.note, g.limit, g.alarm, g.tip, g.level); };
+  const auto texts = [](const Gauge& g) {
+    return std::tie(g.key, g.name, g.value, g.note, g.limit, g.alarm, g.truth, g.tip, g.level);
+  };
   const auto shares = [](const Gauge& g) {
-    return std::array{g.share, g.from, g.to, g.inner_from, g.inner_to, g.limit_share, g.usual_share};
+    return std::array{g.share, g.from, g.to, g.inner_from, g.inner_to, g.limit_share, g.truth_share, g.usual_share};
   };
   const auto mine = shares(*this), others = shares(other);
-  return texts(*this) == texts(other) &&
-         std::equal(mine.begin(), mine.end(), others.begin(),
-                    [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); });
+  return texts(*this) == texts(other) && std::equal(mine.begin(), mine.end(), others.begin(), [](double a, double b) {
+           return a == b || (std::isnan(a) && std::isnan(b));
+         });
 }
 
 }  // namespace pellucida

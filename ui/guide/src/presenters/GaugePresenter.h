@@ -33,12 +33,14 @@ struct Gauge {
   std::string note;   ///< its interval, or what it means
   std::string limit;  ///< "limit 9.4 µN": what the mark is
   std::string alarm;  ///< a few words where the level isn't calm; else empty
+  std::string truth;  ///< "true 5.90": of a virtual specimen, where it is to be shown; else empty
   std::string tip;
   GaugeLevel level = GaugeLevel::kCalm;
   double share = kNothing;
   double from = kNothing, to = kNothing;              ///< the whole 95 % interval
   double inner_from = kNothing, inner_to = kNothing;  ///< the part of it that the picture leaves open
   double limit_share = kNothing;
+  double truth_share = kNothing;  ///< a mark of its own
   double usual_share = kNothing;  ///< a fine mark: where this kind of cell gives way
 
   /// Looks the same, NaN beside NaN included.
@@ -56,6 +58,7 @@ struct GaugeInput {
   double depth_stop_um = 0.0;             ///< beyond the entry; counts with a plan
   std::optional<Eigen::Vector3d> tip_um;  ///< as the manipulator reports it
   std::optional<double> speed_um_per_s;   ///< of the tip, above 0 into the cell
+  std::optional<double> true_force_uN;    ///< of a virtual specimen in this frame, where it is to be shown
   double frame_age_s = 0.0;               ///< of the newest measured frame
   bool is_still = false;                  ///< paused, or the source has ended: no age counts
 };

@@ -59,6 +59,13 @@ std::optional<std::string> loss(const HapticRecord& tick) {
   return std::nullopt;
 }
 
+// Frame W: z goes into the scene.
+Phrase plane_phrase(const PipetteState& pipette) {
+  if (!pipette.known) return {"z \u2013", current_theme().text_dim};
+  const double z_um = std::abs(pipette.tip_um.z) < 0.05 ? 0.0 : pipette.tip_um.z;
+  return {(z_um > 0.0 ? "z +" : "z ") + readout::number(z_um, 1) + " µm", current_theme().text};
+}
+
 struct LimitWords {
   LimitKind kind;
   const char* words;
@@ -69,7 +76,10 @@ struct LimitWords {
                                                         PELLUCIDA_WORDS("Inserting"),
                                                         PELLUCIDA_WORDS("Depositing"),
                                                         PELLUCIDA_WORDS("Taking the needle out"),
-                                                        PELLUCIDA_WORDS("Done; a new cell follows")};
+                                                        PELLUCIDA_WORDS("Done; a new cell follows"),
+                                                        PELLUCIDA_WORDS("Taking the needle out for a new cell"),
+                                                        PELLUCIDA_WORDS("Bringing the needle back into view"),
+                                                        PELLUCIDA_WORDS("Waiting for an untouched cell")};
 
 // Those the user can act on, the gravest first; the others are in the events and the recording.
 constexpr LimitWords kLimits[] = {
@@ -136,21 +146,10 @@ HandTexts hand_texts(const HandStatus& status, const std::string& doing) {
     texts.force = {"\u2013", current_theme().text_dim};
   }
   texts.contact = status.tick_count > 0U ? contact_phrase(tick) : Phrase{"\u2013", current_theme().text_dim};
+  texts.plane = plane_phrase(status.pipette);
   texts.note = note_phrase(status, doing);
   texts.loop = {loop_words(status), current_theme().text_dim};
   return texts;
-}
-
-PlanMarks plan_marks(const InjectionPlan& plan, double depth_stop_um, bool guided) {
-  const auto in_plane = [](const PlainVector3& v) { return Eigen::Vector2d(v.x, v.y); };
-  PlanMarks marks;
-  marks.approach_um = in_plane(plan.approach_um);
-  marks.entry_um = in_plane(plan.entry_um);
-  marks.target_um = in_plane(plan.target_um);
-  marks.depth_stop_um = marks.entry_um + depth_stop_um * in_plane(plan.axis);
-  marks.corridor_um = plan.options.path_radius_um;
-  marks.guided = guided;
-  return marks;
 }
 
 }  // namespace pellucida

@@ -3,8 +3,6 @@
 #include <string>
 
 #include "pellucida/operation/TeleoperationRun.h"
-#include "pellucida/planning/InjectionPlan.h"
-#include "pellucida/visualization/PlanMarks.h"
 #include "presenters/Phrase.h"
 
 namespace pellucida {
@@ -15,6 +13,7 @@ struct HandTexts {
   Phrase force;              ///< on the hand, with the device's largest; or that the device gives none
   double force_share = 0.0;  ///< of the device's largest, 0..1
   Phrase contact;            ///< what the force rests on, with its age
+  Phrase plane;              ///< how far the tip is out of the image plane, as the manipulator reports it
   Phrase note;               ///< what is wrong, the limits that act, or else what goes on; may be empty
   Phrase loop;               ///< the loop's own figures, for a tip
   bool stopped = false;      ///< the emergency stop is in force
@@ -22,8 +21,5 @@ struct HandTexts {
 
 /// Turns the hand's status into words. `doing`: what goes on when nothing is wrong. Knows no widgets.
 HandTexts hand_texts(const HandStatus& status, const std::string& doing = {});
-
-/// The plan as it is drawn over the feed.
-PlanMarks plan_marks(const InjectionPlan& plan, double depth_stop_um, bool guided);
 
 }  // namespace pellucida

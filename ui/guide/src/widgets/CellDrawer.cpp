@@ -6,12 +6,12 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <vector>
+#include <QVariant>
+#include <algorithm>
 
 #include "Theme.h"
 #include "Words.h"
 #include "pellucida/visualization/Palette.h"
-#include "presenters/CellLog.h"
 #include "widgets/KeySheet.h"
 
 namespace pellucida {
@@ -74,9 +74,9 @@ CellDrawer::CellDrawer(Actions actions, QWidget* parent) : QFrame(parent) {
   folder_->setObjectName("recordingsFolder");
   folder_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   place->addWidget(folder_, 1);
-  QPushButton* choose = add_button(words("Change") + QString::fromUtf8("\u2026"),
-                                   words("Choose the folder for recordings, pictures and tables"),
-                                   std::move(actions.choose_folder));
+  QPushButton* choose =
+      add_button(words("Change") + QString::fromUtf8("\u2026"),
+                 words("Choose the folder for recordings, pictures and tables"), std::move(actions.choose_folder));
   choose->setObjectName("chooseFolder");
   place->addWidget(choose);
   column->addLayout(place);
@@ -93,6 +93,9 @@ QPushButton* CellDrawer::add_button(const QString& text, const QString& tip, std
 
 void CellDrawer::show_cells(std::span<const CellRow> cells) {
   save_->setEnabled(!cells.empty());
+  // A list that stays the same keeps its place.
+  if (std::equal(cells.begin(), cells.end(), shown_.begin(), shown_.end())) return;
+  shown_.assign(cells.begin(), cells.end());
   list_->clear();
   for (const CellRow& cell : cells) {
     auto* item = new QTreeWidgetItem(list_);

@@ -2,14 +2,15 @@
 #include <QFrame>
 #include <functional>
 #include <span>
+#include <vector>
+
+#include "presenters/CellLog.h"
 
 class QLabel;
 class QPushButton;
 class QTreeWidget;
 
 namespace pellucida {
-
-struct CellRow;
 
 /// The cells of this run beside the views, with their outcome; and where recordings go.
 class CellDrawer : public QFrame {
@@ -36,6 +37,7 @@ class CellDrawer : public QFrame {
   QPushButton* save_;
   QLabel* folder_;
   QString folder_text_;
+  std::vector<CellRow> shown_;
 };
 
 }  // namespace pellucida

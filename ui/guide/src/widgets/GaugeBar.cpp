@@ -68,6 +68,8 @@ GaugeBox::GaugeBox(QWidget* parent) : QFrame(parent) {
   name_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   alarm_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   head->addStretch(1);
+  head->addWidget(truth_ = label("gaugeTruth"));
+  truth_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   column->addLayout(head);
   column->addWidget(value_ = label("gaugeValue"), 1);
   column->addSpacing(kBarHeight_px + 2 * kBarGap_px);
@@ -91,11 +93,13 @@ void GaugeBox::show_gauge(const Gauge& gauge) {
   set_text(*note_, gauge.note);
   set_text(*limit_, gauge.limit);
   set_text(*alarm_, gauge.alarm);
+  truth_->setObjectName(QString::fromStdString(gauge.key + "Truth"));
+  set_text(*truth_, gauge.truth);
+  truth_->setVisible(!gauge.truth.empty());
   alarm_->setVisible(!gauge.alarm.empty());
   const ThemeColors& theme = current_theme();
-  set_sheet(
-      *alarm_,
-      QString::fromStdString("background: " + level_color(gauge.level).css() + "; color: " + theme.window.css()));
+  set_sheet(*alarm_,
+            QString::fromStdString("background: " + level_color(gauge.level).css() + "; color: " + theme.window.css()));
   setToolTip(QString::fromStdString(gauge.tip));
   setAccessibleName(QString::fromStdString(gauge.name + " " + gauge.value + " " + gauge.note + " " + gauge.alarm));
   fit_number();
@@ -172,6 +176,13 @@ void GaugeBox::paintEvent(QPaintEvent*) {
     painter.setClipping(false);
     painter.fillRect(QRectF(x - 1.5, top - 4.0, 3.0, kBarHeight_px + 8.0), to_qt(theme.text));
   }
+  // The truth: a wedge from above.
+  if (std::isfinite(gauge_.truth_share)) {
+    const double x = x_at(gauge_.truth_share);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(to_qt(theme.good));
+    painter.drawPolygon(QPolygonF({{x - 5.0, top - 4.0}, {x + 5.0, top - 4.0}, {x, top + 6.0}}));
+  }
   if (std::isfinite(gauge_.usual_share)) {
     painter.fillRect(QRectF(x_at(gauge_.usual_share) - 0.5, top - 2.0, 1.5, kBarHeight_px + 4.0),
                      to_qt(theme.text_dim));
@@ -197,6 +208,7 @@ void GaugeBar::set_low(bool low) {
 }
 
 void GaugeBar::show_gauges(const std::array<Gauge, 4>& gauges) {
+  gauges_ = gauges;
   for (std::size_t k = 0; k < boxes_.size(); ++k) boxes_[k]->show_gauge(gauges[k]);
 }
 

@@ -29,6 +29,7 @@ class GaugeBox : public QFrame {
   int letters_px_ = 0;
   QLabel* name_;
   QLabel* alarm_;
+  QLabel* truth_;
   QLabel* value_;
   QLabel* note_;
   QLabel* limit_;
@@ -41,9 +42,12 @@ class GaugeBar : public QFrame {
   /// A low window leaves more of its height to the views.
   void set_low(bool low);
   void show_gauges(const std::array<Gauge, 4>& gauges);
+  /// As they are shown.
+  const std::array<Gauge, 4>& gauges() const noexcept { return gauges_; }
 
  private:
   std::array<GaugeBox*, 4> boxes_{};
+  std::array<Gauge, 4> gauges_;
 };
 
 }  // namespace pellucida

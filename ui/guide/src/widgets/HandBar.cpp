@@ -17,6 +17,7 @@
 #include "widgets/ButtonKey.h"
 #include "widgets/Choice.h"
 #include "widgets/HoldButton.h"
+#include "widgets/KeySheet.h"
 #include "widgets/PhraseLabel.h"
 
 namespace pellucida {
@@ -53,6 +54,7 @@ HandBar::HandBar(const QStringList& hands, const QStringList& scales, Actions ac
   setObjectName("handBar");
   setAttribute(Qt::WA_StyledBackground);
   setFixedHeight(76);
+  set_key_group(*this, words("Hand"));
   // What the hand does above, what can be done below; the stop beside both.
   auto* bar = new QHBoxLayout(this);
   bar->setContentsMargins(16, 7, 16, 8);
@@ -104,6 +106,11 @@ QHBoxLayout* HandBar::build_readouts() {
   row->addWidget(force_bar_);
   force_ = add_phrase_label(*row, words("0.00 N of 0.0 N"));
   contact_ = add_phrase_label(*row, words("Punctured, 000 ms old"));
+  plane_ = add_phrase_label(*row, "z +000.0 µm");
+  plane_->setObjectName("tipPlane");
+  plane_->setToolTip(
+      words("How far the tip is out of the image plane, as the manipulator reports it: above 0 behind it, away from "
+            "you; below 0 before it"));
   // The rest of the line; a long text must not widen the window.
   note_ = new QLabel(this);
   note_->setObjectName("statusText");
@@ -135,7 +142,8 @@ QHBoxLayout* HandBar::build_controls(const QStringList& hands, const QStringList
   depth_stop_->setDecimals(0);
   depth_stop_->setSuffix(QString::fromUtf8(" \u00b5m"));
   depth_stop_->setToolTip(words("The tip goes no deeper than this beyond the entry"));
-  depth_stop_->setFocusPolicy(Qt::ClickFocus);
+  depth_stop_->setAccessibleName(words("Depth stop"));
+  depth_stop_->setFocusPolicy(Qt::StrongFocus);
   depth_stop_->setKeyboardTracking(false);
   depth_stop_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // wheel, arrow keys, digits
   depth_stop_->setFixedSize(68, 28);
@@ -166,6 +174,7 @@ QComboBox* HandBar::add_choice(QHBoxLayout* row, const QStringList& names, const
   auto* choice = new Choice(this);
   for (const QString& name : names) choice->addItem(words(name.toUtf8().constData()));
   choice->setToolTip(tip);
+  choice->setAccessibleName(tip);
   choice->setFocusPolicy(Qt::TabFocus);
   choice->setFixedHeight(28);
   row->addWidget(choice);
@@ -191,6 +200,7 @@ void HandBar::show_texts(const HandTexts& texts) {
   force_bar_->setValue(static_cast<int>(kForceSteps * texts.force_share));
   show_phrase(*force_, texts.force);
   show_phrase(*contact_, texts.contact);
+  show_phrase(*plane_, texts.plane);
   show_phrase(*note_, texts.note);
   // A narrow window shows the beginning; the tool tip shows all of it.
   const QString note = QString::fromStdString(texts.note.text);
@@ -225,6 +235,10 @@ void HandBar::set_manual(bool manual) {
   inject_->setEnabled(manual);
   retract_->setEnabled(manual);
   scale_->setEnabled(manual);
+}
+
+void HandBar::set_guided(bool on) {
+  guide_->setChecked(on);
 }
 
 void HandBar::hold_release(bool held) {

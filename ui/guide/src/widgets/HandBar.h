@@ -42,6 +42,7 @@ class HandBar : public QFrame {
   void set_depth_stop_um(double depth_um);
   /// The buttons that only a person's hand has.
   void set_manual(bool manual);
+  void set_guided(bool on);
   /// Holds the release of the stop, as its button does; nothing while no stop is in force.
   void hold_release(bool held);
   const QWidget& stop_button() const;
@@ -64,6 +65,7 @@ class HandBar : public QFrame {
   QProgressBar* force_bar_;
   QLabel* force_;
   QLabel* contact_;
+  QLabel* plane_;
   QLabel* note_;
   QPushButton* inject_;
   QPushButton* retract_;

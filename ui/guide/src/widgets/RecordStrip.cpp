@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStyle>
+#include <QVariant>
 
 #include "Words.h"
 
@@ -61,6 +63,13 @@ QLineEdit* RecordStrip::add_field(const char* key, const QString& name, const QS
   field->setToolTip(hint);
   field->setAccessibleName(name);
   field->setFocusPolicy(Qt::StrongFocus);
+  // What is only a hint is written fainter.
+  const auto follow = [field](const QString& text) {
+    field->setProperty("blank", text.isEmpty());
+    field->style()->polish(field);
+  };
+  connect(field, &QLineEdit::textChanged, field, follow);
+  follow({});
   heading->setBuddy(field);
   row->addWidget(field, stretch);
   return field;

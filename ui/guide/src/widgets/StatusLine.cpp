@@ -21,6 +21,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   frame_age_ = add_phrase_label(*row, words("Frame age 0000 ms"));
   frame_rate_ = add_phrase_label(*row, words("Frames/s: 000.0 measured, 000.0 drawn"));
   lost_ = add_phrase_label(*row, words("00000 frames skipped"));
+  frame_age_->setToolTip(words("From a frame's arrival to its force on screen"));
+  frame_rate_->setToolTip(words("Frames a second that were measured, and that this window has drawn"));
+  lost_->setToolTip(words("Frames that were not measured, that the source lost, or that are recorded in part"));
   notice_ = add_phrase_label(*row);
   notice_->setObjectName("notice");
   notice_->setTextInteractionFlags(Qt::TextSelectableByMouse);

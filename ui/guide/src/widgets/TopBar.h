@@ -1,4 +1,5 @@
 #pragma once
+#include <QList>
 #include <functional>
 
 #include "widgets/TitleBar.h"
@@ -15,15 +16,28 @@ class TopBar : public TitleBar {
     std::function<void()> note;
     std::function<void()> scale;
     std::function<void()> picture;
+    std::function<void(bool)> cells;  ///< shows or hides their list
   };
 
   TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent);
 
   void show_state(bool recording, bool paused);
+  void show_cells(bool shown);
+  /// Where the menu of what is shown, felt and heard hangs.
+  QPushButton& display() noexcept { return *display_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void fit();
+
   QPushButton* record_;
   QPushButton* pause_;
+  QPushButton* cells_;
+  QPushButton* display_;
+  QList<QPushButton*> shrinking_;
+  bool is_paused_ = false;
 };
 
 }  // namespace pellucida

@@ -16,6 +16,7 @@ namespace pellucida {
 namespace {
 
 enum FixedColumn : std::size_t { kGroup, kSession, kCellNumber, kOutcome, kFixedCount };
+static_assert(kFixedCount == CellTable::kPeakForce);
 constexpr const char* kFixedTitles[] = {PELLUCIDA_WORDS("Group"), PELLUCIDA_WORDS("Session"), PELLUCIDA_WORDS("Cell"),
                                         PELLUCIDA_WORDS("Outcome")};
 constexpr const char* kOutcomes[] = {PELLUCIDA_WORDS("punctured"), PELLUCIDA_WORDS("retracted"),

@@ -41,6 +41,8 @@ class CellTable {
     double number = kNone;
   };
 
+  /// The column of the peak force.
+  static constexpr std::size_t kPeakForce = 4;
   static std::size_t column_count() noexcept;
   /// "Puncture force (µN)".
   static std::string column_title(std::size_t column);

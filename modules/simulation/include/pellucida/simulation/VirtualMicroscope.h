@@ -7,6 +7,7 @@
 #include "pellucida/simulation/NeedleDrive.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/Truth.h"
+#include "pellucida/simulation/TruthLog.h"
 
 namespace pellucida {
 
@@ -45,6 +46,8 @@ class VirtualMicroscope : public FrameSource {
   /// The truth of the last frame delivered. Before the first frame: of frame 0's time, not drawn.
   const Truth& truth() const noexcept;
   const Scenario& scenario() const noexcept;
+  /// The true force of the newest frames, for whoever shows it while the microscope goes on.
+  std::shared_ptr<const TruthLog> truth_log() const noexcept;
 
  private:
   class Impl;

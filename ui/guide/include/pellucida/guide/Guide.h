@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "pellucida/operation/OperatorConsole.h"
@@ -12,6 +14,8 @@ namespace pellucida {
 struct GuideOptions : WindowOptions {
   std::string session_folder;  ///< where Record writes; empty: a new folder in ~/Pellucida each time
   bool repeat = false;         ///< restart the source a moment after its end, if it can
+  /// The true force of a frame, where the source is a virtual microscope: to be shown, never recorded. Any thread.
+  std::function<std::optional<double>(long frame)> true_force_uN;
   int hand = -1;               ///< index of the console's hand at the start; -1: none
 };
 

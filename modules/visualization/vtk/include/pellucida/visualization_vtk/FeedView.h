@@ -20,6 +20,15 @@ enum class FeedFraming {
   kFrame,  ///< the whole frame
 };
 
+/// How bright the image is shown; what is measured in it stays the same.
+struct ImageLook {
+  bool follows = true;      ///< black and white follow the image slowly; else they stay as they are
+  double brightness = 0.0;  ///< -1..1: of the range from black to white
+  double contrast = 1.0;    ///< > 0: times as steep
+
+  bool operator==(const ImageLook&) const = default;
+};
+
 /// A line of the feed's legend.
 struct LegendRow {
   std::string text;
@@ -45,6 +54,11 @@ class FeedView : public View {
   /// Default: kCell.
   void set_framing(FeedFraming framing);
 
+  /// Frames this place in place of the cell that is found, until a picture of another size comes.
+  void frame_place(const Eigen::Vector2d& middle_um, double radius_um);
+
+  void set_image_look(const ImageLook& look);
+  const ImageLook& image_look() const noexcept { return image_look_; }
   void show_contours(bool shown);
   void show_model_section(bool shown);
   void show_tools(bool shown);
@@ -77,6 +91,7 @@ class FeedView : public View {
   struct Pipeline;
 
   void refresh_window_level(vtkImageData* frame);
+  void apply_image_look();
   void refresh_cell_frame();
   void refresh_legend();
 
@@ -100,6 +115,8 @@ class FeedView : public View {
   FeedFraming framing_ = FeedFraming::kCell;
   double cell_um_[2] = {0.0, 0.0};  // middle of the framed cell
   double cell_radius_um_ = 0.0;     // 0 before one was found
+  bool cell_given_ = false;         // by `frame_place`
+  ImageLook image_look_;
   double window_low_ = 0.0;
   double window_high_ = 0.0;
   double fitted_scale_um_ = 0.0;
