@@ -57,25 +57,27 @@ TEST_F(GuideWindowTest, ClosingAsksOnceWhileARecordingRuns) {
   auto* record = window.findChild<QPushButton*>("record");
   record->click();
   ASSERT_TRUE(pass_until([&] { return std::filesystem::exists(folder / "S"); }));
-  const auto ask = [&]() -> QWidget* {
-    auto* question = window.findChild<QWidget*>("closingQuestion");
-    return question && question->isVisible() ? question : nullptr;
+  // Those on screen: an answered one is deleted a moment later.
+  const auto asked = [&] {
+    QList<QWidget*> questions = window.findChildren<QWidget*>("closingQuestion");
+    questions.erase(std::remove_if(questions.begin(), questions.end(), [](auto* one) { return !one->isVisible(); }),
+                    questions.end());
+    return questions;
   };
   // The way to the start page asks as well, and is forgotten with a no.
   close_for_start_page(window);
   ASSERT_TRUE(window.isVisible());
-  ASSERT_TRUE(pass_until([&] { return ask() != nullptr; }));
-  EXPECT_FALSE(ask()->isModal()) << "no dialog blocks a live cell";
-  ask()->findChild<QPushButton*>("goOn")->click();
-  ASSERT_TRUE(pass_until([&] { return ask() == nullptr; }));
+  ASSERT_TRUE(pass_until([&] { return asked().size() == 1; }));
+  EXPECT_FALSE(asked().front()->isModal()) << "no dialog blocks a live cell";
+  asked().front()->findChild<QPushButton*>("goOn")->click();
+  ASSERT_TRUE(pass_until([&] { return asked().empty(); }));
   EXPECT_FALSE(leads_to_start_page(window));
   EXPECT_TRUE(record->isChecked());
   EXPECT_FALSE(window.close());
   EXPECT_FALSE(window.close());
-  ASSERT_TRUE(pass_until([&] { return ask() != nullptr; }));
-  EXPECT_EQ(window.findChildren<QWidget*>("closingQuestion").size(), 1);
-  keep_picture(*ask(), "closing-question");
-  ask()->findChild<QPushButton*>("endAndClose")->click();
+  ASSERT_TRUE(pass_until([&] { return asked().size() == 1; }));
+  keep_picture(*asked().front(), "closing-question");
+  asked().front()->findChild<QPushButton*>("endAndClose")->click();
   ASSERT_TRUE(pass_until([&] { return !window.isVisible(); }));
   window.end_run();
   EXPECT_TRUE(std::filesystem::exists(folder / "S" / "session.json"));
