@@ -50,7 +50,7 @@ ArrowMenu::ArrowMenu(MembraneView& view, std::function<void()> changed, QWidget*
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(10, 8, 10, 8);
   grid->setHorizontalSpacing(14);
-  grid->setVerticalSpacing(8);
+  grid->setVerticalSpacing(5);
   add_kinds(grid);
   add_looks(grid);
   show_kind();
@@ -76,7 +76,7 @@ void ArrowMenu::add_kinds(QGridLayout* grid) {
     auto* sentence = new QLabel(QString::fromStdString(node_force_explanation(kind)));
     sentence->setProperty("figureNote", true);
     sentence->setWordWrap(true);
-    sentence->setContentsMargins(21, 0, 0, 2);
+    sentence->setContentsMargins(21, 0, 0, 4);
     sentence->setFixedWidth(kSentence_px);
     const int row = grid->rowCount();
     grid->addWidget(button, row, 0, 1, 3);
