@@ -58,6 +58,10 @@ und </translation>
         <translation> %). Die Formel hält die Zona für eine ebene, eingespannte Membran: Dutzende Prozent sind üblich.</translation>
     </message>
     <message>
+        <source> (6: on and off, 7: the next force)</source>
+        <translation> (6: ein und aus, 7: die nächste Kraft)</translation>
+    </message>
+    <message>
         <source> (Esc: no more)</source>
         <translation> (Esc: beenden)</translation>
     </message>
@@ -236,6 +240,8 @@ und </translation>
     <message>
         <source> µm beyond the entry</source>
         <translation> µm hinter dem Eintritt</translation>
+    </message>
+    <message>
         <source> µm per px</source>
         <translation> µm je px</translation>
     </message>
@@ -374,6 +380,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
         <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
     </message>
     <message>
+        <source>1.5 times as stiff</source>
+        <translation>1.5-mal so steif</translation>
+    </message>
+    <message>
         <source>2-D image</source>
         <translation>2-D-Bild</translation>
     </message>
@@ -388,8 +398,6 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     <message>
         <source>3-D view</source>
         <translation>3-D-Ansicht</translation>
-        <source>1.5 times as stiff</source>
-        <translation>1.5-mal so steif</translation>
     </message>
     <message>
         <source>3-D view as PNG</source>
@@ -402,6 +410,10 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     <message>
         <source>95 % interval</source>
         <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>95 % interval at each arrow</source>
+        <translation>95-%-Intervall an jedem Pfeil</translation>
     </message>
     <message>
         <source>95 % interval, picture</source>
@@ -486,12 +498,20 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
     </message>
     <message>
+        <source>A recording doesn't hold the model's mesh</source>
+        <translation>Eine Aufnahme enthält das Netz des Modells nicht</translation>
+    </message>
+    <message>
+        <source>A recording is running. Everything recorded so far is kept.</source>
+        <translation>Eine Aufnahme läuft. Alles bisher Aufgenommene bleibt erhalten.</translation>
+    </message>
+    <message>
         <source>A remark for the session's events; Enter writes it</source>
         <translation>Bemerkung zu den Ereignissen der Sitzung; Eingabe schreibt sie</translation>
+    </message>
+    <message>
         <source>A session, or a folder with sessions in it; they can be dropped here as well</source>
         <translation>Eine Sitzung oder ein Ordner mit Sitzungen; sie lassen sich auch hierher ziehen</translation>
-        <source>A recording is running. Everything recorded so far is kept.</source>
-        <translation>Eine Aufzeichnung läuft. Alles bisher Aufgezeichnete bleibt erhalten.</translation>
     </message>
     <message>
         <source>A simulated cell to poke</source>
@@ -518,8 +538,6 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Fügt den Ereignissen der Sitzung eine Bemerkung hinzu</translation>
     </message>
     <message>
-        <source>All keys of this window</source>
-        <translation>Alle Tasten dieses Fensters</translation>
         <source>Add sessions</source>
         <translation>Sitzungen hinzufügen</translation>
     </message>
@@ -530,6 +548,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>All columns of the report's cells.csv, with the group of each</source>
         <translation>Alle Spalten der cells.csv des Berichts, mit der Gruppe jeder Zelle</translation>
+    </message>
+    <message>
+        <source>All keys of this window</source>
+        <translation>Alle Tasten dieses Fensters</translation>
     </message>
     <message>
         <source>All kinds</source>
@@ -564,8 +586,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Annähern</translation>
     </message>
     <message>
+        <source>Area strain</source>
+        <translation>Flächendehnung</translation>
+    </message>
+    <message>
+        <source>Area strain (%)</source>
+        <translation>Flächendehnung (%)</translation>
+    </message>
+    <message>
         <source>Arrows head to tail: a balance closes</source>
         <translation>Pfeile aneinandergereiht</translation>
+    </message>
+    <message>
+        <source>Arrows on and off</source>
+        <translation>Pfeile ein und aus</translation>
+    </message>
+    <message>
+        <source>Arrows show the next force</source>
+        <translation>Pfeile zeigen die nächste Kraft</translation>
     </message>
     <message>
         <source>Arrows ▾</source>
@@ -574,6 +612,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>As at the start</source>
         <translation>Wie am Anfang</translation>
+    </message>
+    <message>
         <source>As usual</source>
         <translation>Wie üblich</translation>
     </message>
@@ -636,6 +676,8 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Bringing the needle back into view</source>
         <translation>Nadel kommt ins Bild zurück</translation>
+    </message>
+    <message>
         <source>By a scale bar, or a needle of known diameter</source>
         <translation>An einem Maßstabsbalken oder einer Nadel bekannten Durchmessers</translation>
     </message>
@@ -680,6 +722,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zellen</translation>
     </message>
     <message>
+        <source>Cells of several sessions in one table</source>
+        <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
+    </message>
+    <message>
         <source>Cells of this run</source>
         <translation>Zellen dieses Laufs</translation>
     </message>
@@ -688,18 +734,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zellen dieses Laufs mit ihrem Ausgang, und der Ordner der Aufnahmen</translation>
     </message>
     <message>
+        <source>Cells read: %1, from sessions: %2</source>
+        <translation>Gelesene Zellen: %1, aus Sitzungen: %2</translation>
+    </message>
+    <message>
         <source>Change</source>
         <translation>Ändern</translation>
     </message>
     <message>
-        <source>Chart of the node as SVG, PDF or PNG</source>
-        <translation>Diagramm des Knotens als SVG, PDF oder PNG</translation>
-        <source>Cells of several sessions in one table</source>
-        <translation>Zellen mehrerer Sitzungen in einer Tabelle</translation>
-    </message>
-    <message>
-        <source>Cells read: %1, from sessions: %2</source>
-        <translation>Gelesene Zellen: %1, aus Sitzungen: %2</translation>
+        <source>Change of the membrane's area from rest, from the model: red is larger, blue smaller, grey zero.</source>
+        <translation>Änderung der Membranfläche gegenüber der Ruhe, nach dem Modell: Rot ist größer, Blau kleiner, Grau null.</translation>
     </message>
     <message>
         <source>Chart of the node as SVG, PDF, PNG or CSV</source>
@@ -958,14 +1002,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Verschiebung (µm)</translation>
     </message>
     <message>
-        <source>Display ▾</source>
-        <translation>Darstellung ▾</translation>
         <source>Displacement of a node (µm)</source>
         <translation>Verschiebung eines Knotens (µm)</translation>
     </message>
     <message>
         <source>Displacement of the nodes</source>
         <translation>Verschiebung der Knoten</translation>
+    </message>
+    <message>
+        <source>Display ▾</source>
+        <translation>Darstellung ▾</translation>
     </message>
     <message>
         <source>Distance </source>
@@ -988,18 +1034,24 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zweifel, geringe Sicherheit</translation>
     </message>
     <message>
+        <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
+        <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
+    </message>
+    <message>
         <source>Drag a ring</source>
         <translation>Ring ziehen</translation>
     </message>
     <message>
         <source>Drag, wheel</source>
         <translation>Ziehen, Rad</translation>
-        <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
-        <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
     </message>
     <message>
         <source>Drag: needle</source>
         <translation>Ziehen: Nadel</translation>
+    </message>
+    <message>
+        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
+        <translation>Ziehen Sie eine Linie von mindestens 20 px; je länger, desto genauer.</translation>
     </message>
     <message>
         <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png);;Table (*.csv)</source>
@@ -1008,12 +1060,6 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drawn anew at this size: lines and letters stay sharp.</source>
         <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
-        <source>Draw a line of at least 20 px; the longer, the more exact.</source>
-        <translation>Eine Linie von mindestens 20 px ziehen; je länger, desto genauer.</translation>
-    </message>
-    <message>
-        <source>Drawing (*.svg);;Page (*.pdf);;Picture (*.png)</source>
-        <translation>Zeichnung (*.svg);;Seite (*.pdf);;Bild (*.png)</translation>
     </message>
     <message>
         <source>Drop one file or one folder of this computer.</source>
@@ -1042,10 +1088,6 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>End recording</source>
         <translation>Aufnahme beenden</translation>
-    </message>
-    <message>
-        <source>End the recording and close</source>
-        <translation>Aufnahme beenden und schließen</translation>
     </message>
     <message>
         <source>Engaged</source>
@@ -1256,14 +1298,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Bildrate</translation>
     </message>
     <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>Frames a second that were measured, and that this window has drawn</source>
         <translation>Bilder je Sekunde, die gemessen und von diesem Fenster gezeichnet wurden</translation>
     </message>
     <message>
         <source>Frames that were not measured, that the source lost, or that are recorded in part</source>
         <translation>Bilder, die nicht gemessen, von der Quelle verloren oder nur zum Teil aufgezeichnet wurden</translation>
-        <source>Frames</source>
-        <translation>Bilder</translation>
     </message>
     <message>
         <source>Frames/s: </source>
@@ -1302,8 +1346,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Nachgiebigkeit der Hand</translation>
     </message>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
+        <source>Go on recording</source>
+        <translation>Weiter aufnehmen</translation>
+    </message>
+    <message>
         <source>Group</source>
         <translation>Gruppe</translation>
     </message>
@@ -1314,8 +1360,6 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Groups by </source>
         <translation>Gruppen nach </translation>
-        <source>Go on recording</source>
-        <translation>Weiter aufzeichnen</translation>
     </message>
     <message>
         <source>Guide</source>
@@ -1330,8 +1374,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>HAND</translation>
     </message>
     <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
+        <source>Half as stiff</source>
+        <translation>Halb so steif</translation>
+    </message>
+    <message>
         <source>Half the 95 % interval (µN)</source>
         <translation>Halbes 95-%-Intervall (µN)</translation>
     </message>
@@ -1340,14 +1386,16 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Halbe Breite des Intervalls der Kraft</translation>
     </message>
     <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
         <source>Hedges' g against the first</source>
         <translation>Hedges’ g gegen die erste</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
-        <source>Half as stiff</source>
-        <translation>Halb so steif</translation>
     </message>
     <message>
         <source>Held</source>
@@ -1394,12 +1442,20 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Haltepipette</translation>
     </message>
     <message>
+        <source>Holder on membrane (µN)</source>
+        <translation>Haltepipette auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Holding pipette</source>
         <translation>Haltepipette</translation>
     </message>
     <message>
         <source>How eq. (2) is stepped through time</source>
         <translation>Wie Gl. (2) durch die Zeit geführt wird</translation>
+    </message>
+    <message>
+        <source>How far each place of the tracked surface is from where it was at rest.</source>
+        <translation>Wie weit jede Stelle der verfolgten Oberfläche von ihrem Ort in Ruhe entfernt ist.</translation>
     </message>
     <message>
         <source>How far the needle has pushed the outer membrane in, along the needle, from where it was at rest.</source>
@@ -1416,6 +1472,8 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>How much of the image is shown, and how bright: the measurement stays the same</source>
         <translation>Wie viel vom Bild gezeigt wird und wie hell: die Messung bleibt gleich</translation>
+    </message>
+    <message>
         <source>How often this window was busy for more than %1 ms, in the last %2 s; the longest ended after %3 s.
 Meanwhile keys and clicks wait. The emergency stop, the hand and the recording do not.</source>
         <translation>Wie oft dieses Fenster länger als %1 ms beschäftigt war, in den letzten %2 s; das längste Mal endete nach %3 s.
@@ -1430,8 +1488,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wie der Kontakt mit der Zelle endete</translation>
     </message>
     <message>
-        <source>How the forces on the membrane are drawn</source>
-        <translation>Wie die Kräfte auf der Membran gezeichnet werden</translation>
+        <source>How the liquid inside pushes outwards on each node's share of the membrane. All together the arrows add up to zero.</source>
+        <translation>Wie die Flüssigkeit im Inneren den Membrananteil jedes Knotens nach außen drückt. Alle Pfeile zusammen ergeben null.</translation>
+    </message>
+    <message>
+        <source>How the stretched membrane pulls on its own points. It balances pressure and tools, so on a taut cell it points inwards although nothing pushes from outside. At rest it is zero: this is also its change from rest.</source>
+        <translation>Wie die gespannte Membran an ihren eigenen Punkten zieht. Sie hält Druck und Werkzeugen das Gleichgewicht und zeigt bei einer prallen Zelle nach innen, obwohl nichts von außen drückt. In Ruhe ist sie null: Dies ist auch ihre Änderung gegenüber der Ruhe.</translation>
     </message>
     <message>
         <source>Hysteresis (pJ)</source>
@@ -1446,12 +1508,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>EINDELLUNG</translation>
     </message>
     <message>
-        <source>Image ▾</source>
-        <translation>Bild ▾</translation>
-        <source>Images along the session's time</source>
-        <translation>Bilder längs der Zeit der Sitzung</translation>
         <source>Image with a line</source>
         <translation>Bild mit einer Linie</translation>
+    </message>
+    <message>
+        <source>Image ▾</source>
+        <translation>Bild ▾</translation>
+    </message>
+    <message>
+        <source>Images along the session's time</source>
+        <translation>Bilder längs der Zeit der Sitzung</translation>
     </message>
     <message>
         <source>Implicit Euler</source>
@@ -1600,6 +1666,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>List of cells saved: </source>
         <translation>Liste der Zellen gespeichert: </translation>
+    </message>
+    <message>
         <source>Loading</source>
         <translation>Belastung</translation>
     </message>
@@ -1636,6 +1704,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Masse eines Knotens</translation>
     </message>
     <message>
+        <source>Mean tension of the membrane, from the model: red is stretched, blue compressed, grey zero.</source>
+        <translation>Mittlere Spannung der Membran, nach dem Modell: Rot ist gedehnt, Blau gestaucht, Grau null.</translation>
+    </message>
+    <message>
         <source>Measure a pixel</source>
         <translation>Pixel ausmessen</translation>
     </message>
@@ -1648,14 +1720,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Misst, wie steif diese Zelle ist, sodass die Kräfte ihre eigenen sind</translation>
     </message>
     <message>
+        <source>Measure on the image ...</source>
+        <translation>Im Bild messen ...</translation>
+    </message>
+    <message>
         <source>Measure ▾</source>
         <translation>Messen ▾</translation>
     </message>
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
-        <source>Measure on the image ...</source>
-        <translation>Im Bild messen ...</translation>
     </message>
     <message>
         <source>Measured: %1</source>
@@ -1672,6 +1746,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Median (quartiles), number</source>
         <translation>Median (Quartile), Anzahl</translation>
+    </message>
+    <message>
+        <source>Membrane resultant</source>
+        <translation>Resultierende der Membran</translation>
+    </message>
+    <message>
+        <source>Membrane resultant (µN)</source>
+        <translation>Resultierende der Membran (µN)</translation>
     </message>
     <message>
         <source>Membranes found in the image</source>
@@ -1778,6 +1860,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Nadel 1 µm vor</translation>
     </message>
     <message>
+        <source>Needle on membrane (µN)</source>
+        <translation>Nadel auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Needle up by 1 µm</source>
         <translation>Nadel 1 µm aufwärts</translation>
     </message>
@@ -1796,6 +1882,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Next lesson</source>
         <translation>Nächste Lektion</translation>
+    </message>
+    <message>
         <source>Next note of this frame</source>
         <translation>Nächste Notiz dieses Bildes</translation>
     </message>
@@ -1958,10 +2046,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Note ▾</source>
         <translation>Notiz ▾</translation>
-    </message>
-    <message>
-        <source>Notes are waiting for the next recording and would be lost. Close the window?</source>
-        <translation>Notizen warten auf die nächste Aufnahme und gingen verloren. Fenster schließen?</translation>
     </message>
     <message>
         <source>Nothing is recording: the note goes into the next recording</source>
@@ -2168,6 +2252,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Druck (Pa)</translation>
     </message>
     <message>
+        <source>Pressure on membrane (µN)</source>
+        <translation>Druck auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>Profile of the cell</source>
         <translation>Profil der Zelle</translation>
     </message>
@@ -2214,8 +2302,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Reading </source>
         <translation>Liest </translation>
+    </message>
+    <message>
         <source>Reading an image ...</source>
-        <translation>Ein Bild wird gelesen ...</translation>
+        <translation>Bild wird gelesen ...</translation>
     </message>
     <message>
         <source>Reading the session</source>
@@ -2352,6 +2442,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Skala</translation>
     </message>
     <message>
+        <source>Scale grew, was </source>
+        <translation>Skala gewachsen, war </translation>
+    </message>
+    <message>
         <source>Scale of this cell</source>
         <translation>Skala dieser Zelle</translation>
     </message>
@@ -2380,10 +2474,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Schnitt durch das mechanische Modell</translation>
     </message>
     <message>
-        <source>Set the target</source>
-        <translation>Ziel setzen</translation>
         <source>Session</source>
         <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Set the target</source>
+        <translation>Ziel setzen</translation>
     </message>
     <message>
         <source>Set up again</source>
@@ -2462,14 +2558,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Start the chosen card, or press the button that has the focus</source>
-        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
         <source>Start page</source>
         <translation>Startseite</translation>
     </message>
     <message>
         <source>Start page: choose another source, session or lesson</source>
         <translation>Startseite: andere Quelle, Sitzung oder Lektion wählen</translation>
+    </message>
+    <message>
+        <source>Start the chosen card, or press the button that has the focus</source>
+        <translation>Gewählte Karte starten, oder die Schaltfläche mit dem Fokus drücken</translation>
     </message>
     <message>
         <source>Start the source again from its first frame</source>
@@ -2498,6 +2596,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Stiffness at 30 µm (µN/µm)</source>
         <translation>Steifigkeit bei 30 µm (µN/µm)</translation>
+    </message>
+    <message>
         <source>Stiffness of the cell</source>
         <translation>Steifigkeit der Zelle</translation>
     </message>
@@ -2532,10 +2632,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Surface: %1 ▾</source>
         <translation>Oberfläche: %1 ▾</translation>
-    </message>
-    <message>
-        <source>Surface: plain ▾</source>
-        <translation>Oberfläche: einfarbig ▾</translation>
     </message>
     <message>
         <source>Symplectic Euler, eq. (4)</source>
@@ -2686,10 +2782,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Membran</translation>
     </message>
     <message>
+        <source>The membrane is clear, and shows what is behind it.</source>
+        <translation>Die Membran ist durchsichtig und zeigt, was hinter ihr liegt.</translation>
+    </message>
+    <message>
+        <source>The mesh that the forces are computed on, as a wire: where it leaves the seen surface, model and image disagree</source>
+        <translation>Das Netz, auf dem die Kräfte berechnet werden, als Draht: Wo es von der gesehenen Oberfläche abweicht, widersprechen sich Modell und Bild</translation>
+    </message>
+    <message>
         <source>The microscope's image alone</source>
         <translation>Das Bild des Mikroskops allein</translation>
+    </message>
+    <message>
         <source>The model's curves: with this cell's sizes as seen, and of the profile's own cell</source>
         <translation>Die Kurven des Modells: mit den gesehenen Maßen dieser Zelle und für die Zelle des Profils</translation>
+    </message>
+    <message>
+        <source>The model's own surface</source>
+        <translation>Die Oberfläche des Modells</translation>
     </message>
     <message>
         <source>The needle moves as the scenario describes, again and again.</source>
@@ -2702,6 +2812,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The needle pushes this cell, and another instrument gives the force (or leave it 0 and give the stiffness, the rise of the force with depth).</source>
         <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
+    </message>
+    <message>
+        <source>The next colouring of the surface</source>
+        <translation>Nächste Färbung der Oberfläche</translation>
     </message>
     <message>
         <source>The next recording goes into </source>
@@ -2832,10 +2946,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Anmerkungen dieser Sitzung sind nicht lesbar: berichtigen oder entfernen Sie zuerst annotations.csv</translation>
     </message>
     <message>
-        <source>This window is recording, and goes on while you decide. Close it? What is recorded will be whole.</source>
-        <translation>Dieses Fenster nimmt auf, auch während Sie entscheiden. Schließen? Das Aufgenommene bleibt vollständig.</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -2860,6 +2970,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Werkzeuge</translation>
     </message>
     <message>
+        <source>Tools on membrane (µN)</source>
+        <translation>Werkzeuge auf Membran (µN)</translation>
+    </message>
+    <message>
         <source>True force of the virtual cell</source>
         <translation>Wahre Kraft der virtuellen Zelle</translation>
     </message>
@@ -2870,6 +2984,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Turn the view, zoom</source>
         <translation>Ansicht drehen, vergrößern</translation>
+    </message>
+    <message>
         <source>Twice as stiff</source>
         <translation>Doppelt so steif</translation>
     </message>
@@ -2896,8 +3012,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Undo the plan's change</source>
         <translation>Änderung des Plans zurücknehmen</translation>
+    </message>
+    <message>
         <source>Unloading</source>
         <translation>Entlastung</translation>
+    </message>
+    <message>
         <source>Use it</source>
         <translation>Übernehmen</translation>
     </message>
@@ -2954,6 +3074,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Warten auf das erste Bild</translation>
     </message>
     <message>
+        <source>What both tools do to the membrane: the needle pushes, the holding pipette holds against it.</source>
+        <translation>Was beide Werkzeuge mit der Membran tun: Die Nadel drückt, die Haltepipette hält dagegen.</translation>
+    </message>
+    <message>
         <source>What is drawn of the node</source>
         <translation>Was vom Knoten gezeichnet wird</translation>
     </message>
@@ -2974,16 +3098,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Pipette bewegt</translation>
     </message>
     <message>
-        <source>What the colour of the outer membrane shows</source>
-        <translation>Was die Farbe der äußeren Membran zeigt</translation>
+        <source>What the colour of the outer membrane shows (8: the next)</source>
+        <translation>Was die Farbe der äußeren Membran zeigt (8: die nächste)</translation>
     </message>
     <message>
-        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
-        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+        <source>What the holding pipette does to the membrane around its mouth. The bold arrow is the sum.</source>
+        <translation>Was die Haltepipette rund um ihre Öffnung mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
     </message>
     <message>
-        <source>When it was, since the source began</source>
-        <translation>Wann das war, seit Beginn der Quelle</translation>
         <source>What the left chart shows</source>
         <translation>Was das linke Diagramm zeigt</translation>
     </message>
@@ -2992,8 +3114,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was das linke Diagramm zeigt (H: Histogramm und zurück)</translation>
     </message>
     <message>
+        <source>What the needle does to the membrane under its tip. The bold arrow is the sum.</source>
+        <translation>Was die Nadel unter ihrer Spitze mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
+    </message>
+    <message>
+        <source>What the picture shows of the cell: whether it is seen, touched, punctured or lost</source>
+        <translation>Was das Bild von der Zelle zeigt: ob sie zu sehen, berührt, durchstochen oder verloren ist</translation>
+    </message>
+    <message>
         <source>What was measured as CSV…</source>
         <translation>Gemessenes als CSV …</translation>
+    </message>
+    <message>
+        <source>When it was, since the source began</source>
+        <translation>Wann das war, seit Beginn der Quelle</translation>
+    </message>
+    <message>
+        <source>Which forces on the membrane the arrows show, and how. Now: </source>
+        <translation>Welche Kräfte auf die Membran die Pfeile zeigen, und wie. Jetzt: </translation>
     </message>
     <message>
         <source>Which frames of both sessions belong together</source>
@@ -3008,14 +3146,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ganzes Bild</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
     <message>
         <source>Width and height</source>
         <translation>Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>Window as PNG</source>
@@ -3032,6 +3172,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Work of the needle up to it</source>
         <translation>Arbeit der Nadel bis dahin</translation>
+    </message>
+    <message>
         <source>Work to the largest depth (pJ)</source>
         <translation>Arbeit bis zur größten Tiefe (pJ)</translation>
     </message>
@@ -3164,6 +3306,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>hierher ziehen</translation>
     </message>
     <message>
+        <source>each alone may be zero (95 %)</source>
+        <translation>jeder allein evtl. null (95 %)</translation>
+    </message>
+    <message>
         <source>end of travel</source>
         <translation>Ende des Wegs</translation>
     </message>
@@ -3222,6 +3368,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>left out: </source>
         <translation>ausgelassen: </translation>
+    </message>
+    <message>
         <source>length</source>
         <translation>Länge</translation>
     </message>
@@ -3248,6 +3396,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>magnification</source>
         <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>may be zero (95 %)</source>
+        <translation>evtl. null (95 %)</translation>
     </message>
     <message>
         <source>median</source>
@@ -3298,8 +3450,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>keine Oberfläche mit diesem Knoten</translation>
     </message>
     <message>
+        <source>not in this recording: measure it again,</source>
+        <translation>nicht in dieser Aufnahme: neu messen</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not measured in this frame</source>
+        <translation>in diesem Bild nicht gemessen</translation>
     </message>
     <message>
         <source>not touched</source>
@@ -3312,6 +3472,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>oolemma</source>
         <translation>Oolemm</translation>
+    </message>
+    <message>
+        <source>or choose the membrane resultant</source>
+        <translation>oder Resultierende der Membran wählen</translation>
     </message>
     <message>
         <source>or stiffness</source>
@@ -3500,6 +3664,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>true </source>
         <translation>wahr </translation>
+    </message>
+    <message>
         <source>unfinished</source>
         <translation>unbeendet</translation>
     </message>

@@ -179,7 +179,7 @@ TEST_F(GuideControlsTest, ThePlanIsDraggedOnTheImageUndoneAndHidden) {
   // The click moved no needle.
   EXPECT_EQ(state(), kReady);
   tap_with({kControlKey}, kZKey);
-  EXPECT_TRUE(pass_until([&] { return (target_um() - before_um).norm() < 1e-6; }));
+  EXPECT_TRUE(pass_until([&] { return (target_um() - before_um).norm() < 1.5; }));
   tap_with({kControlKey, test::kShiftKey}, kZKey);
   EXPECT_TRUE(pass_until([&] { return (target_um() - before_um - up_um).norm() < 1.5; }));
   // The entry takes the line with it, as long as it was.
