@@ -46,10 +46,6 @@ and </source>
 und </translation>
     </message>
     <message>
-        <source>   In contact   </source>
-        <translation>   In Kontakt   </translation>
-    </message>
-    <message>
         <source> % OF LIMIT</source>
         <translation> % DER GRENZE</translation>
     </message>
@@ -462,6 +458,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>; 1 kHz: </translation>
     </message>
     <message>
+        <source>; key 6 shows or hides them, key 7 shows the next force</source>
+        <translation>; Taste 6 zeigt oder verbirgt sie, Taste 7 zeigt die nächste Kraft</translation>
+    </message>
+    <message>
         <source>; waits until a rendering has finished: </source>
         <translation>; wartet das Ende einer Bildausgabe ab: </translation>
     </message>
@@ -494,6 +494,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Geometrie und Konstanten eines Profils</translation>
     </message>
     <message>
+        <source>A push on each point, outwards; inwards below 0</source>
+        <translation>Ein Druck auf jeden Punkt, nach außen; unter 0 nach innen</translation>
+    </message>
+    <message>
+        <source>A recorded session …</source>
+        <translation>Eine aufgezeichnete Sitzung …</translation>
+    </message>
+    <message>
         <source>A recorded session: it opens in Review.</source>
         <translation>Eine aufgezeichnete Sitzung: sie öffnet sich in der Auswertung.</translation>
     </message>
@@ -524,6 +532,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>A simulated operator injects cell after cell.</source>
         <translation>Ein simulierter Bediener injiziert Zelle um Zelle.</translation>
+    </message>
+    <message>
+        <source>A solid wall (finite elements)</source>
+        <translation>Eine feste Wand (finite Elemente)</translation>
     </message>
     <message>
         <source>A video, a folder of images or a stack is measured; a recorded session opens in Review.</source>
@@ -570,6 +582,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Längs x, y, z</translation>
     </message>
     <message>
+        <source>An active contour on a picture, step by step</source>
+        <translation>Eine aktive Kontur auf einem Bild, Schritt für Schritt</translation>
+    </message>
+    <message>
         <source>An angle: three clicks, the second at its vertex</source>
         <translation>Ein Winkel: drei Klicks, der zweite am Scheitel</translation>
     </message>
@@ -610,6 +626,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Pfeile ▾</translation>
     </message>
     <message>
+        <source>Arrows: the next force</source>
+        <translation>Pfeile: die nächste Kraft</translation>
+    </message>
+    <message>
         <source>As at the start</source>
         <translation>Wie am Anfang</translation>
     </message>
@@ -626,12 +646,36 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>An einer Stelle im Bild</translation>
     </message>
     <message>
+        <source>At equal distances, as a snake's points</source>
+        <translation>In gleichen Abständen, wie die Punkte einer Snake</translation>
+    </message>
+    <message>
+        <source>At rest</source>
+        <translation>In Ruhe</translation>
+    </message>
+    <message>
+        <source>At the nearest place</source>
+        <translation>An der nächsten Stelle</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
         <source>At this time, on the node picked</source>
         <translation>Zu diesem Zeitpunkt, am gewählten Knoten</translation>
     </message>
     <message>
         <source>Axis of the node's chart</source>
         <translation>Achse des Diagramms des Knotens</translation>
+    </message>
+    <message>
+        <source>BALLOON</source>
+        <translation>BALLON</translation>
+    </message>
+    <message>
+        <source>BENDING</source>
+        <translation>BIEGUNG</translation>
     </message>
     <message>
         <source>Back to its kind</source>
@@ -642,8 +686,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zurück zum ersten Blickpunkt</translation>
     </message>
     <message>
+        <source>Balloon</source>
+        <translation>Ballon</translation>
+    </message>
+    <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Bending, β</source>
+        <translation>Biegung, β</translation>
     </message>
     <message>
         <source>Beside the measured one, from the specimen's own finite elements; never recorded</source>
@@ -660,6 +712,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Blown up after </source>
         <translation>Instabil geworden nach </translation>
+    </message>
+    <message>
+        <source>Blur</source>
+        <translation>Unschärfe</translation>
+    </message>
+    <message>
+        <source>Both read the same contour with the same springs. In equilibrium the contour says how deep the needle is, and the shape is the network's own; prescribed, every node is laid on the contour, and the connectors under the tip are read.</source>
+        <translation>Beide lesen dieselbe Kontur mit denselben Federn. Im Gleichgewicht sagt die Kontur, wie tief die Nadel ist, und die Form ist die des Netzes selbst; vorgeschrieben liegt jeder Knoten auf der Kontur, und die Verbinder unter der Spitze werden abgelesen.</translation>
     </message>
     <message>
         <source>Both views, and the cell's force on the hand</source>
@@ -718,6 +778,18 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zelle</translation>
     </message>
     <message>
+        <source>Cell at rest</source>
+        <translation>Zelle in Ruhe</translation>
+    </message>
+    <message>
+        <source>Cell with a deep dimple</source>
+        <translation>Zelle mit tiefer Delle</translation>
+    </message>
+    <message>
+        <source>Cell with a dimple</source>
+        <translation>Zelle mit Delle</translation>
+    </message>
+    <message>
         <source>Cells</source>
         <translation>Zellen</translation>
     </message>
@@ -766,6 +838,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ordner wählen</translation>
     </message>
     <message>
+        <source>Choose a session</source>
+        <translation>Sitzung wählen</translation>
+    </message>
+    <message>
         <source>Choose card %1</source>
         <translation>Karte %1 wählen</translation>
     </message>
@@ -776,6 +852,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Choose the folder of a session, or drop it on this window.</source>
         <translation>Wählen Sie den Ordner einer Sitzung, oder ziehen Sie ihn auf dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klicken</translation>
     </message>
     <message>
         <source>Click a node of the cell: each term of the equations becomes an arrow.</source>
@@ -850,6 +930,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Grob 100:1</translation>
     </message>
     <message>
+        <source>Collapsed</source>
+        <translation>Zusammengefallen</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
@@ -898,6 +982,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kontakt, </translation>
     </message>
     <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
         <source>Contours</source>
         <translation>Konturen</translation>
     </message>
@@ -914,6 +1002,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>TIEFE</translation>
     </message>
     <message>
+        <source>DEPTH SEEN</source>
+        <translation>GESEHENE TIEFE</translation>
+    </message>
+    <message>
         <source>DO</source>
         <translation>AUFGABE</translation>
     </message>
@@ -928,6 +1020,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Damping ratio</source>
         <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>Dark lines</source>
+        <translation>Dunkle Linien</translation>
     </message>
     <message>
         <source>Deflection</source>
@@ -952,6 +1048,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Depositing</source>
         <translation>Abgeben</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>Depth at peak (µm)</source>
@@ -1034,6 +1134,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Zweifel, geringe Sicherheit</translation>
     </message>
     <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
         <source>Drag a line along a scale bar, or across a needle whose diameter you know; the longer, the more exact. The wheel zooms, Shift keeps the line level or upright, arrow keys move the end marked by a circle.</source>
         <translation>Eine Linie entlang eines Maßstabsbalkens ziehen oder quer über eine Nadel bekannten Durchmessers; je länger, desto genauer. Das Mausrad vergrößert, mit der Umschalttaste bleibt die Linie waagerecht oder senkrecht, Pfeiltasten bewegen das eingekreiste Ende.</translation>
     </message>
@@ -1050,6 +1154,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Ziehen: Nadel</translation>
     </message>
     <message>
+        <source>Drag: turn</source>
+        <translation>Ziehen: drehen</translation>
+    </message>
+    <message>
         <source>Draw a line of at least 20 px; the longer, the more exact.</source>
         <translation>Ziehen Sie eine Linie von mindestens 20 px; je länger, desto genauer.</translation>
     </message>
@@ -1060,6 +1168,18 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drawn anew at this size: lines and letters stay sharp.</source>
         <translation>In dieser Größe neu gezeichnet: Linien und Schrift bleiben scharf.</translation>
+    </message>
+    <message>
+        <source>Drawn to</source>
+        <translation>Angezogen von</translation>
+    </message>
+    <message>
+        <source>Draws the contour's errors anew</source>
+        <translation>Zieht die Fehler der Kontur neu</translation>
+    </message>
+    <message>
+        <source>Draws the snake together and spreads its points evenly</source>
+        <translation>Zieht die Snake zusammen und verteilt ihre Punkte gleichmäßig</translation>
     </message>
     <message>
         <source>Drop one file or one folder of this computer.</source>
@@ -1074,8 +1194,16 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>ENERGIE</translation>
     </message>
     <message>
+        <source>EQUILIBRIUM</source>
+        <translation>GLEICHGEWICHT</translation>
+    </message>
+    <message>
         <source>Edge of a pixel</source>
         <translation>Kantenlänge eines Pixels</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
     </message>
     <message>
         <source>Emergency stop: pipette held</source>
@@ -1088,6 +1216,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>End recording</source>
         <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Energy over steps</source>
+        <translation>Energie über den Schritten</translation>
     </message>
     <message>
         <source>Engaged</source>
@@ -1104,6 +1240,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Events and doubts</source>
         <translation>Ereignisse und Zweifel</translation>
+    </message>
+    <message>
+        <source>Every node prescribed</source>
+        <translation>Jeder Knoten vorgeschrieben</translation>
     </message>
     <message>
         <source>Every push needs four times the force.</source>
@@ -1138,6 +1278,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>F1 oder Esc schließt das Blatt.</translation>
     </message>
     <message>
+        <source>FARTHEST MOVE</source>
+        <translation>WEITESTER WEG</translation>
+    </message>
+    <message>
         <source>FASTEST NODE</source>
         <translation>SCHNELLSTER KNOTEN</translation>
     </message>
@@ -1164,6 +1308,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>File or folder</source>
         <translation>Datei oder Ordner</translation>
+    </message>
+    <message>
+        <source>Finds no rest</source>
+        <translation>Kommt nicht zur Ruhe</translation>
     </message>
     <message>
         <source>Fine 500:1</source>
@@ -1270,6 +1418,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
         <translation>Kräfte in 3-D</translation>
     </message>
     <message>
+        <source>Forces on a node</source>
+        <translation>Kräfte an einem Knoten</translation>
+    </message>
+    <message>
         <source>Forget this cell's own scale: for another cell</source>
         <translation>Vergisst die eigene Skala dieser Zelle: für eine andere Zelle</translation>
     </message>
@@ -1332,6 +1484,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>From the end on from the beginning</source>
         <translation>Vom Ende wieder an den Anfang</translation>
+    </message>
+    <message>
+        <source>From the lesson's beginning</source>
+        <translation>Vom Anfang der Lektion an</translation>
     </message>
     <message>
         <source>From the tip to the plan's target, along the planned way, with the 95 % interval of the tip. The mark is the target, the fine one beyond it the depth stop.</source>
@@ -1500,6 +1656,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Hysterese (pJ)</translation>
     </message>
     <message>
+        <source>IMAGE</source>
+        <translation>BILD</translation>
+    </message>
+    <message>
         <source>IN DOUBT</source>
         <translation>ZWEIFELHAFT</translation>
     </message>
@@ -1526,6 +1686,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>In contact</source>
         <translation>In Kontakt</translation>
+    </message>
+    <message>
+        <source>In equilibrium</source>
+        <translation>Im Gleichgewicht</translation>
     </message>
     <message>
         <source>In the virtual microscope: scenario %1</source>
@@ -1588,6 +1752,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Hält die Spitze auf der geplanten Linie, hinein und hinaus</translation>
     </message>
     <message>
+        <source>Keeps the snake smooth; too much cuts across the dimple</source>
+        <translation>Hält die Snake glatt; zu viel schneidet die Delle ab</translation>
+    </message>
+    <message>
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
@@ -1628,6 +1796,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Linkes Diagramm als SVG, PDF, PNG oder CSV</translation>
     </message>
     <message>
+        <source>Left the picture</source>
+        <translation>Bild verlassen</translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1646,6 +1818,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Lessons about cells, contours and forces</source>
+        <translation>Lektionen über Zellen, Konturen und Kräfte</translation>
     </message>
     <message>
         <source>Light theme</source>
@@ -1792,6 +1968,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Modell, Maße dieser Zelle</translation>
     </message>
     <message>
+        <source>Moment</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
         <source>Most arrows</source>
         <translation>Höchstens Pfeile</translation>
     </message>
@@ -1808,8 +1988,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ziel, Eintritt oder Tiefenanschlag des Plans verschieben</translation>
     </message>
     <message>
+        <source>Move the circle, or its rim; elsewhere place it</source>
+        <translation>Den Kreis oder seinen Rand bewegen; anderswo ihn setzen</translation>
+    </message>
+    <message>
         <source>Move the image, zoom</source>
         <translation>Bild verschieben, vergrößern</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
     </message>
     <message>
         <source>NEEDLE NOT SEEN</source>
@@ -1848,16 +2036,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Nadel und Haltepipette</translation>
     </message>
     <message>
-        <source>Needle back by 1 µm</source>
-        <translation>Nadel 1 µm zurück</translation>
+        <source>Needle on membrane (µN)</source>
+        <translation>Nadel auf Membran (µN)</translation>
     </message>
     <message>
-        <source>Needle down by 1 µm</source>
-        <translation>Nadel 1 µm abwärts</translation>
+        <source>Needle or circle down by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach unten</translation>
     </message>
     <message>
-        <source>Needle forwards by 1 µm</source>
-        <translation>Nadel 1 µm vor</translation>
+        <source>Needle or circle to the left by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach links</translation>
     </message>
     <message>
         <source>Needle on membrane (µN)</source>
@@ -1866,6 +2054,12 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Needle up by 1 µm</source>
         <translation>Nadel 1 µm aufwärts</translation>
+        <source>Needle or circle to the right by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach rechts</translation>
+    </message>
+    <message>
+        <source>Needle or circle up by 1 µm</source>
+        <translation>Nadel oder Kreis um 1 µm nach oben</translation>
     </message>
     <message>
         <source>New cell</source>
@@ -1960,6 +2154,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Kein Knoten hat diese Zahl</translation>
     </message>
     <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
         <source>No surface at the same place</source>
         <translation>Keine Oberfläche an gleicher Stelle</translation>
     </message>
@@ -2002,6 +2200,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Nodes of the network; the profile's constants hold for its own mesh of 812</source>
         <translation>Knoten des Netzes; die Konstanten des Profils gelten für sein eigenes Netz mit 812</translation>
+    </message>
+    <message>
+        <source>Noise of the contour</source>
+        <translation>Rauschen der Kontur</translation>
     </message>
     <message>
         <source>None yet: what you record is kept in </source>
@@ -2064,8 +2266,28 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Objektiv</translation>
     </message>
     <message>
+        <source>Of each of its points, along its normal</source>
+        <translation>Jedes ihrer Punkte, längs der Normalen</translation>
+    </message>
+    <message>
+        <source>Of the circle that the snake begins on</source>
+        <translation>Des Kreises, auf dem die Snake beginnt</translation>
+    </message>
+    <message>
+        <source>Of the image: more is felt from farther away, and less sharply</source>
+        <translation>Des Bildes: mehr wirkt von weiter her und weniger scharf</translation>
+    </message>
+    <message>
         <source>Of the integrator</source>
         <translation>Des Integrators</translation>
+    </message>
+    <message>
+        <source>Of the needle</source>
+        <translation>Der Nadel</translation>
+    </message>
+    <message>
+        <source>Of the virtual microscope, or recorded</source>
+        <translation>Des virtuellen Mikroskops oder aufgezeichnet</translation>
     </message>
     <message>
         <source>Of the zona; scales every force and no shape</source>
@@ -2082,6 +2304,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>One frame forward</source>
         <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>One step</source>
+        <translation>Ein Schritt</translation>
     </message>
     <message>
         <source>Oolemma</source>
@@ -2116,6 +2342,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wird geöffnet: </translation>
     </message>
     <message>
+        <source>Other noise</source>
+        <translation>Anderes Rauschen</translation>
+    </message>
+    <message>
         <source>Outcome</source>
         <translation>Ausgang</translation>
     </message>
@@ -2130,6 +2360,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>PAST THE DEPTH STOP</source>
         <translation>HINTER DEM TIEFENANSCHLAG</translation>
+    </message>
+    <message>
+        <source>PRESCRIBED</source>
+        <translation>VORGESCHRIEBEN</translation>
     </message>
     <message>
         <source>PRESSURE</source>
@@ -2196,6 +2430,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Pellucida, Lehre</translation>
     </message>
     <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
         <source>Picture (*.png)</source>
         <translation>Bild (*.png)</translation>
     </message>
@@ -2238,6 +2476,22 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Point at what the tracking took for something else: it goes on from there</source>
         <translation>Zeigen Sie, was die Bildverfolgung verwechselt hat: sie macht von dort weiter</translation>
+    </message>
+    <message>
+        <source>Poor camera, a dimple</source>
+        <translation>Schlechte Kamera, Delle</translation>
+    </message>
+    <message>
+        <source>Preparing the picture</source>
+        <translation>Das Bild wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Prescribed: close</source>
+        <translation>Vorgeschrieben: nahe</translation>
+    </message>
+    <message>
+        <source>Prescribed: wrong</source>
+        <translation>Vorgeschrieben: falsch</translation>
     </message>
     <message>
         <source>Press %1 to choose this card</source>
@@ -2298,6 +2552,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Quantity of the node</source>
         <translation>Größe des Knotens</translation>
+    </message>
+    <message>
+        <source>Radius at the start</source>
+        <translation>Radius am Anfang</translation>
     </message>
     <message>
         <source>Reading </source>
@@ -2390,6 +2648,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Auswertung der Sitzung vom </translation>
     </message>
     <message>
+        <source>Right drag, wheel</source>
+        <translation>Rechts ziehen, Rad</translation>
+    </message>
+    <message>
         <source>Right drag: turn</source>
         <translation>Rechts ziehen: drehen</translation>
     </message>
@@ -2398,12 +2660,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Richtig. </translation>
     </message>
     <message>
+        <source>Run</source>
+        <translation>Laufen</translation>
+    </message>
+    <message>
+        <source>S: one step. R: run.</source>
+        <translation>S: ein Schritt. R: laufen.</translation>
+    </message>
+    <message>
         <source>SCALE</source>
         <translation>SKALA</translation>
     </message>
     <message>
         <source>SPEED</source>
         <translation>TEMPO</translation>
+    </message>
+    <message>
+        <source>STEP</source>
+        <translation>SCHRITT</translation>
     </message>
     <message>
         <source>STEPS, PACE</source>
@@ -2416,6 +2690,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>STOPPED</source>
         <translation>GESTOPPT</translation>
+    </message>
+    <message>
+        <source>STRETCHING</source>
+        <translation>DEHNUNG</translation>
     </message>
     <message>
         <source>Save as CSV</source>
@@ -2490,6 +2768,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Knotenkräfte zeigen</translation>
     </message>
     <message>
+        <source>Show or hide the arrows</source>
+        <translation>Pfeile zeigen oder verbergen</translation>
+    </message>
+    <message>
         <source>Show the events and doubts beside the views</source>
         <translation>Zeigt Ereignisse und Zweifel neben den Ansichten</translation>
     </message>
@@ -2524,6 +2806,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Slower</source>
         <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Snake</source>
+        <translation>Snake</translation>
     </message>
     <message>
         <source>Sounds at contact, puncture and alarms</source>
@@ -2578,6 +2864,18 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Zustand</translation>
     </message>
     <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Steps a second while it runs</source>
+        <translation>Schritte je Sekunde, während sie läuft</translation>
+    </message>
+    <message>
+        <source>Steps until it rests, or until it is stopped</source>
+        <translation>Schritte, bis sie ruht oder angehalten wird</translation>
+    </message>
+    <message>
         <source>Stiffness</source>
         <translation>Steifigkeit</translation>
     </message>
@@ -2614,6 +2912,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Angehalten</translation>
     </message>
     <message>
+        <source>Stretching, α</source>
+        <translation>Dehnung, α</translation>
+    </message>
+    <message>
         <source>Suction</source>
         <translation>Sog</translation>
     </message>
@@ -2634,12 +2936,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Oberfläche: %1 ▾</translation>
     </message>
     <message>
+        <source>Surface: the next quantity</source>
+        <translation>Oberfläche: die nächste Größe</translation>
+    </message>
+    <message>
         <source>Symplectic Euler, eq. (4)</source>
         <translation>Symplektisches Euler-Verfahren, Gl. (4)</translation>
     </message>
     <message>
         <source>TO TARGET</source>
         <translation>ZUM ZIEL</translation>
+    </message>
+    <message>
+        <source>TRUE FORCE</source>
+        <translation>WAHRE KRAFT</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -2730,10 +3040,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Das wären </translation>
     </message>
     <message>
-        <source>The cell at rest</source>
-        <translation>Die Zelle in Ruhe</translation>
-    </message>
-    <message>
         <source>The cell is as stiff as its profile says.</source>
         <translation>Die Zelle ist so steif, wie ihr Profil sagt.</translation>
     </message>
@@ -2754,8 +3060,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Kraft ließ sich nicht berechnen: keine Kraft auf die Hand</translation>
     </message>
     <message>
+        <source>The force read from a contour in two ways</source>
+        <translation>Die Kraft, aus einer Kontur auf zwei Arten gelesen</translation>
+    </message>
+    <message>
         <source>The holding pipette draws a tongue of the zona into its mouth under a known suction. Finite elements of the aspirated shell give its modulus; that takes some seconds.</source>
         <translation>Die Haltepipette saugt mit bekanntem Sog eine Zunge der Zona in ihre Mündung. Finite Elemente der angesaugten Schale geben den Modul; das dauert einige Sekunden.</translation>
+    </message>
+    <message>
+        <source>The image shows where the membrane is, not which piece of it is where</source>
+        <translation>Das Bild zeigt, wo die Membran ist, nicht welches Stück von ihr wo ist</translation>
     </message>
     <message>
         <source>The image, and the membranes in 3-D</source>
@@ -2866,8 +3180,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Die Bilder der Sitzung längs ihrer Zeit; ein Druck springt dorthin</translation>
     </message>
     <message>
+        <source>The smaller, the longer a step; too small overshoots</source>
+        <translation>Je kleiner, desto länger ein Schritt; zu klein schießt über</translation>
+    </message>
+    <message>
         <source>The source has ended</source>
         <translation>Die Quelle ist zu Ende</translation>
+    </message>
+    <message>
+        <source>The spring network itself</source>
+        <translation>Das Federnetz selbst</translation>
     </message>
     <message>
         <source>The time step, </source>
@@ -2982,12 +3304,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Virtuelles Mikroskop ausprobieren</translation>
     </message>
     <message>
+        <source>Turn both cells, zoom</source>
+        <translation>Beide Zellen drehen, vergrößern</translation>
+    </message>
+    <message>
         <source>Turn the view, zoom</source>
         <translation>Ansicht drehen, vergrößern</translation>
     </message>
     <message>
         <source>Twice as stiff</source>
         <translation>Doppelt so steif</translation>
+    </message>
+    <message>
+        <source>Two read-outs</source>
+        <translation>Zwei Ablesungen</translation>
     </message>
     <message>
         <source>Type the edge of the camera's own pixel in µm; its data sheet states it.</source>
@@ -3046,6 +3376,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ansicht als PNG</translation>
     </message>
     <message>
+        <source>Viscosity, γ</source>
+        <translation>Zähigkeit, γ</translation>
+    </message>
+    <message>
         <source>Wait for the export that is running, or cancel it</source>
         <translation>Warten Sie auf den laufenden Export, oder brechen Sie ihn ab</translation>
     </message>
@@ -3078,8 +3412,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was beide Werkzeuge mit der Membran tun: Die Nadel drückt, die Haltepipette hält dagegen.</translation>
     </message>
     <message>
+        <source>What has the least energy in the image</source>
+        <translation>Was im Bild die geringste Energie hat</translation>
+    </message>
+    <message>
         <source>What is drawn of the node</source>
         <translation>Was vom Knoten gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
     </message>
     <message>
         <source>What is shown of the other session</source>
@@ -3100,10 +3442,16 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>What the colour of the outer membrane shows (8: the next)</source>
         <translation>Was die Farbe der äußeren Membran zeigt (8: die nächste)</translation>
+        <source>What the colour of the outer membrane shows; key 8 shows the next quantity</source>
+        <translation>Was die Farbe der äußeren Membran zeigt; Taste 8 zeigt die nächste Größe</translation>
     </message>
     <message>
         <source>What the holding pipette does to the membrane around its mouth. The bold arrow is the sum.</source>
         <translation>Was die Haltepipette rund um ihre Öffnung mit der Membran tut. Der dicke Pfeil ist die Summe.</translation>
+    </message>
+    <message>
+        <source>What the image shows</source>
+        <translation>Was das Bild zeigt</translation>
     </message>
     <message>
         <source>What the left chart shows</source>
@@ -3130,8 +3478,24 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Wann das war, seit Beginn der Quelle</translation>
     </message>
     <message>
+        <source>Where a node is laid on it</source>
+        <translation>Wo ein Knoten auf ihr liegt</translation>
+    </message>
+    <message>
+        <source>Where each piece really is</source>
+        <translation>Wo jedes Stück wirklich ist</translation>
+    </message>
+    <message>
+        <source>Where it began</source>
+        <translation>Wo sie begann</translation>
+    </message>
+    <message>
         <source>Which forces on the membrane the arrows show, and how. Now: </source>
         <translation>Welche Kräfte auf die Membran die Pfeile zeigen, und wie. Jetzt: </translation>
+    </message>
+    <message>
+        <source>Which frame of the film or the recording is seen</source>
+        <translation>Welches Bild des Films oder der Aufnahme zu sehen ist</translation>
     </message>
     <message>
         <source>Which frames of both sessions belong together</source>
@@ -3144,6 +3508,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>Whole frame</source>
         <translation>Ganzes Bild</translation>
+    </message>
+    <message>
+        <source>Whose contour</source>
+        <translation>Wessen Kontur</translation>
     </message>
     <message>
         <source>Width</source>
@@ -3314,6 +3682,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Ende des Wegs</translation>
     </message>
     <message>
+        <source>external</source>
+        <translation>äußere</translation>
+    </message>
+    <message>
         <source>force on the cell at its limit</source>
         <translation>Kraft auf die Zelle an der Grenze</translation>
     </message>
@@ -3346,12 +3718,20 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Bild</translation>
     </message>
     <message>
+        <source>in equilibrium</source>
+        <translation>im Gleichgewicht</translation>
+    </message>
+    <message>
         <source>indentation ±</source>
         <translation>Eindellung ±</translation>
     </message>
     <message>
         <source>inner membrane</source>
         <translation>innere Membran</translation>
+    </message>
+    <message>
+        <source>internal</source>
+        <translation>innere</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -3506,6 +3886,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Pixelgröße</translation>
     </message>
     <message>
+        <source>prescribed</source>
+        <translation>vorgeschrieben</translation>
+    </message>
+    <message>
         <source>puncture </source>
         <translation>Durchstich </translation>
     </message>
@@ -3586,6 +3970,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>etwa 3.45</translation>
     </message>
     <message>
+        <source>sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
         <source>taken back</source>
         <translation>zurückgenommen</translation>
     </message>
@@ -3660,6 +4048,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>tip beyond the entry</source>
         <translation>ab Eintritt</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>wahr</translation>
     </message>
     <message>
         <source>true </source>

@@ -13,6 +13,7 @@
 #include "ReviewViews.h"
 #include "Translation.h"
 #include "pellucida/visualization/Readout.h"
+#include "pellucida/visualization_vtk/MembraneView.h"
 #include "review/ReviewWindowFixture.h"
 #include "support/Files.h"
 #include "widgets/CurvePanel.h"
@@ -277,6 +278,32 @@ TEST_F(ReviewWindowTest, NoKeyIsGivenTwiceAndTipsNameTheKeys) {
   for (const char* key : {"Space", "Left", "Shift+Left", "Home", "End", "PgUp", "PgDown", "L", "B", "Ctrl+O"}) {
     EXPECT_TRUE(uses.contains(key)) << key;
   }
+}
+
+// A session holds what each kind of arrow needs; its model's mesh it doesn't.
+TEST_F(ReviewWindowTest, KeysAndMenuChooseTheForceOfTheArrowsAndTheSurfacesColour) {
+  open();
+  input_.tap(test::kEndKey);
+  ASSERT_TRUE(shows(kFrames - 1));
+  auto& views = const_cast<ReviewViews&>(window_->views());
+  const auto& view = dynamic_cast<const MembraneView&>(views.membranes().view().view());
+  EXPECT_EQ(view.node_force(), NodeForceKind::kTools);
+  EXPECT_FALSE(view.lacks_node_force());
+  EXPECT_FALSE(view.holder_label().empty());
+  input_.tap(test::k7Key);
+  ASSERT_TRUE(pass_until([&] { return view.node_force() == NodeForceKind::kNeedle; }));
+  window_->findChild<QAbstractButton*>("nodeForce3")->click();
+  EXPECT_EQ(view.node_force(), NodeForceKind::kPressure);
+  EXPECT_FALSE(view.lacks_node_force());
+  EXPECT_TRUE(view.holder_label().empty());
+  input_.tap(test::k8Key);
+  ASSERT_TRUE(pass_until([&] { return view.coloring() == SurfaceColoring::kTension; }));
+  input_.tap(test::k8Key);
+  ASSERT_TRUE(pass_until([&] { return view.coloring() == SurfaceColoring::kAreaStrain; }));
+
+  auto* model = window_->findChild<QAction*>("modelSurface");
+  EXPECT_FALSE(model->isEnabled());
+  EXPECT_NE(model->toolTip(), model->text());
 }
 
 }  // namespace

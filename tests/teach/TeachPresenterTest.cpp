@@ -87,11 +87,11 @@ TEST(ParameterScale, PlacesAndNumbersGoTogether) {
     TeachingParameters p;
     scale.set(p, middle);
     EXPECT_EQ(scale.value_in(p), middle);
-    EXPECT_NO_THROW(require_valid(p)) << scale.name();
+    EXPECT_NO_THROW(require_valid(p)) << scale.name;
   }
-  EXPECT_EQ(ParameterScale(TeachSlider::kTimeStep).text_of(146.4), "146 µs");
-  EXPECT_EQ(ParameterScale(TeachSlider::kTimeStep).text_of(15000.0), "15 ms");
-  EXPECT_EQ(ParameterScale(TeachSlider::kMesh).text_of(9.0), "812 nodes");
+  EXPECT_EQ(ParameterScale(TeachSlider::kTimeStep).text(146.4), "146 µs");
+  EXPECT_EQ(ParameterScale(TeachSlider::kTimeStep).text(15000.0), "15 ms");
+  EXPECT_EQ(ParameterScale(TeachSlider::kMesh).text(9.0), "812 nodes");
 }
 
 TEST(StablePart, FollowsTheLimit) {

@@ -74,6 +74,8 @@ TEST(KassSnake, ForcesAreMinusTheGradients) {
   KassSnake snake(p);
   snake.set_field(std::make_shared<SnakeField>(Eigen::ArrayXXd::Zero(150, 160)));
   snake.start({80.0, 75.0}, 50.0);
+  EXPECT_EQ(snake.energy().balloon, 0.0);
+  const double start_px = std::sqrt(enclosed_area_px2(snake.points_px()) / std::numbers::pi);
   for (int k = 0; k < 3; ++k) snake.step();
   const auto total_at = [&](const Eigen::Matrix2Xd& points) {
     double stretching = 0.0, bending = 0.0;
@@ -83,7 +85,8 @@ TEST(KassSnake, ForcesAreMinusTheGradients) {
       stretching += 0.5 * p.alpha * (b - a).squaredNorm();
       bending += 0.5 * p.beta * (a - 2.0 * b + c).squaredNorm();
     }
-    return stretching + bending - p.balloon * n * std::sqrt(enclosed_area_px2(points) / std::numbers::pi);
+    const double radius_px = std::sqrt(enclosed_area_px2(points) / std::numbers::pi);
+    return stretching + bending - p.balloon * static_cast<double>(n) * (radius_px - start_px);
   };
   EXPECT_NEAR(total_at(snake.points_px()), snake.energy().total(), 1e-9);
   const Eigen::Matrix2Xd force = snake.internal_force() + snake.external_force();

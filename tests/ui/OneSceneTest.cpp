@@ -1,10 +1,14 @@
 // The window shows one scene at a time: readouts, 3-D label and charts say the same number in each moment.
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 
+#include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,6 +16,7 @@
 
 #include "GuideWindow.h"
 #include "pellucida/charts_vtk/ForceChart.h"
+#include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pellucida/visualization/Readout.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
@@ -115,6 +120,49 @@ TEST_F(OneScene, TheProfileAndTheReasonForNoForceAreShown) {
   EXPECT_EQ(text("profile"), "mouse-embryo");
   EXPECT_EQ(text("force"), "\u2013");
   EXPECT_EQ(text("forceNote"), "no force, see below");
+}
+
+// The needle's arrows add up to the force that the window shows, and everything that acts on the membrane to nothing.
+TEST_F(OneScene, TheArrowsAddUpToTheForceShown) {
+  Scenario scenario = load_scenario("default");
+  scenario.motion.approach_speed_um_per_s = 100.0;
+  open(std::make_unique<VirtualMicroscope>(scenario), {});
+  MembraneView& view = *views<MembraneView>().front();
+  int seen = 0;
+  const bool done = watch([&] {
+    if (view.contact_label().empty()) return false;
+    const Scene& scene = view.scene();
+    const auto surface = scene.surface.shallow_copy();
+    if (!surface) return false;
+    Eigen::Vector3d needle = Eigen::Vector3d::Zero(), all = needle;
+    for (const char* name : {array_name::kForce, array_name::kNeedleForce, array_name::kHolderForce}) {
+      vtkDataArray* array = surface->GetPointData()->GetArray(name);
+      EXPECT_TRUE(array) << name;
+      if (!array) return true;
+      for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i) {
+        Eigen::Vector3d one;
+        array->GetTuple(i, one.data());
+        if (name == array_name::kNeedleForce) needle += one;
+        all += one;
+      }
+    }
+    const double shown_uN = scene.measurement.contact_force_uN;
+    EXPECT_NEAR(needle.norm(), std::hypot(shown_uN, scene.measurement.lateral_force_uN), 2e-3 * shown_uN);
+    EXPECT_LT(all.norm(), 1e-2 * shown_uN);
+    return ++seen >= 3 || HasFailure();
+  });
+  EXPECT_TRUE(done) << seen;
+  EXPECT_FALSE(view.lacks_node_force());
+  // Each kind, and the model's mesh, in the running window.
+  for (const NodeForceKind kind : kNodeForceKinds) {
+    window_->findChild<QAction*>("nextNodeForce")->trigger();
+    EXPECT_NE(view.node_force(), kind);
+  }
+  auto* model = window_->findChild<QAction*>("modelSurface");
+  ASSERT_TRUE(model->isEnabled());
+  model->trigger();
+  window_->findChild<QAbstractButton*>("errorBars")->click();
+  QApplication::processEvents(QEventLoop::AllEvents, 200);
 }
 
 }  // namespace

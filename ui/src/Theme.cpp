@@ -139,7 +139,7 @@ QToolButton[recent="true"]:focus, QToolButton[recent="true"]:hover { border-colo
 #lessonText { font-size: 14px; }
 #lessonHead { color: @accent; font-size: 13px; font-weight: 700; }
 #rightAnswer { color: @good; font-size: 14px; font-weight: 600; }
-#wrongAnswer { color: @record; font-size: 14px; font-weight: 600; }
+#wrongAnswer, #pictureFault { color: @record; font-size: 14px; font-weight: 600; }
 #parameterName { font-size: 13px; font-weight: 600; }
 #parameterValue { color: @accent; font-size: 13px; font-weight: 600; }
 #parameterNote { color: @dim; font-size: 12px; }

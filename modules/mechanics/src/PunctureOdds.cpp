@@ -28,6 +28,8 @@ constexpr double kStays_sigma = 0.25, kGoesOn_sigma = 1.0;
 constexpr double kDrawnBack_ratio = 0.2;
 /// Of punctures, those in which the contour is still tied to the tip.
 constexpr double kTied_ratio = 0.5;
+/// A dimple deepens as long as something pushes it; behind a needle that is through it seems to so often.
+constexpr double kDeepensThrough_ratio = 0.1;
 /// What even an impossible frame leaves a hypothesis.
 constexpr double kFloor = 1e-4;
 /// A frame that shows what the one before did, but for so much of it, tells a misreading from a puncture to this power
@@ -106,7 +108,9 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const double contact =
       (1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * anywhere + kDrawnBack_ratio * together;
   const double misread = axis.misread * flanks.misread * anywhere + kFloor;
-  const double punctured = axis.punctured * flanks.punctured * normal(share, stays) * stays / kStays_sigma + kFloor;
+  const double deepening = now.is_deepening ? kDeepensThrough_ratio : 1.0;
+  const double punctured =
+      deepening * axis.punctured * flanks.punctured * normal(share, stays) * stays / kStays_sigma + kFloor;
   const double either =
       (misread_ * misread + punctured_ * punctured) / std::max(misread_ + punctured_, kFloor * kFloor);
   contact_ *= contact + kFloor;

@@ -23,6 +23,7 @@ class PunctureOdds {
     /// membrane there, with its standard deviation; NaN: there were none to see.
     double flank_ratio = std::numeric_limits<double>::quiet_NaN();
     double flank_sigma_ratio = 0.1;
+    bool is_deepening = false;  ///< the flanks went deeper, against the frame before, by more than noise
   };
 
   void weigh(const Evidence& now) noexcept;

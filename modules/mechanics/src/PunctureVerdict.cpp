@@ -20,6 +20,8 @@ constexpr double kLag_ratio = 0.07;
 constexpr double kShallowestFlank_um = 1.5, kFlankOverNoise = 3.0;
 constexpr double kFlankBack_ratio = 0.5;
 constexpr double kFlankSigma_um = 0.3, kFlankLag_ratio = 0.07;
+/// Flanks that go deeper by so many times that spread within a frame are still pushed.
+constexpr double kDeepensNoises = 1.5;
 /// What the newest frame counts in that spread.
 constexpr double kNewest_ratio = 0.2;
 /// In contact nothing is learnt of the rest: its radius stays, but for this share.
@@ -67,6 +69,7 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     if (!std::isnan(evidence.flank_ratio))
       depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
   }
+  flank_before_um_ = now.flank_um;
   through_ = odds_.probability() > kSure;
   is_doubted_ = !through_ && (now.is_tracked_punctured || odds_.doubt() > kInDoubt);
   if (now.has_depths && !through_) follow_deepest(now);
@@ -106,6 +109,7 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
     evidence.flank_ratio = flank_back_um / flank_um_;
     evidence.flank_sigma_ratio = std::hypot(flank_noise_um() / flank_um_, kFlankLag_ratio);
     way_um = std::max(way_um, evidence.flank_ratio * deepest_um_);
+    evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flank_noise_um();
   }
   evidence.tip_share = (tip_at_deepest_um_ - now.tip_um) / way_um;
   evidence.tip_share_sigma = now.tip_sigma_um / way_um;

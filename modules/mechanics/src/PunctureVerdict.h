@@ -94,6 +94,7 @@ class PunctureVerdict {
   double deepest_um_ = 0.0, tip_at_deepest_um_ = 0.0;  // of the membrane, of late
   double flank_variance_um2_ = 0.0;                    // of one frame, by their differences
   double last_flank_um_ = std::numeric_limits<double>::quiet_NaN();
+  double flank_before_um_ = std::numeric_limits<double>::quiet_NaN();  // in the frame before, whatever it was
   double last_depth_um_ = 0.0, last_force_uN_ = 0.0;
   double peak_force_uN_ = 0.0, peak_depth_um_ = 0.0, work_uN_um_ = 0.0;
 };

@@ -51,6 +51,9 @@ void CellRunner::set_hand(double along_um, double across_um) {
 void CellRunner::restart() {
   order([](Orders& orders) { orders.restart = true; });
 }
+void CellRunner::set_paused(bool paused) {
+  order([&](Orders& orders) { orders.paused = paused; });
+}
 void CellRunner::explain(std::optional<int> node) {
   order([&](Orders& orders) { orders.node = node; });
 }
@@ -69,6 +72,7 @@ void CellRunner::obey(const Orders& orders) {
   }
   if (orders.hand) cell_.set_hand(orders.hand->along_um, orders.hand->across_um);
   if (orders.node) node_ = *orders.node;
+  if (orders.paused) paused_ = *orders.paused;
   if (orders.restart) {
     cell_.restart();
     ++run_;
@@ -86,13 +90,13 @@ void CellRunner::run(std::stop_token stop) {
         orders = std::exchange(orders_, Orders{});
       }
       obey(orders);
-      work(begin_s);
+      if (!paused_) work(begin_s);
       publish(runner_clock().now_s());
 
-      // An ended motion waits for orders; a running one for its next period.
+      // An ended or paused motion waits for orders; a running one for its next period.
       std::unique_lock lock(mutex_);
       const auto has_orders = [&] { return orders_.any(); };
-      if (cell_.blow_up()) {
+      if (cell_.blow_up() || paused_) {
         ordered_.wait(lock, stop, has_orders);
         worked_until_s_ = runner_clock().now_s();
       } else {

@@ -98,6 +98,7 @@ void KassSnake::start(const Eigen::Vector2d& center_px, double radius_px) {
   motion_px_ = 0.0;
   // A circle across the border begins on it.
   if (field_ && !field_->empty()) hold_in_picture();
+  start_radius_px_ = radius_of_area_px(points_);
   state_ = SnakeState::kMoving;
 }
 
@@ -133,7 +134,7 @@ SnakeEnergy KassSnake::energy() const {
         0.5 * parameters_.beta * (points_.col(i) - 2.0 * points_.col(next) + points_.col(second)).squaredNorm();
     if (field_) energy.image += field_->energy_at(points_.col(i));
   }
-  energy.balloon = -parameters_.balloon * kPointCount * radius_of_area_px(points_);
+  energy.balloon = -parameters_.balloon * kPointCount * (radius_of_area_px(points_) - start_radius_px_);
   return energy;
 }
 

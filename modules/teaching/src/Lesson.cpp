@@ -20,6 +20,7 @@ constexpr Field<Lesson> kLessonHead[] = {
     {"order", "", &Lesson::order, {0, 1000}, "its place in the list", FieldNeed::kRequired},
     {"title", "", &Lesson::title, kAnyLessonText, "one line", FieldNeed::kRequired},
     {"scenario", "", &Lesson::scenario, kAnyLessonText, "of the virtual microscope, in which the same can be seen"},
+    {"page", "", &Lesson::page, kAnyLessonText, "what is shown: `cell`, `snake` or `readouts`"},
     {"hand_depth_um", "um", &Lesson::hand_depth_um, {-50, 100}, "where the hand is at the start; below 0: outside"},
     {"explains_tip", "", &Lesson::explains_tip, kAnyLessonText,
      "true: the forces on the node under the needle are shown"},
@@ -48,14 +49,29 @@ std::vector<std::string> texts_of(const LessonJson& root, const char* key, const
   return texts;
 }
 
-void read_setting(const LessonJson& root, const std::string& where, TeachingParameters& setting) {
-  const auto json = root.find("setting");
-  if (json == root.end() || !json->is_object()) throw InputError(where + ": setting must be a group of keys, {...}");
-  check(read_fields(*json, fields_of(setting)), where + ": setting");
+// A group of keys that a page is set up by; the cell's must be there.
+template <class Setting>
+void read_group(const LessonJson& root, const char* key, bool required, const std::string& where, Setting& setting) {
+  const auto json = root.find(key);
+  if (json == root.end() && !required) return;
+  const std::string place = where + ": " + key;
+  if (json == root.end() || !json->is_object()) throw InputError(place + " must be a group of keys, {...}");
+  check(read_fields(*json, fields_of(setting)), place);
   try {
     require_valid(setting);
   } catch (const UsageError& error) {
-    throw InputError(where + ": setting: " + error.what());
+    throw InputError(place + ": " + error.what());
+  }
+}
+
+void read_page(const LessonJson& root, const std::string& where, Lesson& lesson) {
+  try {
+    const LessonPage page = lesson_page(lesson.page);
+    read_group(root, "setting", page == LessonPage::kCell, where, lesson.setting);
+    read_group(root, "snake", page == LessonPage::kSnake, where, lesson.snake);
+    read_group(root, "readouts", page == LessonPage::kReadouts, where, lesson.readouts);
+  } catch (const UsageError& error) {
+    throw InputError(where + ": " + error.what());
   }
 }
 
@@ -75,6 +91,13 @@ void read_answers(const LessonJson& root, const std::string& where, std::vector<
 }
 
 }  // namespace
+
+LessonPage lesson_page(const std::string& name) {
+  if (name == "cell") return LessonPage::kCell;
+  if (name == "snake") return LessonPage::kSnake;
+  if (name == "readouts") return LessonPage::kReadouts;
+  throw UsageError("page " + name + ": not known; known are cell, snake, readouts");
+}
 
 FieldList fields_of(Lesson& lesson) {
   FieldList list;
@@ -98,7 +121,7 @@ Lesson read_lesson(const std::filesystem::path& file) {
   lesson.text = texts_of(root, "text", where);
   lesson.to_do = texts_of(root, "do", where);
   lesson.observe = texts_of(root, "observe", where);
-  read_setting(root, where, lesson.setting);
+  read_page(root, where, lesson);
   read_answers(root, where, lesson.answers);
   return lesson;
 }

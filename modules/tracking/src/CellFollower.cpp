@@ -119,7 +119,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   // The rest shape as far as this one frame shows it: the circle through the undeformed part.
   const contour::Circle circle = fit(snakes_.outer().points);
   const OutlineShape shape(snakes_.outer().points, circle);
-  if (!shape.may_be_cell()) return false;
+  const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
+  if (!is_pushed && !shape.may_be_cell()) return false;
   detection_score_ *= shape.roundness();
   rest_ = {};
   rest_.center = circle.center;

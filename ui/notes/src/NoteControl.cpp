@@ -147,8 +147,7 @@ void NoteControl::show_at(double time_s) {
 }
 
 void NoteControl::show_note() {
-  strip_->setVisible(shown_.has_value());
-  if (!shown_) return;
+  if (!shown_) return strip_->hide();
   const auto here = book_->at(shown_s_);
   const Annotation& note = book_->notes()[*shown_];
   const auto result = measured(note, pixel_size_um_);
@@ -160,6 +159,7 @@ void NoteControl::show_note() {
   next_->setVisible(here.size() > 1);
   text_->setText(QString::fromStdString(note.text));
   delete_->setEnabled(true);
+  strip_->show();
 }
 
 void NoteControl::leaf(int by) {

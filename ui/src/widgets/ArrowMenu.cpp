@@ -90,6 +90,7 @@ void ArrowMenu::add_kinds(QGridLayout* grid) {
   });
   auto* next = new QAction(words("Arrows show the next force"), this);
   next->setObjectName("nextNodeForce");
+  next->setText(words("Arrows: the next force"));
   next->setShortcut(Qt::Key_7);
   addAction(next);
   connect(next, &QAction::triggered, this, [kinds] {
@@ -101,7 +102,7 @@ void ArrowMenu::show_kind() {
   setText(words("Arrows \u25BE"));
   setToolTip(words("Which forces on the membrane the arrows show, and how. Now: ") +
              QString::fromStdString(node_force_name(view_.node_force())) +
-             words(" (6: on and off, 7: the next force)"));
+             words("; key 6 shows or hides them, key 7 shows the next force"));
 }
 
 void ArrowMenu::add_looks(QGridLayout* grid) {
@@ -119,6 +120,7 @@ void ArrowMenu::add_looks(QGridLayout* grid) {
   auto* shown = add_check("arrows_shown", words("Show node forces"), true, [this](bool on) { view_.show_arrows(on); });
   auto* toggle = new QAction(words("Arrows on and off"), this);
   toggle->setObjectName("showArrows");
+  toggle->setText(words("Show or hide the arrows"));
   toggle->setShortcut(Qt::Key_6);
   addAction(toggle);
   connect(toggle, &QAction::triggered, shown, &QCheckBox::toggle);

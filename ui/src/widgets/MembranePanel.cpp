@@ -40,7 +40,7 @@ MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget*
 }
 
 void MembranePanel::add_surface_menu(MembraneView& membranes, bool has_model) {
-  QToolButton* button = add_button({}, words("What the colour of the outer membrane shows (8: the next)"));
+  QToolButton* button = add_button({}, words("What the colour of the outer membrane shows; key 8 shows the next quantity"));
   button->setObjectName("surface");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);
@@ -66,6 +66,7 @@ void MembranePanel::add_surface_menu(MembraneView& membranes, bool has_model) {
   show(membranes.coloring());
   auto* next = new QAction(words("The next colouring of the surface"), this);
   next->setObjectName("nextColoring");
+  next->setText(words("Surface: the next quantity"));
   next->setShortcut(Qt::Key_8);
   addAction(next);
   connect(next, &QAction::triggered, this, [choice] {

@@ -20,6 +20,7 @@ void PokeStyle::OnLeftButtonDown() {
   for (int k = 0; k < 2; ++k) start_px_[k] = last_px_[k] = at[k];
   held_ = true;
   moved_ = false;
+  if (turns_with_left) OnRightButtonDown();
 }
 
 void PokeStyle::OnMouseMove() {
@@ -32,10 +33,12 @@ void PokeStyle::OnMouseMove() {
   moved_ |= std::abs(at[0] - start_px_[0]) > kClickSlack_px || std::abs(at[1] - start_px_[1]) > kClickSlack_px;
   if (!moved_) return;
   for (int k = 0; k < 2; ++k) last_px_[k] = at[k];
+  if (turns_with_left) vtkInteractorStyleTrackballCamera::OnMouseMove();
   if (dragged) dragged(dx, dy);
 }
 
 void PokeStyle::OnLeftButtonUp() {
+  if (turns_with_left) OnRightButtonUp();
   if (held_ && !moved_ && clicked) clicked(start_px_[0], start_px_[1]);
   held_ = false;
 }

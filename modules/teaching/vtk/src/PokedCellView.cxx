@@ -150,6 +150,11 @@ PokedCellView::Scales PokedCellView::scales_for(const CellSnapshot& s) {
   return {quantile_of_sizes(s.spring_pull_uN, kPullShare), strongest_uN};
 }
 
+void PokedCellView::show_scales(bool pull, bool field) {
+  pull_scale_shown_ = pull;
+  field_scale_shown_ = field;
+}
+
 void PokedCellView::set_scales(const std::optional<Scales>& scales) {
   scales_ = scales;
   refresh();
@@ -226,7 +231,9 @@ std::optional<int> PokedCellView::node_at(double x_px, double y_px) const {
   return nearest;
 }
 
-void PokedCellView::prepare(double, double) {
+void PokedCellView::prepare(double width_px, double height_px) {
+  // The whole cell in a narrow view too.
+  main_->GetActiveCamera()->SetUseHorizontalViewAngle(width_px < height_px);
   main_->ResetCameraClippingRange();
 }
 
@@ -248,11 +255,11 @@ void PokedCellView::draw_hud(HudCanvas& hud, double width_px, double height_px) 
 void PokedCellView::draw_scales(HudCanvas& hud, double width_px, double height_px) const {
   const double bar_height = std::clamp(0.42 * height_px, 70.0, 200.0);
   const double y = height_px - bar_height - 40.0;
-  if (springs_shown_) {
+  if (springs_shown_ && pull_scale_shown_) {
     draw_color_bar(hud, ColorMapKind::kPull, 16.0, y, bar_height, used_.pull_uN, say("Pull of a connector (µN)"),
                    HudAlign::kLeft, true, *theme_);
   }
-  if (snapshot_->field_uN.cols() > 0) {
+  if (snapshot_->field_uN.cols() > 0 && field_scale_shown_) {
     draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, y, bar_height, used_.field_uN,
                    say("Node force (µN)"), HudAlign::kRight, false, *theme_);
   }

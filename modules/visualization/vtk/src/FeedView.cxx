@@ -136,6 +136,7 @@ void FeedView::refresh() {
       frame_height_um_ = height_um;
       window_high_ = window_low_ = 0.0;
       cell_radius_um_ = 0.0;
+      cell_given_ = false;
       reset_camera();
     }
     if (image_look_.follows || !(window_high_ > window_low_)) refresh_window_level(frame);
@@ -190,7 +191,7 @@ void FeedView::set_image_look(const ImageLook& look) {
 // where it is.
 void FeedView::refresh_cell_frame() {
   const Frozen<vtkPolyData>& membranes = source_->GetScene().membranes;
-  if (!has_points(membranes)) return;
+  if (cell_given_ || !has_points(membranes)) return;
   double bounds_um[6];
   const_cast<vtkPolyData*>(membranes.get())->GetBounds(bounds_um);
   const double middle_um[2] = {0.5 * (bounds_um[0] + bounds_um[1]), 0.5 * (bounds_um[2] + bounds_um[3])};
@@ -204,6 +205,14 @@ void FeedView::refresh_cell_frame() {
   cell_um_[1] = middle_um[1];
   cell_radius_um_ = radius_um;
   if (fitted_) fitted_scale_um_ = 0.0;
+}
+
+void FeedView::frame_place(const Eigen::Vector2d& middle_um, double radius_um) {
+  cell_um_[0] = middle_um.x();
+  cell_um_[1] = middle_um.y();
+  cell_radius_um_ = radius_um;
+  cell_given_ = true;
+  reset_camera();
 }
 
 void FeedView::set_framing(FeedFraming framing) {

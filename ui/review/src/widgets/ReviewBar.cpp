@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "WindowMemory.h"
 #include "Words.h"
 #include "presenters/Phrase.h"
 #include "presenters/RecordedSession.h"
@@ -19,6 +20,11 @@
 #include "widgets/StartButton.h"
 
 namespace pellucida {
+namespace {
+
+constexpr int kRoomForBrand_px = 1200;
+
+}  // namespace
 
 ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) {
   setObjectName("topBar");
@@ -30,9 +36,9 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* mark = new QLabel(this);
   mark->setPixmap(make_icon(Pictogram::kProgram).pixmap(22, 22));
   row->addWidget(mark);
-  auto* brand = new QLabel("Pellucida", this);
-  brand->setObjectName("brand");
-  row->addWidget(brand);
+  brand_ = new QLabel("Pellucida", this);
+  brand_->setObjectName("brand");
+  row->addWidget(brand_);
   row->addSpacing(18);
   row->addWidget(make_start_button(this));
   QPushButton* open = add_button(row, words("Open"), QKeySequence::Open, words("Open another session"));
@@ -49,6 +55,7 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   events_->setCheckable(true);
   events_->setChecked(true);
   events_->setProperty("lit", true);
+  keep_as(*events_, "toggle_E");
   connect(events_, &QPushButton::toggled, this, actions.show_events);
   QPushButton* cells = add_button(row, words("Cells"), Qt::Key_J, words("Cells of several sessions in one table"));
   cells->setObjectName("cellsButton");
@@ -139,8 +146,13 @@ void ReviewBar::show_session(const RecordedSession* session) {
   for (QLabel* label : {name_, facts_}) label->setToolTip("<pre>" + tip.toHtmlEscaped() + "</pre>");
 }
 
+// In a narrow window the session's name counts for more.
+void ReviewBar::resizeEvent(QResizeEvent*) {
+  brand_->setVisible(width() >= kRoomForBrand_px);
+}
+
 void ReviewBar::add(QPushButton& button) {
-  row_->insertWidget(row_->count() - 3, &button);
+  row_->insertWidget(row_->indexOf(last_) + 1, &button);
   setTabOrder(last_, &button);
   last_ = &button;
 }

@@ -43,6 +43,9 @@ class ReviewBar : public QWidget {
   /// A node is chosen, and has a chart.
   void set_node_chosen(bool chosen);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const QKeySequence& key, const QString& tip);
   void add_export(QHBoxLayout* row, const Actions& actions);
@@ -53,6 +56,7 @@ class ReviewBar : public QWidget {
   QPushButton* events_ = nullptr;
   QWidget* last_ = nullptr;  // of the buttons, in the order of Tab
   QAction* node_ = nullptr;
+  QLabel* brand_ = nullptr;
   QLabel* name_ = nullptr;
   QLabel* facts_ = nullptr;
 };

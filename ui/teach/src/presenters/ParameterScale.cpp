@@ -10,87 +10,36 @@
 namespace pellucida {
 namespace {
 
-struct ScaleRow {
-  const char* name;
-  const char* tip;
-  double low, high;
-  bool is_log;
-  double key_step;
-};
-
-constexpr ScaleRow kScales[kTeachSliderCount] = {
-    {PELLUCIDA_WORDS("Time step"), PELLUCIDA_WORDS("Of the integrator"), 1.0, 50000.0, true, 0.01},
-    {PELLUCIDA_WORDS("Mass of a node"), PELLUCIDA_WORDS("The cell's own mass would be 10\u207b\u00b9\u00b2 kg a node"),
-     1e-12, 1e-5, true, 0.01},
-    {PELLUCIDA_WORDS("Damping ratio"),
-     PELLUCIDA_WORDS("Dampers along the connectors; 1 damps the stiffest one critically"), 0.0, 2.0, false, 0.01},
-    {PELLUCIDA_WORDS("Young's modulus"), PELLUCIDA_WORDS("Of the zona; scales every force and no shape"), 20.0, 1000.0,
-     true, 0.01},
-    {PELLUCIDA_WORDS("Mesh"),
-     PELLUCIDA_WORDS("Nodes of the network; the profile's constants hold for its own mesh of 812"), 2.0, 9.0, false,
-     1.0 / 7.0},
-    {PELLUCIDA_WORDS("Give of the hand"), PELLUCIDA_WORDS("How far the tip stays behind the hand for each \u00b5N"),
-     0.0, 5.0, false, 0.02},
-    {PELLUCIDA_WORDS("Pace"), PELLUCIDA_WORDS("Simulated seconds a second, at most: slow motion"), 1e-3, 1.0, true,
-     0.01}};
-
-std::string digits(double value) {
-  return fixed_number(value, std::max(0, decimals_of(value) - (value >= 10.0 ? 1 : 0)));
-}
-
 std::string mass_text(double mass_kg) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1e kg", mass_kg);
   return text;
 }
+std::string modulus_text(double modulus_kPa) {
+  return three_digits(modulus_kPa) + " kPa";
+}
+
+constexpr NumberScale kScales[kTeachSliderCount] = {
+    {PELLUCIDA_WORDS("Time step"), PELLUCIDA_WORDS("Of the integrator"), 1.0, 50000.0, true, 0.01, false,
+     duration_text},
+    {PELLUCIDA_WORDS("Mass of a node"), PELLUCIDA_WORDS("The cell's own mass would be 10\u207b\u00b9\u00b2 kg a node"),
+     1e-12, 1e-5, true, 0.01, false, mass_text},
+    {PELLUCIDA_WORDS("Damping ratio"),
+     PELLUCIDA_WORDS("Dampers along the connectors; 1 damps the stiffest one critically"), 0.0, 2.0, false, 0.01, false,
+     [](double ratio) { return fixed_number(ratio, 2); }},
+    {PELLUCIDA_WORDS("Young's modulus"), PELLUCIDA_WORDS("Of the zona; scales every force and no shape"), 20.0, 1000.0,
+     true, 0.01, false, modulus_text},
+    {PELLUCIDA_WORDS("Mesh"),
+     PELLUCIDA_WORDS("Nodes of the network; the profile's constants hold for its own mesh of 812"), 2.0, 9.0, false,
+     1.0 / 7.0, true, [](double f) { return fixed_number(10.0 * f * f + 2.0, 0) + say(" nodes"); }},
+    {PELLUCIDA_WORDS("Give of the hand"), PELLUCIDA_WORDS("How far the tip stays behind the hand for each \u00b5N"),
+     0.0, 5.0, false, 0.02, false, [](double give) { return fixed_number(give, 1) + " µm/µN"; }},
+    {PELLUCIDA_WORDS("Pace"), PELLUCIDA_WORDS("Simulated seconds a second, at most: slow motion"), 1e-3, 1.0, true,
+     0.01, false, [](double pace) { return fixed_number(pace, 3) + "\u00d7"; }}};
 
 }  // namespace
 
-std::string duration_text(double time_us) {
-  if (time_us < 999.5) return digits(time_us) + " µs";
-  return digits(1e-3 * time_us) + " ms";
-}
-
-ParameterScale::ParameterScale(TeachSlider which) : which_(which) {
-  const ScaleRow& row = kScales[static_cast<int>(which)];
-  name_ = row.name;
-  tip_ = row.tip;
-  low_ = row.low;
-  high_ = row.high;
-  is_log_ = row.is_log;
-  key_step_ = row.key_step;
-}
-
-double ParameterScale::value_at(double place) const noexcept {
-  const double part = std::clamp(place, 0.0, 1.0);
-  const double value = is_log_ ? low_ * std::pow(high_ / low_, part) : low_ + part * (high_ - low_);
-  return std::clamp(which_ == TeachSlider::kMesh ? std::round(value) : value, low_, high_);
-}
-
-double ParameterScale::place_of(double value) const noexcept {
-  const double held = std::clamp(value, low_, high_);
-  return is_log_ ? std::log(held / low_) / std::log(high_ / low_) : (held - low_) / (high_ - low_);
-}
-
-std::string ParameterScale::text_of(double value) const {
-  switch (which_) {
-    case TeachSlider::kTimeStep:
-      return duration_text(value);
-    case TeachSlider::kNodeMass:
-      return mass_text(value);
-    case TeachSlider::kDamping:
-      return fixed_number(value, 2);
-    case TeachSlider::kModulus:
-      return digits(value) + " kPa";
-    case TeachSlider::kMesh:
-      return fixed_number(10.0 * value * value + 2.0, 0) + say(" nodes");
-    case TeachSlider::kGive:
-      return fixed_number(value, 1) + " µm/µN";
-    case TeachSlider::kPace:
-      return fixed_number(value, 3) + "\u00d7";
-  }
-  return "";
-}
+ParameterScale::ParameterScale(TeachSlider which) : NumberScale(kScales[static_cast<int>(which)]), which_(which) {}
 
 double ParameterScale::value_in(const TeachingParameters& p) const noexcept {
   switch (which_) {
@@ -162,7 +111,7 @@ StablePart stable_part(TeachSlider which, const CellSnapshot& s) {
     case TeachSlider::kModulus: {
       const double most_kPa = s.young_modulus_kPa / (over * over);
       part.to = scale.place_of(most_kPa);
-      part.text = say("stable below ") + scale.text_of(most_kPa);
+      part.text = say("stable below ") + scale.text(most_kPa);
       break;
     }
     default:

@@ -14,17 +14,13 @@ namespace {
 // A cell that has caught up with its clock to this share runs in time.
 constexpr double kInTime_ratio = 0.95;
 
-std::string three_digits(double value) {
-  return fixed_number(value, std::min(decimals_of(value), 3));
-}
-
 std::string reason_of(const BlowUp& end) {
   switch (end.kind) {
     case BlowUpKind::kNotFinite:
       return say("a number grew beyond all bounds");
     case BlowUpKind::kEnergyRanAway:
-      return say("the nodes move with ") + three_digits(end.kinetic_energy_pJ) + say(" pJ, the needle put in ") +
-             three_digits(end.supplied_energy_pJ) + " pJ";
+      return say("the nodes move with ") + short_number(end.kinetic_energy_pJ) + say(" pJ, the needle put in ") +
+             short_number(end.supplied_energy_pJ) + " pJ";
     case BlowUpKind::kNoSolution:
       return say("the equations of an implicit step were not solved");
   }
@@ -77,7 +73,7 @@ TeachTexts teach_texts(const CellSnapshot& s, double quasi_static_uN, const Them
   texts.force_note = {std::isfinite(quasi_static_uN) ? say("at rest: ") + fixed_number(quasi_static_uN, 2) + " µN" : "",
                       theme.text_dim};
   texts.volume = plain(fixed_number(100.0 * s.volume_change_ratio, 2) + " %");
-  texts.energy = plain(three_digits(s.potential_energy_pJ + s.kinetic_energy_pJ) + " pJ");
+  texts.energy = plain(short_number(s.potential_energy_pJ + s.kinetic_energy_pJ) + " pJ");
   texts.speed =
       plain(s.largest_speed_um_per_s < 1e5 ? fixed_number(s.largest_speed_um_per_s, 0) + " µm/s" : "> 0.1 m/s");
   const bool late = !s.blow_up && s.pace_ratio > 0.0 && s.pace_ratio < kInTime_ratio * s.parameters.pace_ratio;

@@ -1,13 +1,11 @@
 #include "widgets/ParameterPanel.h"
 
 #include <QCheckBox>
-#include <QLabel>
+#include <QComboBox>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "Words.h"
 #include "pellucida/core/Resources.h"
-#include "widgets/Choice.h"
 #include "widgets/ParameterSlider.h"
 
 namespace pellucida {
@@ -21,46 +19,30 @@ constexpr std::pair<const char*, const char*> kIntegratorNames[] = {
 }  // namespace
 
 ParameterPanel::ParameterPanel(std::function<void(const TeachingParameters&)> changed, QWidget* parent)
-    : QWidget(parent), changed_(std::move(changed)) {
-  setObjectName("page");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(14, 12, 14, 12);
-  column->setSpacing(9);
+    : SidePage(parent), changed_(std::move(changed)) {
   profile_ = add_choice(words("Cell"), "profileChoice", words("A profile's geometry and constants"));
   for (const auto& name : list_resources("profiles", ".json")) profile_->addItem(QString::fromStdString(name));
   integrator_ = add_choice(words("Integrator"), "integratorChoice", words("How eq. (2) is stepped through time"));
   for (const auto& [text, name] : kIntegratorNames) integrator_->addItem(words(text), QString(name));
+  volume_ = new QCheckBox(words("Liquid keeps its volume"), this);
+  volume_->setToolTip(words("Without it the liquid leaves freely, and there is no pressure"));
+  add(volume_);
   for (int k = 0; k < kTeachSliderCount; ++k) {
     const auto which = static_cast<TeachSlider>(k);
     sliders_.push_back(new ParameterSlider(
-        which,
+        ParameterScale(which),
         [this, which](double value) {
           ParameterScale(which).set(parameters_, value);
           changed_(parameters_);
         },
         this));
-    column->addWidget(sliders_.back());
+    add(sliders_.back());
   }
-  volume_ = new QCheckBox(words("Liquid keeps its volume"), this);
-  volume_->setToolTip(words("Without it the liquid leaves freely, and there is no pressure"));
-  column->insertWidget(4, volume_);
-  column->addStretch(1);
+  end();
 
   connect(profile_, qOverload<int>(&QComboBox::activated), this, [this] { change(); });
   connect(integrator_, qOverload<int>(&QComboBox::activated), this, [this] { change(); });
   connect(volume_, &QCheckBox::toggled, this, [this] { change(); });
-}
-
-QComboBox* ParameterPanel::add_choice(const QString& name, const char* object_name, const QString& tip) {
-  auto* label = new QLabel(name, this);
-  label->setObjectName("parameterName");
-  auto* choice = new Choice(this);
-  choice->setObjectName(object_name);
-  choice->setToolTip(tip);
-  choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  layout()->addWidget(label);
-  layout()->addWidget(choice);
-  return choice;
 }
 
 void ParameterPanel::change() {

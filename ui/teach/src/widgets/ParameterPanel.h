@@ -1,9 +1,9 @@
 #pragma once
-#include <QWidget>
 #include <functional>
 #include <vector>
 
 #include "presenters/ParameterScale.h"
+#include "widgets/SidePage.h"
 
 class QCheckBox;
 class QComboBox;
@@ -13,7 +13,7 @@ namespace pellucida {
 class ParameterSlider;
 
 /// The parameters of a poked cell: which cell, which integrator, sliders, volume.
-class ParameterPanel : public QWidget {
+class ParameterPanel : public SidePage {
  public:
   /// `changed` is called with all parameters when a person changes one.
   ParameterPanel(std::function<void(const TeachingParameters&)> changed, QWidget* parent);
@@ -26,7 +26,6 @@ class ParameterPanel : public QWidget {
   ParameterSlider& slider(TeachSlider which) { return *sliders_[static_cast<std::size_t>(which)]; }
 
  private:
-  QComboBox* add_choice(const QString& name, const char* object_name, const QString& tip);
   void change();
 
   std::function<void(const TeachingParameters&)> changed_;

@@ -59,14 +59,14 @@ class StableStrip final : public QWidget {
   double to_ = 1.0;
 };
 
-ParameterSlider::ParameterSlider(TeachSlider which, std::function<void(double)> changed, QWidget* parent)
-    : QWidget(parent), scale_(which), changed_(std::move(changed)) {
-  setToolTip(words(scale_.tip()));
+ParameterSlider::ParameterSlider(const NumberScale& scale, std::function<void(double)> changed, QWidget* parent)
+    : QWidget(parent), scale_(scale), changed_(std::move(changed)) {
+  setToolTip(words(scale_.tip));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(3);
   auto* head = new QHBoxLayout;
-  auto* name = new QLabel(words(scale_.name()), this);
+  auto* name = new QLabel(words(scale_.name), this);
   name->setObjectName("parameterName");
   head->addWidget(name);
   head->addStretch(1);
@@ -77,9 +77,11 @@ ParameterSlider::ParameterSlider(TeachSlider which, std::function<void(double)> 
 
   slider_ = new QuietSlider(Qt::Horizontal, this);
   slider_->setRange(0, kPlaces);
-  slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kPlaces * scale_.key_step()))));
+  slider_->setSingleStep(std::max(1, static_cast<int>(std::lround(kPlaces * scale_.key_step))));
   slider_->setPageStep(10 * slider_->singleStep());
   slider_->setFocusPolicy(Qt::StrongFocus);
+  slider_->setAccessibleName(name->text());
+  name->setBuddy(slider_);
   column->addWidget(slider_);
   column->addWidget(strip_ = new StableStrip(this));
   note_ = new QLabel(this);
@@ -89,7 +91,7 @@ ParameterSlider::ParameterSlider(TeachSlider which, std::function<void(double)> 
   note_->hide();
   connect(slider_, &QSlider::valueChanged, this, [this](int place) {
     const double value = scale_.value_at(static_cast<double>(place) / kPlaces);
-    value_->setText(QString::fromStdString(scale_.text_of(value)));
+    show_text(value);
     changed_(value);
   });
 }
@@ -98,7 +100,14 @@ void ParameterSlider::show_value(double value) {
   if (slider_->isSliderDown()) return;
   const QSignalBlocker quiet(slider_);
   slider_->setValue(static_cast<int>(std::lround(kPlaces * scale_.place_of(value))));
-  value_->setText(QString::fromStdString(scale_.text_of(value)));
+  show_text(value);
+}
+
+// The value is also what a screen reader says of the slider.
+void ParameterSlider::show_text(double value) {
+  const QString text = QString::fromStdString(scale_.text(value));
+  value_->setText(text);
+  slider_->setAccessibleDescription(text);
 }
 
 void ParameterSlider::show_stable_part(const StablePart& part) {

@@ -33,6 +33,8 @@ class CellRunner {
   void set_parameters(const TeachingParameters& parameters);
   void set_hand(double along_um, double across_um);
   void restart();
+  /// While it is paused the cell's time stands still; orders act all the same.
+  void set_paused(bool paused);
   /// The node whose forces the snapshots explain; nothing for none.
   void explain(std::optional<int> node);
 
@@ -54,8 +56,9 @@ class CellRunner {
     std::optional<TeachingParameters> parameters;
     std::optional<Hand> hand;
     bool restart = false;
+    std::optional<bool> paused;
     std::optional<std::optional<int>> node;
-    bool any() const { return parameters || hand || restart || node; }
+    bool any() const { return parameters || hand || restart || paused || node; }
   };
   /// Work done since the rates were last worked out.
   struct Rates {
@@ -79,6 +82,7 @@ class CellRunner {
   Ring<CurvePoint> curve_;
   double curve_time_s_ = 0.0;  // of its newest point
   std::optional<int> node_;
+  bool paused_ = false;
   std::uint64_t run_ = 0;
   double owed_s_ = 0.0;  // simulated time behind the clock
   double worked_until_s_ = 0.0;

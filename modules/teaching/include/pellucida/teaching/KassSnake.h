@@ -34,7 +34,7 @@ struct SnakeEnergy {
   double stretching = 0.0;  ///< alpha / 2 sum |x_i+1 - x_i|^2
   double bending = 0.0;     ///< beta / 2 sum |x_i-1 - 2 x_i + x_i+1|^2
   double image = 0.0;       ///< sum of the field at the points
-  double balloon = 0.0;     ///< -balloon n sqrt(area / pi): a constant push outwards on each point of a circle
+  double balloon = 0.0;     ///< -balloon n (r - r0), r = sqrt(area / pi), r0 at the start: a push on each point
 
   double internal() const noexcept { return stretching + bending; }
   double external() const noexcept { return image + balloon; }
@@ -93,6 +93,7 @@ class KassSnake {
   Eigen::LLT<Eigen::MatrixXd> solver_;
   Eigen::Matrix2Xd points_;
   SnakeState state_ = SnakeState::kMoving;
+  double start_radius_px_ = 0.0;
   int iteration_ = 0;
   double motion_px_ = 0.0;
 };

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pellucida/teaching/ReadoutComparison.h"
+#include "pellucida/teaching/SnakeSetting.h"
 #include "pellucida/teaching/TeachingParameters.h"
 
 namespace pellucida {
@@ -15,16 +17,28 @@ struct LessonAnswer {
   std::string explanation;
 };
 
-/// A page of a course about the poked cell, read from JSON (docs/lessons.md).
+/// What a lesson is about.
+enum class LessonPage {
+  kCell,      ///< the cell to be poked
+  kSnake,     ///< a snake on a picture
+  kReadouts,  ///< a contour read in two ways
+};
+/// Throws UsageError that lists the names.
+LessonPage lesson_page(const std::string& name);
+
+/// A page of a course, read from JSON (docs/lessons.md).
 struct Lesson {
   std::string name;  ///< of the file, without its ending
   int order = 0;     ///< in the list
   std::string title;
   std::string scenario;              ///< of the virtual microscope, to see the same in; empty: none
+  std::string page = "cell";         ///< see `lesson_page`
   std::vector<std::string> text;     ///< paragraphs
   TeachingParameters setting;        ///< of the parameters when the lesson begins
   double hand_depth_um = -10.0;      ///< where the hand is then
   bool explains_tip = false;         ///< the forces on the node under the needle are shown
+  SnakeSetting snake;                ///< on page kSnake
+  ReadoutParameters readouts;        ///< on page kReadouts
   std::vector<std::string> to_do;    ///< steps
   std::vector<std::string> observe;  ///< what to look for
   std::string question;

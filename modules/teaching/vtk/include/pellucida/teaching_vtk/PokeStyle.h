@@ -17,6 +17,8 @@ class PokeStyle : public vtkInteractorStyleTrackballCamera {
 
   /// Called while the left button drags, with the way since the last call.
   std::function<void(int dx_px, int dy_px)> dragged;
+  /// Nothing is there to be dragged: the left button turns the scene as well.
+  bool turns_with_left = false;
   /// Called when the left button comes up where it went down.
   std::function<void(int x_px, int y_px)> clicked;
 

@@ -40,6 +40,8 @@ class PokedCellView : public View {
     double field_uN = 0.0;
   };
   void set_scales(const std::optional<Scales>& scales);
+  /// Which of them are drawn; default: both, as far as they have a meaning.
+  void show_scales(bool pull, bool field);
   /// What the scales would have to hold for this snapshot: all but the few connectors at the tip, and every arrow.
   static Scales scales_for(const CellSnapshot& snapshot);
   /// What the mouse does, at the bottom; the default is said for a cell to be poked.
@@ -79,6 +81,8 @@ class PokedCellView : public View {
   bool springs_shown_ = true;
   bool surface_shown_ = true;
   bool head_to_tail_ = false;
+  bool pull_scale_shown_ = true;
+  bool field_scale_shown_ = true;
 };
 
 }  // namespace pellucida

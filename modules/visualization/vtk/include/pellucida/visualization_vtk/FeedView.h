@@ -54,6 +54,9 @@ class FeedView : public View {
   /// Default: kCell.
   void set_framing(FeedFraming framing);
 
+  /// Frames this place in place of the cell that is found, until a picture of another size comes.
+  void frame_place(const Eigen::Vector2d& middle_um, double radius_um);
+
   void set_image_look(const ImageLook& look);
   const ImageLook& image_look() const noexcept { return image_look_; }
   void show_contours(bool shown);
@@ -112,6 +115,7 @@ class FeedView : public View {
   FeedFraming framing_ = FeedFraming::kCell;
   double cell_um_[2] = {0.0, 0.0};  // middle of the framed cell
   double cell_radius_um_ = 0.0;     // 0 before one was found
+  bool cell_given_ = false;         // by `frame_place`
   ImageLook image_look_;
   double window_low_ = 0.0;
   double window_high_ = 0.0;

@@ -31,6 +31,8 @@ class MembraneView : public View {
   /// Frames cell and tool tips, seen from the front and above.
   void reset_camera();
 
+  /// What is shown.
+  const Scene& scene() const { return source_->GetScene(); }
   /// The needle's force as it is written beside the bold arrow; empty where the arrow isn't drawn.
   const std::string& contact_label() const noexcept { return contact_label_; }
 
