@@ -54,10 +54,6 @@ und </translation>
         <translation> %). Die Formel hält die Zona für eine ebene, eingespannte Membran: Dutzende Prozent sind üblich.</translation>
     </message>
     <message>
-        <source> (6: on and off, 7: the next force)</source>
-        <translation> (6: ein und aus, 7: die nächste Kraft)</translation>
-    </message>
-    <message>
         <source> (Esc: no more)</source>
         <translation> (Esc: beenden)</translation>
     </message>
@@ -2048,12 +2044,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Nadel oder Kreis um 1 µm nach links</translation>
     </message>
     <message>
-        <source>Needle on membrane (µN)</source>
-        <translation>Nadel auf Membran (µN)</translation>
-    </message>
-    <message>
-        <source>Needle up by 1 µm</source>
-        <translation>Nadel 1 µm aufwärts</translation>
         <source>Needle or circle to the right by 1 µm</source>
         <translation>Nadel oder Kreis um 1 µm nach rechts</translation>
     </message>
@@ -3440,8 +3430,6 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Was die Pipette bewegt</translation>
     </message>
     <message>
-        <source>What the colour of the outer membrane shows (8: the next)</source>
-        <translation>Was die Farbe der äußeren Membran zeigt (8: die nächste)</translation>
         <source>What the colour of the outer membrane shows; key 8 shows the next quantity</source>
         <translation>Was die Farbe der äußeren Membran zeigt; Taste 8 zeigt die nächste Größe</translation>
     </message>

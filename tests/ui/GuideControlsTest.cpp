@@ -274,6 +274,22 @@ TEST_F(GuideControlsTest, TheRecordingsFolderIsChosenBesideTheRunAndKept) {
   EXPECT_EQ(later->findChild<QLabel*>("recordingsFolder")->toolTip(), folder);
 }
 
+TEST_F(GuideControlsTest, ADiskThatRefusesIsSaidLargeWithItsRemedyUntilItIsClosed) {
+  open();
+  test::put(home_ / "Pellucida", "no folder");
+  named<QPushButton>("record")->click();
+  ASSERT_TRUE(is_shown("problemStrip"));
+  const std::string text = named<QWidget>("problemStrip")->accessibleName().toStdString();
+  EXPECT_NE(text.find("can't be"), std::string::npos) << text;
+  EXPECT_NE(text.find("Cells (E)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("--"), std::string::npos) << "no option of a command line: " << text;
+  EXPECT_FALSE(run_->status().recording);
+  pass(300);
+  keep_picture(*window_, "guide-problem");
+  named<QWidget>("problemStrip")->findChild<QPushButton*>()->click();
+  EXPECT_FALSE(is_shown("problemStrip"));
+}
+
 TEST_F(GuideControlsTest, TheTruthStandsBesideTheForceOnDemand) {
   open();
   wait_for_plan();
