@@ -610,6 +610,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Pfeile aneinandergereiht</translation>
     </message>
     <message>
+        <source>Arrows on and off</source>
+        <translation>Pfeile ein und aus</translation>
+    </message>
+    <message>
+        <source>Arrows show the next force</source>
+        <translation>Pfeile zeigen die nächste Kraft</translation>
+    </message>
+    <message>
         <source>Arrows ▾</source>
         <translation>Pfeile ▾</translation>
     </message>
@@ -3108,6 +3116,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The needle pushes this cell, and another instrument gives the force (or leave it 0 and give the stiffness, the rise of the force with depth).</source>
         <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
+    </message>
+    <message>
+        <source>The next colouring of the surface</source>
+        <translation>Nächste Färbung der Oberfläche</translation>
     </message>
     <message>
         <source>The next recording goes into </source>

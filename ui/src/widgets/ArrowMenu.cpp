@@ -88,7 +88,7 @@ void ArrowMenu::add_kinds(QGridLayout* grid) {
     show_kind();
     changed_();
   });
-  auto* next = new QAction(this);
+  auto* next = new QAction(words("Arrows show the next force"), this);
   next->setObjectName("nextNodeForce");
   next->setText(words("Arrows: the next force"));
   next->setShortcut(Qt::Key_7);
@@ -118,7 +118,7 @@ void ArrowMenu::add_looks(QGridLayout* grid) {
     return box;
   };
   auto* shown = add_check("arrows_shown", words("Show node forces"), true, [this](bool on) { view_.show_arrows(on); });
-  auto* toggle = new QAction(this);
+  auto* toggle = new QAction(words("Arrows on and off"), this);
   toggle->setObjectName("showArrows");
   toggle->setText(words("Show or hide the arrows"));
   toggle->setShortcut(Qt::Key_6);
