@@ -990,6 +990,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kontrast</translation>
     </message>
     <message>
+        <source>Controls and forces</source>
+        <translation>Bedienung und Kräfte</translation>
+    </message>
+    <message>
         <source>Ctrl+click</source>
         <translation>Strg+Klick</translation>
     </message>
@@ -3072,6 +3076,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The last puncture: largest force before it, depth and work of the needle up to it. Stays until the next cell.</source>
         <translation>Der letzte Durchstich: größte Kraft davor, Tiefe und Arbeit der Nadel bis dahin. Bleibt bis zur nächsten Zelle.</translation>
+    </message>
+    <message>
+        <source>The lesson's page</source>
+        <translation>Die Seite der Lektion</translation>
     </message>
     <message>
         <source>The lesson's parameters, and the cell at rest</source>
