@@ -25,6 +25,7 @@
 #include "review/TouchSession.h"
 #include "support/Files.h"
 #include "ui/DisplayTest.h"
+#include "ui/TabStops.h"
 #include "ui/XInput.h"
 #include "widgets/RulerCanvas.h"
 
@@ -364,6 +365,15 @@ TEST_F(StartWindowTest, APixelIsMeasuredOnTheImage) {
   QKeyEvent right(QEvent::KeyPress, Qt::Key_Right, Qt::ShiftModifier);
   QApplication::sendEvent(&canvas, &right);
   EXPECT_DOUBLE_EQ(canvas.line().length_px(), before.length_px() + 10.0);
+}
+
+TEST_F(StartWindowTest, TabComesToEveryControlAndEachHasAName) {
+  open();
+  const auto stops = test::tab_stops(*window_);
+  ASSERT_GT(stops.size(), 8u);
+  for (QWidget* missed : test::controls_without_stop(*window_, stops))
+    ADD_FAILURE() << "Tab passes by " << test::widget_text(*missed);
+  for (QWidget* stop : stops) EXPECT_NE(test::spoken_name(*stop), "") << test::widget_text(*stop);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ constexpr Field<SnakeSetting> kSnakeSetting[] = {
     {"start_x_um", "um", &SnakeSetting::start_x_um, {0, 100000}, "middle of the circle that the snake begins on"},
     {"start_y_um", "um", &SnakeSetting::start_y_um, {0, 100000}, "the same, downwards"},
     {"start_radius_um", "um", &SnakeSetting::start_radius_um, {2, 10000}, "its radius"},
+    {"runs", "", &SnakeSetting::runs, {}, "true: it runs from the beginning, without a key"},
 };
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -74,6 +73,7 @@ QWidget* CellPage::make_stage() {
 QWidget* CellPage::make_cell() {
   cell_widget_ = new ViewWidget(cell_view_, 0, nullptr);
   cell_widget_->setObjectName("cell");
+  cell_widget_->setAccessibleName(words("Cell"));
   vtkNew<PokeStyle> style;
   style->dragged = [this](int dx_px, int dy_px) {
     const Eigen::Vector2d way_um = cell_view_.hand_motion_um(dx_px, dy_px);
@@ -113,15 +113,13 @@ QWidget* CellPage::make_cell() {
 QWidget* CellPage::make_chart() {
   constexpr int kSamples = 4;
   chart_widget_ = new ViewWidget(chart_, kSamples, nullptr);
+  chart_widget_->setAccessibleName(words("Force over depth"));
   chart_.set_reference(words("quasi-static"), {}, {});
   return new pellucida::Panel(words("Force over depth"), chart_widget_, nullptr);
 }
 
 QWidget* CellPage::make_side() {
-  side_ = new QTabWidget;
-  side_->setDocumentMode(true);
-  side_->tabBar()->setDrawBase(false);
-  side_->setUsesScrollButtons(false);
+  side_ = make_side_tabs();
   parameter_panel_ = new ParameterPanel([this](const TeachingParameters& p) { change(p); }, nullptr);
   side_->addTab(scrolled(parameter_panel_), words("Parameters"));
   force_table_ = new NodeForceTable(nullptr);

@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QSplitter>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <algorithm>
@@ -69,6 +68,7 @@ QWidget* ReadoutPage::make_figures() {
 Panel* ReadoutPage::make_view(std::size_t which, const QString& title) {
   auto* widget = widgets_[which] = new ViewWidget(views_[which], 0, nullptr);
   widget->setObjectName(which == 0 ? "equilibriumView" : "prescribedView");
+  widget->setAccessibleName(title);
   views_[which].set_hints({say("Click: forces on a node"), say("Drag: turn")});
   vtkNew<PokeStyle> style;
   style->turns_with_left = true;
@@ -91,14 +91,12 @@ QWidget* ReadoutPage::make_stage() {
       &QToolButton::clicked, right, [this] { reset_view(); });
   constexpr int kSamples = 4;
   widgets_[2] = new ViewWidget(chart_, kSamples, nullptr);
+  widgets_[2]->setAccessibleName(words("Force over depth"));
   return view_over_chart(both, new pellucida::Panel(words("Force over depth"), widgets_[2], nullptr));
 }
 
 QWidget* ReadoutPage::make_side() {
-  side_ = new QTabWidget;
-  side_->setDocumentMode(true);
-  side_->tabBar()->setDrawBase(false);
-  side_->setUsesScrollButtons(false);
+  side_ = make_side_tabs();
   auto* page = new SidePage(nullptr);
   contour_ = page->add_choice(words("Whose contour"), "contourChoice", words("What the image shows"));
   for (const auto& [text, name] : kContours) contour_->addItem(words(text), QString(name));

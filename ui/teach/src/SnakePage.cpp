@@ -65,6 +65,7 @@ QWidget* SnakePage::make_figures() {
 QWidget* SnakePage::make_stage() {
   view_widget_ = new ViewWidget(view_, 0, nullptr);
   view_widget_->setObjectName("snake");
+  view_widget_->setAccessibleName(words("Snake"));
   vtkNew<OutlineStyle> style;
   style->pressed = [this](int x_px, int y_px) { press(x_px, y_px); };
   style->dragged = [this](int x_px, int y_px) { drag(x_px, y_px); };
@@ -86,6 +87,7 @@ QWidget* SnakePage::make_stage() {
 
   constexpr int kSamples = 4;
   chart_widget_ = new ViewWidget(chart_, kSamples, nullptr);
+  chart_widget_->setAccessibleName(words("Energy over steps"));
   return view_over_chart(panel, new pellucida::Panel(words("Energy over steps"), chart_widget_, nullptr));
 }
 
@@ -233,6 +235,7 @@ void SnakePage::take_picture() {
   slider(SnakeSlider::kMoment).set_scale(moment);
   slider(SnakeSlider::kMoment).show_value(setting_.time_s);
   if (energies_.empty() || other_source || snake_.iteration() == 0) restart();
+  if (setting_.runs && snake_.iteration() == 0) run(true);
   reset_view();
 }
 

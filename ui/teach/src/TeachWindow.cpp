@@ -98,6 +98,7 @@ void TeachWindow::build(LessonChoice& lessons) {
   all->addWidget(new pellucida::Panel(words("Lessons"), lesson_panel_, nullptr));
   all->addWidget(build_stage());
   all->addWidget(side_ = new QStackedWidget);
+  side_->setObjectName("sideStack");
   for (TeachPage* page : pages_) {
     figures_->addWidget(page->make_figures());
     stage_->addWidget(page->make_stage());

@@ -32,6 +32,7 @@ LessonPanel::LessonPanel(std::vector<Lesson> lessons, std::function<void(const L
   column->setSpacing(1);
   list_ = new QListWidget(this);
   list_->setObjectName("lessons");
+  list_->setAccessibleName(words("Lessons"));
   list_->setFocusPolicy(Qt::TabFocus);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -42,6 +43,7 @@ LessonPanel::LessonPanel(std::vector<Lesson> lessons, std::function<void(const L
   column->addWidget(list_);
   scroll_ = new QScrollArea(this);
   scroll_->setWidgetResizable(true);
+  scroll_->setAccessibleName(words("The lesson's page"));
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
   connect(list_, &QListWidget::currentRowChanged, this, [this](int row) { open(row); });
@@ -122,6 +124,7 @@ void LessonPanel::build_page(const Lesson& lesson) {
     auto* button = new QRadioButton;
     button->setObjectName(QString("answer%1").arg(k));
     button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(QString::fromStdString(lesson.answers[k].text));
     auto* text = new QLabel(html_of(lesson.answers[k].text));
     text->setObjectName("lessonText");
     text->setWordWrap(true);
@@ -136,6 +139,7 @@ void LessonPanel::build_page(const Lesson& lesson) {
   auto* again = new QPushButton(words("Set up again"));
   again->setFixedHeight(30);
   again->setToolTip(words("The lesson's parameters, and the cell at rest"));
+  again->setFocusPolicy(Qt::TabFocus);
   page_->addWidget(again);
   connect(again, &QPushButton::clicked, this, [this] { opened_(lessons_[static_cast<std::size_t>(current_)]); });
   page_->addStretch(1);

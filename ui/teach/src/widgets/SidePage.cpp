@@ -3,8 +3,11 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "Words.h"
 #include "widgets/Choice.h"
 
 namespace pellucida {
@@ -51,6 +54,15 @@ QWidget* scrolled(QWidget* page) {
   // The page's controls are reached by Tab, not the frame round them.
   scroll->setFocusPolicy(Qt::NoFocus);
   return scroll;
+}
+
+QTabWidget* make_side_tabs() {
+  auto* tabs = new QTabWidget;
+  tabs->setDocumentMode(true);
+  tabs->tabBar()->setDrawBase(false);
+  tabs->tabBar()->setAccessibleName(words("Controls and forces"));
+  tabs->setUsesScrollButtons(false);
+  return tabs;
 }
 
 QWidget* view_over_chart(QWidget* view, QWidget* chart) {

@@ -2,6 +2,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QTabWidget;
 class QVBoxLayout;
 
 namespace pellucida {
@@ -25,6 +26,9 @@ class SidePage : public QWidget {
 
 /// A page that scrolls where it is higher than its place.
 QWidget* scrolled(QWidget* page);
+
+/// Tabs for such pages.
+QTabWidget* make_side_tabs();
 
 /// A view with a chart below it, to be divided as one likes.
 QWidget* view_over_chart(QWidget* view, QWidget* chart);

@@ -12,6 +12,7 @@ struct SnakeSetting {
   double start_x_um = 264.0;
   double start_y_um = 200.0;
   double start_radius_um = 33.0;  ///< of the circle that the snake begins on
+  bool runs = false;              ///< from the beginning, without a key
   SnakeParameters parameters;
 };
 
