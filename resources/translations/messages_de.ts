@@ -236,10 +236,6 @@
         <translation>%1: %2; verwenden Sie die Version von Pellucida, die das geschrieben hat, oder eine neuere</translation>
     </message>
     <message>
-        <source>%1: '%2' sets no key; write KEY=VALUE, such as cell.stiffness_ratio=2</source>
-        <translation>%1: „%2“ setzt keinen Schlüssel; SCHLÜSSEL=WERT schreiben, etwa cell.stiffness_ratio=2</translation>
-    </message>
-    <message>
         <source>%1: 16 bit pixels of a rare layout; convert it to plain 16 bit grey</source>
         <translation>%1: 16-Bit-Pixel in seltener Anordnung; wandeln Sie das Bild in einfaches 16-Bit-Grau um</translation>
     </message>
@@ -566,6 +562,10 @@
     <message>
         <source>%1close the program that uses it</source>
         <translation>%1schließen Sie das Programm, das sie benutzt</translation>
+    </message>
+    <message>
+        <source>'%1' sets no key; write KEY=VALUE, such as cell.stiffness_ratio=2</source>
+        <translation>„%1“ setzt keinen Schlüssel; SCHLÜSSEL=WERT schreiben, etwa cell.stiffness_ratio=2</translation>
     </message>
     <message>
         <source>, about %1 of %2 are missing</source>

@@ -610,6 +610,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Pfeile aneinandergereiht</translation>
     </message>
     <message>
+        <source>Arrows on and off</source>
+        <translation>Pfeile ein und aus</translation>
+    </message>
+    <message>
+        <source>Arrows show the next force</source>
+        <translation>Pfeile zeigen die nächste Kraft</translation>
+    </message>
+    <message>
         <source>Arrows ▾</source>
         <translation>Pfeile ▾</translation>
     </message>
@@ -980,6 +988,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Contrast</source>
         <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Controls and forces</source>
+        <translation>Bedienung und Kräfte</translation>
     </message>
     <message>
         <source>Ctrl+click</source>
@@ -3066,6 +3078,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Der letzte Durchstich: größte Kraft davor, Tiefe und Arbeit der Nadel bis dahin. Bleibt bis zur nächsten Zelle.</translation>
     </message>
     <message>
+        <source>The lesson's page</source>
+        <translation>Die Seite der Lektion</translation>
+    </message>
+    <message>
         <source>The lesson's parameters, and the cell at rest</source>
         <translation>Die Parameter der Lektion, und die Zelle in Ruhe</translation>
     </message>
@@ -3108,6 +3124,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>The needle pushes this cell, and another instrument gives the force (or leave it 0 and give the stiffness, the rise of the force with depth).</source>
         <translation>Die Nadel drückt diese Zelle, und ein anderes Instrument gibt die Kraft (oder lassen Sie sie 0 und geben Sie die Steifigkeit an, den Anstieg der Kraft mit der Tiefe).</translation>
+    </message>
+    <message>
+        <source>The next colouring of the surface</source>
+        <translation>Nächste Färbung der Oberfläche</translation>
     </message>
     <message>
         <source>The next recording goes into </source>

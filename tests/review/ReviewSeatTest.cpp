@@ -224,6 +224,9 @@ TEST_F(ReviewSeat, SeveralSessionsDroppedAreTheirCells) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(QString::fromStdString((*own_ / "a").string())),
                 QUrl::fromLocalFile(QString::fromStdString((*own_ / "b").string()))});
+  QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(window_.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(200.0, 200.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &drop);
   ASSERT_TRUE(window_->cells());

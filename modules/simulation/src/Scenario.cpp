@@ -1,6 +1,5 @@
 #include "pellucida/simulation/Scenario.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -22,30 +21,6 @@ Scenario scenario_from(const nlohmann::ordered_json& json, std::string_view name
   if (const auto fault = read_fields(json, fields_of(scenario))) throw UsageError(named(name) + ": " + *fault);
   validate(scenario);
   return scenario;
-}
-
-// "cell.stiffness_ratio=2,seed=3" into the file's keys.
-void replace_keys(nlohmann::ordered_json& json, std::string_view settings, std::string_view name) {
-  while (!settings.empty()) {
-    const std::string_view setting = settings.substr(0, settings.find(','));
-    settings.remove_prefix(std::min(settings.size(), setting.size() + 1));
-    const auto equals = setting.find('=');
-    if (equals == std::string_view::npos || equals == 0) {
-      throw UsageError(named(name) + ": '" + std::string(setting) + "' sets no key; write KEY=VALUE, such as " +
-                       "cell.stiffness_ratio=2");
-    }
-    const std::string_view key = setting.substr(0, equals), text = setting.substr(equals + 1);
-    auto value = nlohmann::ordered_json::parse(text, nullptr, false);
-    if (value.is_discarded() || value.is_structured()) value = std::string(text);
-    const auto dot = key.find('.');
-    if (dot == std::string_view::npos) {
-      json[std::string(key)] = std::move(value);
-    } else {
-      auto& group = json[std::string(key.substr(0, dot))];
-      if (!group.is_null() && !group.is_object()) group = nlohmann::ordered_json::object();
-      group[std::string(key.substr(dot + 1))] = std::move(value);
-    }
-  }
 }
 
 }  // namespace
@@ -71,7 +46,10 @@ Scenario load_scenario(std::string_view name_or_file) {
   std::error_code ignored;
   const auto comma = std::filesystem::exists(name_or_file, ignored) ? std::string_view::npos : name_or_file.find(',');
   auto json = read_json_object(find_resource("scenarios", name_or_file.substr(0, comma), ".json"));
-  if (comma != std::string_view::npos) replace_keys(json, name_or_file.substr(comma + 1), name_or_file);
+  if (comma != std::string_view::npos) {
+    if (const auto fault = replace_keys(json, name_or_file.substr(comma + 1)))
+      throw UsageError(named(name_or_file) + ": " + *fault);
+  }
   return scenario_from(json, name_or_file);
 }
 

@@ -277,7 +277,10 @@ void GuideWindow::show_scene() {
   if (scenes_.measured()) cells_->take(*scenes_.measured(), scenes_.new_rows());
   show_gauges();
   feed_.refresh();
-  membranes_.set_plan(feed_.plan());
+  // Handles are the image's alone.
+  auto plan = feed_.plan();
+  if (plan) plan->has_handles = false;
+  membranes_.set_plan(plan);
   if (membrane_panel_->isVisible()) membranes_.refresh();
   charts_->append(scenes_.new_rows());
   feed_panel_->view().render();

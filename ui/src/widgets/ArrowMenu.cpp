@@ -50,7 +50,7 @@ ArrowMenu::ArrowMenu(MembraneView& view, std::function<void()> changed, QWidget*
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(10, 8, 10, 8);
   grid->setHorizontalSpacing(14);
-  grid->setVerticalSpacing(8);
+  grid->setVerticalSpacing(5);
   add_kinds(grid);
   add_looks(grid);
   show_kind();
@@ -76,7 +76,7 @@ void ArrowMenu::add_kinds(QGridLayout* grid) {
     auto* sentence = new QLabel(QString::fromStdString(node_force_explanation(kind)));
     sentence->setProperty("figureNote", true);
     sentence->setWordWrap(true);
-    sentence->setContentsMargins(21, 0, 0, 2);
+    sentence->setContentsMargins(21, 0, 0, 4);
     sentence->setFixedWidth(kSentence_px);
     const int row = grid->rowCount();
     grid->addWidget(button, row, 0, 1, 3);
@@ -88,7 +88,7 @@ void ArrowMenu::add_kinds(QGridLayout* grid) {
     show_kind();
     changed_();
   });
-  auto* next = new QAction(this);
+  auto* next = new QAction(words("Arrows show the next force"), this);
   next->setObjectName("nextNodeForce");
   next->setText(words("Arrows: the next force"));
   next->setShortcut(Qt::Key_7);
@@ -118,7 +118,7 @@ void ArrowMenu::add_looks(QGridLayout* grid) {
     return box;
   };
   auto* shown = add_check("arrows_shown", words("Show node forces"), true, [this](bool on) { view_.show_arrows(on); });
-  auto* toggle = new QAction(this);
+  auto* toggle = new QAction(words("Arrows on and off"), this);
   toggle->setObjectName("showArrows");
   toggle->setText(words("Show or hide the arrows"));
   toggle->setShortcut(Qt::Key_6);

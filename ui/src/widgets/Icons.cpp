@@ -142,7 +142,17 @@ void draw(QPainter& painter, Pictogram pictogram) {
       painter.drawRect(QRectF(9, 2.5, 5.5, 11));
       break;
     case Pictogram::kHome:
-      painter.drawPolygon(QPolygonF({{8, 1.5}, {15, 8}, {13, 8}, {13, 14}, {9.6, 14}, {9.6, 9.8}, {6.4, 9.8}, {6.4, 14}, {3, 14}, {3, 8}, {1, 8}}));
+      painter.drawPolygon(QPolygonF({{8, 1.5},
+                                     {15, 8},
+                                     {13, 8},
+                                     {13, 14},
+                                     {9.6, 14},
+                                     {9.6, 9.8},
+                                     {6.4, 9.8},
+                                     {6.4, 14},
+                                     {3, 14},
+                                     {3, 8},
+                                     {1, 8}}));
       break;
     case Pictogram::kNote:
       painter.drawRect(QRectF(3, 3, 10, 1.6));

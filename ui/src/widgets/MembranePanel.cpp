@@ -64,7 +64,7 @@ void MembranePanel::add_surface_menu(MembraneView& membranes, bool has_model) {
     });
   }
   show(membranes.coloring());
-  auto* next = new QAction(this);
+  auto* next = new QAction(words("The next colouring of the surface"), this);
   next->setObjectName("nextColoring");
   next->setText(words("Surface: the next quantity"));
   next->setShortcut(Qt::Key_8);

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QKeySequence>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 
 #include "widgets/BlockLabel.h"
@@ -13,6 +14,24 @@
 #include "widgets/StartButton.h"
 
 namespace pellucida {
+namespace {
+
+// Its middle is left out where there is no room for all of it.
+class ElidedName : public QLabel {
+ public:
+  using QLabel::QLabel;
+  QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(contentsRect(), static_cast<int>(Qt::AlignRight | Qt::AlignVCenter),
+                     fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width()));
+  }
+};
+
+}  // namespace
 
 TitleBar::TitleBar(QWidget* parent) : QWidget(parent) {
   setObjectName("topBar");
@@ -59,9 +78,9 @@ void TitleBar::add_look_menu(const QKeySequence& light_key) {
 void TitleBar::add_name(const QString& name, const QString& tip, bool shows_blocks) {
   row_->addStretch(1);
   if (shows_blocks) row_->addWidget(new BlockLabel(this));
-  auto* label = new QLabel(name, this);
+  auto* label = new ElidedName(name, this);
   label->setObjectName("sourceName");
-  label->setToolTip(tip);
+  label->setToolTip(tip.isEmpty() || tip == name ? name : name + "\n" + tip);
   row_->addWidget(label);
 }
 

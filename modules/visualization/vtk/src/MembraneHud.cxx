@@ -54,9 +54,12 @@ void MembraneView::draw_scales(HudCanvas& hud, double width_px, double height_px
   const double notes_y = bar_y - kNoteRow_px;
   if (arrows_shown_ && has_forces_ && has_unsure_ && !has_sure_) {
     // No colour is used: under a tool only the sum is known, which the bold arrow shows.
-    hud.text(width_px - 16.0, height_px - 26.0, node_force_legend(node_force()),
-             {.color = theme.text, .align = HudAlign::kRight});
-    draw_arrow_notes(hud, width_px - 16.0, height_px - 26.0 - kNoteRow_px);
+    // In the corner that the needle doesn't come from.
+    const Scene& scene = source_->GetScene();
+    const bool from_above = scene.observation && scene.observation->axis.y() < -0.3;
+    const double y = from_above ? 16.0 + kNoteRow_px * (1 + static_cast<int>(bars_shown_)) : height_px - 26.0;
+    hud.text(width_px - 16.0, y, node_force_legend(node_force()), {.color = theme.text, .align = HudAlign::kRight});
+    draw_arrow_notes(hud, width_px - 16.0, y - kNoteRow_px);
   } else if (arrows_shown_ && has_forces_) {
     const Scale& scale = force_scale();
     draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, bar_y, bar_height, scale.range.upper(),

@@ -269,10 +269,10 @@ std::optional<double> TipSpeed::update(const Scene& scene) {
 
 bool Gauge::operator==(const Gauge& other) const {
   const auto texts = [](const Gauge& g) {
-    return std::tie(g.key, g.name, g.value, g.note, g.limit, g.alarm, g.tip, g.level);
+    return std::tie(g.key, g.name, g.value, g.note, g.limit, g.alarm, g.truth, g.tip, g.level);
   };
   const auto shares = [](const Gauge& g) {
-    return std::array{g.share, g.from, g.to, g.inner_from, g.inner_to, g.limit_share, g.usual_share};
+    return std::array{g.share, g.from, g.to, g.inner_from, g.inner_to, g.limit_share, g.truth_share, g.usual_share};
   };
   const auto mine = shares(*this), others = shares(other);
   return texts(*this) == texts(other) && std::equal(mine.begin(), mine.end(), others.begin(), [](double a, double b) {

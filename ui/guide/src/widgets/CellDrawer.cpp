@@ -59,7 +59,7 @@ CellDrawer::CellDrawer(Actions actions, QWidget* parent) : QFrame(parent) {
                           words("When it was, since the source began")};
   for (int k = 0; k < 6; ++k) {
     list_->headerItem()->setToolTip(k, tips[k]);
-    if (k >= 2) list_->headerItem()->setTextAlignment(k, Qt::AlignRight);
+    if (k >= 2) list_->headerItem()->setTextAlignment(k, Qt::AlignRight | Qt::AlignVCenter);
   }
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);

@@ -20,6 +20,10 @@ std::optional<std::string> read_fields(const nlohmann::ordered_json& json, const
 /// Adds the fields to the object `json`, in their order, groups as objects.
 void write_fields(const FieldList& fields, nlohmann::ordered_json& json);
 
+/// Sets keys of the object `json` as a person writes them behind its name: "cell.stiffness_ratio=2,seed=3"; what is no
+/// JSON value is a text. Returns what is wrong with them.
+std::optional<std::string> replace_keys(nlohmann::ordered_json& json, std::string_view settings);
+
 /// The JSON object in a text; comments are allowed. Throws InputError where it holds none; `what` begins its text.
 nlohmann::ordered_json parse_json_object(std::string_view text, const std::string& what);
 

@@ -18,7 +18,8 @@ bool ClosingQuestion::may_close(bool recording) {
 }
 
 void ClosingQuestion::ask() {
-  if (box_) {
+  // One that was answered is deleted a moment later.
+  if (box_ && box_->isVisible()) {
     box_->raise();
     box_->activateWindow();
     return;
