@@ -52,7 +52,8 @@ GoldenDifference difference_of(vtkImageData* one, vtkImageData* other) {
       // The part that differs most: a yellow line on grey is one of blue.
       double most = 0.0;
       for (int k = 0; k < 3; ++k) most = std::max(most, off->GetScalarComponentAsDouble(x, y, 0, k) / 255.0);
-      tiles[static_cast<std::size_t>(y / GoldenDifference::kTile_px) * columns + x / GoldenDifference::kTile_px] += most;
+      tiles[static_cast<std::size_t>(y / GoldenDifference::kTile_px) * columns + x / GoldenDifference::kTile_px] +=
+          most;
     }
   }
   for (std::size_t k = 0; k < tiles.size(); ++k) {

@@ -1,5 +1,5 @@
-// The views as they looked when a person last judged them: a fixed scene at two sizes in both themes against pictures in
-// the repository. After an intended change: PELLUCIDA_WRITE_GOLDEN=1 golden_test, and look at what it wrote.
+// The views as they looked when a person last judged them: a fixed scene at two sizes in both themes against pictures
+// in the repository. After an intended change: PELLUCIDA_WRITE_GOLDEN=1 golden_test, and look at what it wrote.
 #include <gtest/gtest.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
@@ -174,9 +174,8 @@ TEST_F(MissingElement, OfTheFeed) {
 TEST_F(MissingElement, OfTheMembrane) {
   expect_seen<MembraneView>(membrane(source), "arrows", [](MembraneView& view) { view.show_arrows(false); });
   expect_seen<MembraneView>(membrane(source), "tools", [](MembraneView& view) { view.show_tools(false); });
-  expect_seen<MembraneView>(membrane(source), "colours", [](MembraneView& view) {
-    view.set_coloring(SurfaceColoring::kTension);
-  });
+  expect_seen<MembraneView>(membrane(source), "colours",
+                            [](MembraneView& view) { view.set_coloring(SurfaceColoring::kTension); });
 }
 
 TEST_F(MissingElement, OfTheCharts) {

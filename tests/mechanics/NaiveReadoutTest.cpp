@@ -8,10 +8,10 @@
 #include <map>
 #include <string>
 
-#include "pellucida/mechanics/RevolvedContour.h"
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
 #include "pellucida/mechanics/ForceCrossCheck.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 #include "pellucida/membrane/Indenter.h"
 #include "support/TestProfiles.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "pellucida/mechanics/RevolvedContour.h"
 #include "SectionContours.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 #include "pellucida/membrane/Indenter.h"
 #include "support/TestProfiles.h"
 

@@ -125,7 +125,8 @@ TEST_F(StartProgramTest, ThePageLeadsFromOneSourceToAnother) {
 TEST_F(StartProgramTest, APathOfASessionOpensReview) {
   test::write_touch(home_ / "S");
   begin({QString::fromStdString((home_ / "S" / "session.json").string())});
-  ASSERT_TRUE(pass_until([&] { return program_.state() == QProcess::NotRunning || screen_.find("Pellucida - Review of S"); }));
+  ASSERT_TRUE(
+      pass_until([&] { return program_.state() == QProcess::NotRunning || screen_.find("Pellucida - Review of S"); }));
   program_.terminate();
   ASSERT_TRUE(pass_until([&] { return program_.state() == QProcess::NotRunning; }));
 }

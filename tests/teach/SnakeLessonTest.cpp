@@ -85,8 +85,8 @@ TEST_F(SnakeLessonTest, TooStiffRoundsTheDimpleOrDoesNotReachIt) {
   const KassSnake stiffer = run(setting);
   EXPECT_EQ(stiffer.state(), SnakeState::kConverged);
   EXPECT_GT(cut_um(stiffer), 5.0);
-  EXPECT_NEAR(std::sqrt(enclosed_area_px2(stiffer.points_px()) / std::numbers::pi) * pixel_um_,
-              setting.start_radius_um, 2.0);
+  EXPECT_NEAR(std::sqrt(enclosed_area_px2(stiffer.points_px()) / std::numbers::pi) * pixel_um_, setting.start_radius_um,
+              2.0);
 }
 
 TEST_F(SnakeLessonTest, TooLongAStepLosesIt) {

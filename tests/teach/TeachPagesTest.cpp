@@ -42,8 +42,9 @@ TEST_F(TeachPagesTest, ASnakeIsSteppedRunAndPlacedByMouse) {
   EXPECT_EQ(static_cast<int>(page.chart_data().curve.size()), page.snake().iteration() + 1);
   keep_picture(*window_, "teach-snake");
   // Stiffer: it is no longer at rest where it is; from the beginning it cuts the dimple.
-  page.slider(SnakeSlider::kBeta).slider().setValue(
-      static_cast<int>(1000 * snake_scale(SnakeSlider::kBeta).place_of(300.0)));
+  page.slider(SnakeSlider::kBeta)
+      .slider()
+      .setValue(static_cast<int>(1000 * snake_scale(SnakeSlider::kBeta).place_of(300.0)));
   EXPECT_EQ(page.snake().state(), SnakeState::kMoving);
   input_.tap(test::kHomeKey);
   ASSERT_TRUE(pass_until([&] { return page.snake().iteration() == 0; }));
@@ -108,7 +109,8 @@ TEST_F(TeachPagesTest, ASnakeSeesARecordedFrame) {
   writer.close();
   page.ask_recording = [&] { return film; };
   choose_last();
-  ASSERT_TRUE(pass_until([&] { return page.picture()->fault.empty() && page.picture()->order.source == film.string(); }));
+  ASSERT_TRUE(
+      pass_until([&] { return page.picture()->fault.empty() && page.picture()->order.source == film.string(); }));
   EXPECT_NEAR(page.picture()->pixel_size_um, 0.825, 1e-9);
 }
 

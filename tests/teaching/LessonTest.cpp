@@ -219,11 +219,10 @@ TEST(Lesson, InventedMassRings) {
 // The page of the keys is printed from the tables.
 TEST(Lesson, TheDocumentationNamesEveryKey) {
   Lesson lesson;
-  EXPECT_TRUE(
-      docs_section_is("lessons.md", "## Keys",
-                      markdown(fields_of(lesson)) + "\nof `setting`:\n\n" + markdown(fields_of(lesson.setting)) +
-                          "\nof `snake`:\n\n" + markdown(fields_of(lesson.snake)) + "\nof `readouts`:\n\n" +
-                          markdown(fields_of(lesson.readouts))));
+  EXPECT_TRUE(docs_section_is(
+      "lessons.md", "## Keys",
+      markdown(fields_of(lesson)) + "\nof `setting`:\n\n" + markdown(fields_of(lesson.setting)) + "\nof `snake`:\n\n" +
+          markdown(fields_of(lesson.snake)) + "\nof `readouts`:\n\n" + markdown(fields_of(lesson.readouts))));
 }
 
 }  // namespace

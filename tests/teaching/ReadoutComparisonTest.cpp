@@ -1,5 +1,5 @@
-// One contour, two read-outs: what the equilibrium makes of it, and what prescribing every node does. The numbers of the
-// lesson "prescribed-contour".
+// One contour, two read-outs: what the equilibrium makes of it, and what prescribing every node does. The numbers of
+// the lesson "prescribed-contour".
 #include "pellucida/teaching/ReadoutComparison.h"
 
 #include <gtest/gtest.h>
@@ -39,11 +39,11 @@ TEST_F(ReadoutTest, TheEquilibriumIsTrueAndThePrescribedContourIsNot) {
     double depth_um, true_uN;
     double equal_uN, true_places_uN, nearest_uN;
   };
-  for (const Row& row : {Row{10.0, 1.05, 0.45, 0.43, 0.87}, Row{20.0, 2.02, 0.29, 0.79, 1.31},
-                         Row{44.0, 7.50, -0.22, 4.23, 5.03}}) {
-    for (const auto& [laying, force_uN] : {std::pair("equal-distances", row.equal_uN),
-                                           std::pair("true-places", row.true_places_uN),
-                                           std::pair("nearest", row.nearest_uN)}) {
+  for (const Row& row :
+       {Row{10.0, 1.05, 0.45, 0.43, 0.87}, Row{20.0, 2.02, 0.29, 0.79, 1.31}, Row{44.0, 7.50, -0.22, 4.23, 5.03}}) {
+    for (const auto& [laying, force_uN] :
+         {std::pair("equal-distances", row.equal_uN), std::pair("true-places", row.true_places_uN),
+          std::pair("nearest", row.nearest_uN)}) {
       const ReadoutPair pair = read(at(row.depth_um, laying));
       EXPECT_NEAR(pair.true_force_uN, row.true_uN, 0.01);
       EXPECT_NEAR(pair.equilibrium.force_uN / pair.true_force_uN, 1.0, 0.03) << row.depth_um;

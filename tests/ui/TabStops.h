@@ -38,7 +38,8 @@ inline std::vector<QWidget*> tab_stops(QWidget& window) {
   std::set<QWidget*> seen;
   for (int k = 0; k < 400; ++k) {
     QWidget* at = QApplication::focusWidget() ? QApplication::focusWidget() : &window;
-    QKeyEvent press(QEvent::KeyPress, Qt::Key_Tab, Qt::NoModifier), release(QEvent::KeyRelease, Qt::Key_Tab, Qt::NoModifier);
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_Tab, Qt::NoModifier),
+        release(QEvent::KeyRelease, Qt::Key_Tab, Qt::NoModifier);
     QApplication::sendEvent(at, &press);
     QApplication::sendEvent(at, &release);
     QWidget* now = QApplication::focusWidget();

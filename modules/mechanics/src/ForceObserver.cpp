@@ -14,8 +14,8 @@
 #include "ForceReport.h"
 #include "ObservationCheck.h"
 #include "PunctureVerdict.h"
-#include "pellucida/mechanics/RevolvedContour.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/mechanics/RevolvedContour.h"
 
 namespace pellucida {
 namespace {

@@ -20,7 +20,10 @@ constexpr Field<R> kReadoutParameters[] = {
     {"noise_um", "um", &R::noise_um, {0, 1}, "of each point of the contour, along its normal, standard deviation"},
     {"contour", "", &R::contour, {}, "whose contour is read: `finite-elements` or `model`, the spring network's own"},
     {"mesh_frequency", "", &R::mesh_frequency, {2, 9}, "of the spring network: 10 f^2 + 2 nodes"},
-    {"laying", "", &R::laying, {},
+    {"laying",
+     "",
+     &R::laying,
+     {},
      "where on it a node is laid: `nearest`, `equal-distances` (as the points of a snake) or `true-places`"},
     {"draw", "", &R::draw, {1, 1000000}, "number of the noise drawn"},
 };

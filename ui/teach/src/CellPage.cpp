@@ -102,11 +102,11 @@ QWidget* CellPage::make_cell() {
 
   auto* panel = new pellucida::Panel(words("Cell"), content, nullptr);
   QObject::connect(panel->add_toggle(words("Springs"), words("Connectors, coloured by their pull"), Qt::Key_1, true),
-          &QToolButton::toggled, panel, [this](bool on) { cell_view_.show_springs(on); });
-  QObject::connect(panel->add_toggle(words("Surface"), words("The membrane"), Qt::Key_2, true), &QToolButton::toggled, panel,
-          [this](bool on) { cell_view_.show_surface(on); });
-  QObject::connect(panel->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)), &QToolButton::clicked,
-          panel, [this] { cell_view_.reset_camera(); });
+                   &QToolButton::toggled, panel, [this](bool on) { cell_view_.show_springs(on); });
+  QObject::connect(panel->add_toggle(words("Surface"), words("The membrane"), Qt::Key_2, true), &QToolButton::toggled,
+                   panel, [this](bool on) { cell_view_.show_surface(on); });
+  QObject::connect(panel->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)),
+                   &QToolButton::clicked, panel, [this] { cell_view_.reset_camera(); });
   return panel;
 }
 

@@ -38,7 +38,8 @@ constexpr std::pair<const char*, const char*> kLayings[] = {
 }  // namespace
 
 ReadoutPage::ReadoutPage()
-    : stage_(step_, orders_, [this](ReadoutPairPtr pair) { pairs_.publish(std::move(pair)); }, clock_),
+    : stage_(
+          step_, orders_, [this](ReadoutPairPtr pair) { pairs_.publish(std::move(pair)); }, clock_),
       curve_stage_(
           curve_step_, curve_orders_, [this](ReadoutCurvesPtr curves) { curves_.publish(std::move(curves)); }, clock_) {
   // The scales are the same: each view has room for one.
@@ -86,9 +87,8 @@ QWidget* ReadoutPage::make_stage() {
   both->addWidget(make_view(0, words("In equilibrium")));
   auto* right = make_view(1, words("Every node prescribed"));
   both->addWidget(right);
-  QObject::connect(
-      right->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)),
-      &QToolButton::clicked, right, [this] { reset_view(); });
+  QObject::connect(right->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)),
+                   &QToolButton::clicked, right, [this] { reset_view(); });
   constexpr int kSamples = 4;
   widgets_[2] = new ViewWidget(chart_, kSamples, nullptr);
   widgets_[2]->setAccessibleName(words("Force over depth"));
@@ -112,7 +112,8 @@ QWidget* ReadoutPage::make_side() {
   }
   for (const ReadoutSlider which : {ReadoutSlider::kDepth, ReadoutSlider::kNoise, ReadoutSlider::kMesh}) {
     auto*& slider = sliders_[static_cast<std::size_t>(which)];
-    slider = new ParameterSlider(readout_scale(which), [this, which](double value) { change(which, value); }, page);
+    slider = new ParameterSlider(
+        readout_scale(which), [this, which](double value) { change(which, value); }, page);
     page->add(slider);
   }
   auto* again = new QPushButton(words("Other noise"), page);
@@ -237,7 +238,8 @@ void ReadoutPage::show_pair() {
   NiceRange pull_uN{0.001}, field_uN{0.001};
   views_[0].set_snapshot(std::make_shared<CellSnapshot>(pair_->equilibrium.shape));
   views_[1].set_snapshot(std::make_shared<CellSnapshot>(pair_->prescribed.shape));
-  for (PokedCellView& view : views_) view.set_scales({{pull_uN.update(scales.pull_uN), field_uN.update(scales.field_uN)}});
+  for (PokedCellView& view : views_)
+    view.set_scales({{pull_uN.update(scales.pull_uN), field_uN.update(scales.field_uN)}});
   chart_.set_cursor(pair_->parameters.depth_um, pair_->prescribed.force_uN, true);
   const CellSnapshot& explained = explained_ == 0 ? pair_->equilibrium.shape : pair_->prescribed.shape;
   if (explained.node_forces) force_table_->show_forces(*explained.node_forces, current_theme());

@@ -20,7 +20,7 @@
 namespace pellucida {
 namespace {
 
-constexpr double kFramed_ratio = 1.15;    // of the circle at the start, at least the lesson's cell
+constexpr double kFramed_ratio = 1.15;  // of the circle at the start, at least the lesson's cell
 constexpr double kLeastFramed_um = 58.0;
 constexpr double kRimReach_px = 9.0;
 // Of a picture's smaller side, where no lesson says where to begin.
@@ -31,11 +31,10 @@ struct ShippedPicture {
   const char* source;
   double time_s;
 };
-constexpr ShippedPicture kShippedPictures[] = {
-    {PELLUCIDA_WORDS("Cell at rest"), "virtual:default", 0.0},
-    {PELLUCIDA_WORDS("Cell with a dimple"), "virtual:default", 2.0},
-    {PELLUCIDA_WORDS("Cell with a deep dimple"), "virtual:default", 4.8},
-    {PELLUCIDA_WORDS("Poor camera, a dimple"), "virtual:noisy", 2.0}};
+constexpr ShippedPicture kShippedPictures[] = {{PELLUCIDA_WORDS("Cell at rest"), "virtual:default", 0.0},
+                                               {PELLUCIDA_WORDS("Cell with a dimple"), "virtual:default", 2.0},
+                                               {PELLUCIDA_WORDS("Cell with a deep dimple"), "virtual:default", 4.8},
+                                               {PELLUCIDA_WORDS("Poor camera, a dimple"), "virtual:noisy", 2.0}};
 
 }  // namespace
 
@@ -78,12 +77,12 @@ QWidget* SnakePage::make_stage() {
                      run(false);
                      step();
                    });
-  run_button_ = panel->add_toggle(words("Run"), words("Steps until it rests, or until it is stopped"), Qt::Key_R, false);
+  run_button_ =
+      panel->add_toggle(words("Run"), words("Steps until it rests, or until it is stopped"), Qt::Key_R, false);
   run_button_->setObjectName("runSnake");
   QObject::connect(run_button_, &QToolButton::toggled, panel, [this](bool on) { run(on); });
-  QObject::connect(
-      panel->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)),
-      &QToolButton::clicked, panel, [this] { reset_view(); });
+  QObject::connect(panel->add_button(words("Reset"), tip_with_key(words("Back to the first point of view"), Qt::Key_V)),
+                   &QToolButton::clicked, panel, [this] { reset_view(); });
 
   constexpr int kSamples = 4;
   chart_widget_ = new ViewWidget(chart_, kSamples, nullptr);
@@ -93,7 +92,8 @@ QWidget* SnakePage::make_stage() {
 
 QWidget* SnakePage::make_side() {
   auto* page = new SidePage(nullptr);
-  picture_choice_ = page->add_choice(words("Picture"), "pictureChoice", words("Of the virtual microscope, or recorded"));
+  picture_choice_ =
+      page->add_choice(words("Picture"), "pictureChoice", words("Of the virtual microscope, or recorded"));
   for (const ShippedPicture& picture : kShippedPictures) picture_choice_->addItem(words(picture.name));
   picture_choice_->addItem(words("A recorded session \u2026"));
   QObject::connect(picture_choice_, qOverload<int>(&QComboBox::activated), page,
@@ -101,7 +101,8 @@ QWidget* SnakePage::make_side() {
   ask_recording = [page] { return dialogs_over(*page->window()).session(words("Choose a session")); };
   const auto add = [&](SnakeSlider which) {
     auto*& slider = sliders_[static_cast<std::size_t>(which)];
-    slider = new ParameterSlider(snake_scale(which), [this, which](double value) { change(which, value); }, page);
+    slider = new ParameterSlider(
+        snake_scale(which), [this, which](double value) { change(which, value); }, page);
     page->add(slider);
   };
   add(SnakeSlider::kMoment);
@@ -110,7 +111,8 @@ QWidget* SnakePage::make_side() {
   fault_->setWordWrap(true);
   fault_->hide();
   page->add(fault_);
-  attraction_ = page->add_choice(words("Drawn to"), "attractionChoice", words("What has the least energy in the image"));
+  attraction_ =
+      page->add_choice(words("Drawn to"), "attractionChoice", words("What has the least energy in the image"));
   attraction_->addItem(words("Dark lines"), "dark-lines");
   attraction_->addItem(words("Edges"), "edges");
   QObject::connect(attraction_, qOverload<int>(&QComboBox::activated), page, [this] {
@@ -149,9 +151,8 @@ void SnakePage::show_controls() {
         return one.source == setting_.picture && std::abs(one.time_s - setting_.time_s) < 1e-3;
       });
   // Another moment or another film: of none of the names.
-  picture_choice_->setCurrentIndex(shipped == std::end(kShippedPictures)
-                                       ? -1
-                                       : static_cast<int>(shipped - std::begin(kShippedPictures)));
+  picture_choice_->setCurrentIndex(
+      shipped == std::end(kShippedPictures) ? -1 : static_cast<int>(shipped - std::begin(kShippedPictures)));
 }
 
 void SnakePage::choose_picture(int index) {
@@ -205,8 +206,7 @@ void SnakePage::change(SnakeSlider which, double value) {
 }
 
 void SnakePage::order_picture() {
-  orders_.publish(
-      {setting_.picture, setting_.time_s, setting_.parameters.blur_px, setting_.parameters.attraction});
+  orders_.publish({setting_.picture, setting_.time_s, setting_.parameters.blur_px, setting_.parameters.attraction});
 }
 
 void SnakePage::take_picture() {

@@ -47,8 +47,8 @@ expected<SnakePicturePtr, StepFailure> SnakePictureStep::process(const SnakePict
     picture->image = image_;
     picture->pixel_size_um = pixel_size_um_;
     picture->duration_s = duration_s_;
-    picture->field = std::make_shared<SnakeField>(
-        snake_field(image_.get(), order.blur_px, snake_attraction(order.attraction)));
+    picture->field =
+        std::make_shared<SnakeField>(snake_field(image_.get(), order.blur_px, snake_attraction(order.attraction)));
   } catch (const Error& error) {
     // Another recording can be chosen.
     image_ = {};

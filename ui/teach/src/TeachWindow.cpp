@@ -119,8 +119,8 @@ QWidget* TeachWindow::build_top_bar() {
   bar->add_button(words("Start again"), Qt::Key_Home, words("From the lesson's beginning"),
                   [this] { page().restart(); })
       ->setObjectName("restart");
-  withdraw_ = bar->add_button(words("Withdraw"), Qt::Key_W, words("The needle out of the cell"),
-                              [this] { cell_->withdraw(); });
+  withdraw_ =
+      bar->add_button(words("Withdraw"), Qt::Key_W, words("The needle out of the cell"), [this] { cell_->withdraw(); });
   const auto add_look = [&](const QString& text, Qt::Key key, const QString& tip, bool& option) {
     auto* button = bar->add_button(text, key, tip, [this, &option] {
       option = !option;
@@ -152,7 +152,8 @@ QWidget* TeachWindow::build_stage() {
   for (const PageName& page : kPages) {
     page_choice_->setTabToolTip(page_choice_->addTab(words(page.name)), tip_with_key(words(page.tip), page.key));
   }
-  connect(page_choice_, &QTabBar::currentChanged, this, [this](int index) { show_page(static_cast<LessonPage>(index)); });
+  connect(page_choice_, &QTabBar::currentChanged, this,
+          [this](int index) { show_page(static_cast<LessonPage>(index)); });
   column->addWidget(page_choice_);
   column->addWidget(stage_ = new QStackedWidget, 1);
   return content;
@@ -169,8 +170,10 @@ void TeachWindow::add_keys() {
     key(kPages[k].key, words(kPages[k].tip), [this, k] { page_choice_->setCurrentIndex(k); });
   }
   key(Qt::Key_V, words("Back to the first point of view"), [this] { page().reset_view(); });
-  key(QKeySequence("Shift+Left"), words("Needle or circle to the left by 1 µm"), [this] { page().nudge(-kKeyStep_um, 0.0); });
-  key(QKeySequence("Shift+Right"), words("Needle or circle to the right by 1 µm"), [this] { page().nudge(kKeyStep_um, 0.0); });
+  key(QKeySequence("Shift+Left"), words("Needle or circle to the left by 1 µm"),
+      [this] { page().nudge(-kKeyStep_um, 0.0); });
+  key(QKeySequence("Shift+Right"), words("Needle or circle to the right by 1 µm"),
+      [this] { page().nudge(kKeyStep_um, 0.0); });
   key(QKeySequence("Shift+Up"), words("Needle or circle up by 1 µm"), [this] { page().nudge(0.0, kKeyStep_um); });
   key(QKeySequence("Shift+Down"), words("Needle or circle down by 1 µm"), [this] { page().nudge(0.0, -kKeyStep_um); });
 }

@@ -260,8 +260,8 @@ void PokedCellView::draw_scales(HudCanvas& hud, double width_px, double height_p
                    HudAlign::kLeft, true, *theme_);
   }
   if (snapshot_->field_uN.cols() > 0 && field_scale_shown_) {
-    draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, y, bar_height, used_.field_uN,
-                   say("Node force (µN)"), HudAlign::kRight, false, *theme_);
+    draw_color_bar(hud, ColorMapKind::kForce, width_px - 16.0, y, bar_height, used_.field_uN, say("Node force (µN)"),
+                   HudAlign::kRight, false, *theme_);
   }
 }
 

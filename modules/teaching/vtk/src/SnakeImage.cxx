@@ -48,7 +48,8 @@ SnakeField snake_field(const vtkImageData* image, double blur_px, SnakeAttractio
   if (attraction == SnakeAttraction::kEdges) {
     const Eigen::Index rows = energy.rows(), columns = energy.cols();
     Eigen::ArrayXXd squares = Eigen::ArrayXXd::Zero(rows, columns);
-    squares.middleCols(1, columns - 2) += (0.5 * (energy.rightCols(columns - 2) - energy.leftCols(columns - 2))).square();
+    squares.middleCols(1, columns - 2) +=
+        (0.5 * (energy.rightCols(columns - 2) - energy.leftCols(columns - 2))).square();
     squares.middleRows(1, rows - 2) += (0.5 * (energy.bottomRows(rows - 2) - energy.topRows(rows - 2))).square();
     energy = -squares;
   } else {

@@ -39,7 +39,8 @@ void SnakeView::set_snake(const Eigen::Matrix2Xd& points_um) {
   scene.frame = image_;
   if (image_ && points_um.cols() > 2) {
     Observation seen;
-    seen.outer = MembraneContour{.membrane = Membrane::kOuter, .points_um = points_um, .sigma_um = {}, .confidence = {}};
+    seen.outer =
+        MembraneContour{.membrane = Membrane::kOuter, .points_um = points_um, .sigma_um = {}, .confidence = {}};
     scene.membranes = Frozen<vtkPolyData>(make_membranes(seen));
   }
   source->SetScene(scene);

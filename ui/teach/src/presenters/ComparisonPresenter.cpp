@@ -41,7 +41,9 @@ ComparisonTexts comparison_texts(const ReadoutPair& pair, const ThemeColors& the
   const double off = error_ratio(pair.prescribed.force_uN, pair.true_force_uN);
   texts.state = std::abs(off) > kClose_ratio ? Phrase{say("Prescribed: wrong"), theme.record}
                                              : Phrase{say("Prescribed: close"), theme.good};
-  texts.figures = {force(pair.true_force_uN), force(pair.equilibrium.force_uN), force(pair.prescribed.force_uN),
+  texts.figures = {force(pair.true_force_uN),
+                   force(pair.equilibrium.force_uN),
+                   force(pair.prescribed.force_uN),
                    {fixed_number(pair.seen_depth_um, 2) + " µm", theme.text}};
   texts.equilibrium_note = error_text(error_ratio(pair.equilibrium.force_uN, pair.true_force_uN), theme);
   texts.prescribed_note = error_text(off, theme);

@@ -96,7 +96,7 @@ struct ForceEstimate {
   /// contact force less the pressure's part; single nodes there differ, since the bonded tip bears on the rim of its
   /// patch and pulls at its middle. All nodes together sum to zero, since the outer forces do.
   Eigen::Matrix3Xd force_uN;
-  Eigen::VectorXd force_sigma_uN;     ///< (n) standard deviation of its magnitude
+  Eigen::VectorXd force_sigma_uN;  ///< (n) standard deviation of its magnitude
   /// (3 x n) uN, frame W: forces of the needle and of the holding pipette on the membrane, 0 on nodes they don't touch.
   /// What balances their sum with `force_uN` is the liquid's pressure. Of a single node they say little: how a tool's
   /// force is spread over its patch depends on the bond; their sums are `tip_force_uN` and its reaction.

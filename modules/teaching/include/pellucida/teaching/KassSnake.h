@@ -11,11 +11,11 @@ namespace pellucida {
 
 /// What an instructor turns on a snake. Energies are measured by that of the image: 1 is a point on its strongest edge.
 struct SnakeParameters {
-  double alpha = 0.05;     ///< of stretching, per px^2
-  double beta = 0.1;       ///< of bending, per px^2
-  double gamma = 0.3;      ///< viscosity: how little a step moves, per px^2
-  double balloon = 0.1;    ///< outward push on each point, per px; below 0 inward
-  double blur_px = 1.0;    ///< of the image, standard deviation
+  double alpha = 0.05;   ///< of stretching, per px^2
+  double beta = 0.1;     ///< of bending, per px^2
+  double gamma = 0.3;    ///< viscosity: how little a step moves, per px^2
+  double balloon = 0.1;  ///< outward push on each point, per px; below 0 inward
+  double blur_px = 1.0;  ///< of the image, standard deviation
   std::string attraction = "dark-lines";
 };
 
