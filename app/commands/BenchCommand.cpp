@@ -5,13 +5,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "commands/FieldOption.h"
+#include "commands/ReplayBench.h"
 #include "pellucida/bench/DisplayBench.h"
 #include "pellucida/bench/HapticsBench.h"
 #include "pellucida/bench/MechanicsBench.h"
-#include "commands/ReplayBench.h"
 #include "pellucida/bench/TrackingBench.h"
 #include "pellucida/bench/WindowBench.h"
-#include "commands/FieldOption.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
 #include "pellucida/core/OutputFile.h"
@@ -289,13 +289,15 @@ void add_bench_command(CLI::App& app) {
                     "pipeline: the real window, 1400 x 900, with the hand: frames drawn, blocks, start, memory");
   command->add_option("--against", arguments->window_options.against,
                       "--window: another pellucida, such as an older one, in turns with this one");
-  command->add_option("--minutes", arguments->window_options.minutes,
-                      "--window: one more turn of this length, for the memory, min")
+  command
+      ->add_option("--minutes", arguments->window_options.minutes,
+                   "--window: one more turn of this length, for the memory, min")
       ->check(number_in({0.0, 600.0}));
   command->callback([command, arguments] {
     if (arguments->window && arguments->part != "pipeline") throw UsageError("--window belongs to bench pipeline");
     for (const char* option : {"--against", "--minutes"}) {
-      if (command->count(option) > 0 && !arguments->window) throw UsageError(std::string(option) + " belongs to --window");
+      if (command->count(option) > 0 && !arguments->window)
+        throw UsageError(std::string(option) + " belongs to --window");
     }
     // Long enough for a demonstration to touch the cell.
     if (command->count("--seconds") > 0) arguments->window_options.seconds = arguments->seconds;

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "pellucida/bench/MechanicsBench.h"
 #include "mechanics/SectionContours.h"
+#include "pellucida/bench/MechanicsBench.h"
 #include "pellucida/linear_algebra/BlockLdlt.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/MembraneModel.h"

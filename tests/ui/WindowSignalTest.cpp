@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kNKey = 0x6e, kRKey = 0x72;
+constexpr std::uint32_t kRKey = 0x72, kSKey = 0x73;
 constexpr int kOutputUnwritable = 5;
 constexpr const char* kGuideTitle = "Pellucida - virtual:default";
 
@@ -146,7 +146,7 @@ TEST_F(WindowSignals, TheHandsLastTicksAreInTheRecording) {
 TEST_F(WindowSignals, AnOpenDialogHoldsNothingUp) {
   begin({"workstation", "--source", "virtual:default", "--hand", "none", "--session", session().string()});
   ASSERT_TRUE(record()) << test::text_of(folder_ / "err.txt");
-  ASSERT_TRUE(press_until(kGuideTitle, kNKey, [&] { return screen_.find("Note").has_value(); }));
+  ASSERT_TRUE(press_until(kGuideTitle, kSKey, [&] { return screen_.find("Scale of this cell").has_value(); }));
   end_by(SIGTERM);
   expect_ended_by(SIGTERM);
   expect_whole_session();

@@ -5,8 +5,8 @@ namespace pellucida {
 
 /// How long the window's thread kept away from its event loop.
 struct BlockFigures {
-  int count = 0;            ///< blocks: events that took longer than `BlockWatch::kBlock_ms`
-  double longest_ms = 0.0;  ///< the longest event, a block or not
+  int count = 0;              ///< blocks: events that took longer than `BlockWatch::kBlock_ms`
+  double longest_ms = 0.0;    ///< the longest event, a block or not
   double longest_at_s = 0.0;  ///< when it ended, s after `begin`
   double watched_s = 0.0;     ///< since `begin`
 };

@@ -71,9 +71,9 @@ WindowJson run_turn(const std::filesystem::path& program, const std::string& sou
   const TemporaryFolder folder;
   const OwnSettings settings(folder.path());
   const auto file = folder / "figures.json";
-  ChildProcess child(program, {"workstation", "--source", source, "--theme", "dark", "--language", "en", "--width-px",
-                               "1400", "--height-px", "900", "--figures", file.string(), "--after",
-                               std::to_string(seconds)});
+  ChildProcess child(program,
+                     {"workstation", "--source", source, "--theme", "dark", "--language", "en", "--width-px", "1400",
+                      "--height-px", "900", "--figures", file.string(), "--after", std::to_string(seconds)});
   // It closes by itself; on a busy computer its start takes a while.
   const auto longest = std::chrono::milliseconds(std::lround(1e3 * seconds)) + kLongestClosing;
   const auto end = wait_for(child, longest);
@@ -122,13 +122,15 @@ void add(WindowBenchReport& report, WindowJson& list, const Turns& turns) {
   report.text += line("  window, 1400 x 900", "%9.1f frames/s drawn", median(turns.all("drawn_per_s")));
   report.text += line("  processor, each frame", "%9.1f ms of the window's thread, %.1f ms of all threads",
                       median(turns.all("window_thread_ms_per_frame")), median(turns.all("processor_ms_per_frame")));
-  report.text += line("  blocks", "%9.0f longer than %.0f ms in %.0f s, longest %.0f ms", block_count,
-                      turns.turns.front().value("block_ms", 0.0), watched_s, *std::max_element(longest.begin(), longest.end()));
+  report.text +=
+      line("  blocks", "%9.0f longer than %.0f ms in %.0f s, longest %.0f ms", block_count,
+           turns.turns.front().value("block_ms", 0.0), watched_s, *std::max_element(longest.begin(), longest.end()));
   report.text += line("  start to first live frame", "%9.2f s", median(turns.all("start_s")));
   const WindowJson& held = turns.long_turn ? *turns.long_turn : turns.turns.back();
   const auto& memory = held.at("memory_s_MiB");
-  report.text += line("  memory", "%9.0f MiB at the first frame, %.0f MiB after %.0f s", memory.front().at(1).get<double>(),
-                      memory.back().at(1).get<double>(), memory.back().at(0).get<double>());
+  report.text +=
+      line("  memory", "%9.0f MiB at the first frame, %.0f MiB after %.0f s", memory.front().at(1).get<double>(),
+           memory.back().at(1).get<double>(), memory.back().at(0).get<double>());
   WindowJson entry{{"program", turns.program.string()}, {"turns", turns.turns}};
   if (turns.long_turn) entry["long_turn"] = *turns.long_turn;
   list.push_back(std::move(entry));

@@ -38,8 +38,8 @@ constexpr int kNotStarted = 127;  // as a shell says it
 }
 
 [[noreturn]] void refuse(const char* what) {
-  throw OutputError(std::string("a program can't be run beside this one: ") + what + " (" +
-                    std::strerror(errno) + "); end other programs, or lower --jobs");
+  throw OutputError(std::string("a program can't be run beside this one: ") + what + " (" + std::strerror(errno) +
+                    "); end other programs, or lower --jobs");
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "pellucida/batch/ChildProcess.h"
 #include "ResultPlace.h"
+#include "pellucida/batch/ChildProcess.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/session/SessionReader.h"

@@ -40,7 +40,8 @@ MembranePanel::MembranePanel(MembraneView& membranes, ViewWidget* view, QWidget*
 }
 
 void MembranePanel::add_surface_menu(MembraneView& membranes, bool has_model) {
-  QToolButton* button = add_button({}, words("What the colour of the outer membrane shows; key 8 shows the next quantity"));
+  QToolButton* button =
+      add_button({}, words("What the colour of the outer membrane shows; key 8 shows the next quantity"));
   button->setObjectName("surface");
   button->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(button);

@@ -15,8 +15,8 @@ struct WindowOptions {
   int width_px = 1400;              ///< size at the start
   int height_px = 900;
   bool remembered_size = true;  ///< rather the size it last had, where one is remembered
-  std::string figures;       ///< write how fast the window was to this JSON file, then close; empty: nowhere
-  int stop_descriptor = -1;  ///< once it can be read, the window closes as if a person had closed it; -1: none
+  std::string figures;          ///< write how fast the window was to this JSON file, then close; empty: nowhere
+  int stop_descriptor = -1;     ///< once it can be read, the window closes as if a person had closed it; -1: none
 };
 
 }  // namespace pellucida

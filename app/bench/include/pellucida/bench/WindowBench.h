@@ -19,9 +19,10 @@ struct WindowBenchReport {
 };
 
 /// Opens the window in Guide mode at 1400 x 900 with its hand, once, or three times in turns with the other program:
-/// frames drawn a second, time of the window's thread and of all threads for each, blocks, time from the process's start
-/// to the first live frame, memory. Needs an X server, its own (VirtualDisplay) where there is none. Main thread only.
-/// Throws DeviceError when no window can be opened, InputError for a program that ends early or writes no figures.
+/// frames drawn a second, time of the window's thread and of all threads for each, blocks, time from the process's
+/// start to the first live frame, memory. Needs an X server, its own (VirtualDisplay) where there is none. Main thread
+/// only. Throws DeviceError when no window can be opened, InputError for a program that ends early or writes no
+/// figures.
 WindowBenchReport measure_window(const WindowBenchOptions& options);
 
 }  // namespace pellucida

@@ -24,8 +24,8 @@ inline constexpr int kRelativeBits = 10;
 /// finite numbers stay what they are. `surface` isn't changed.
 vtkSmartPointer<vtkPolyData> narrowed_surface(vtkPolyData* surface);
 
-/// The same for what the mechanics adds (forces, their standard deviation, tension, area strain) alone, in place: arrays of these names are replaced, none is
-/// changed.
+/// The same for what the mechanics adds (forces, their standard deviation, tension, area strain) alone, in place:
+/// arrays of these names are replaced, none is changed.
 void narrow_forces(vtkPolyData* surface);
 
 }  // namespace pellucida

@@ -16,9 +16,9 @@ struct ReviewOptions : WindowOptions {
 };
 
 /// Opens the window in Review mode on the session in folder `session` (complete or not; empty: the window asks for
-/// one), and returns the event loop's exit status, or `kToStartPage`, when it is closed. A session that can't be read is an error in the
-/// window, which stays open. Needs an X server; main thread only. Throws DeviceError when no window can be opened,
-/// OutputError when the screenshot can't be written.
+/// one), and returns the event loop's exit status, or `kToStartPage`, when it is closed. A session that can't be read
+/// is an error in the window, which stays open. Needs an X server; main thread only. Throws DeviceError when no window
+/// can be opened, OutputError when the screenshot can't be written.
 int run_review(const std::string& session, const ReviewOptions& options);
 
 }  // namespace pellucida
