@@ -9,7 +9,7 @@
 namespace pellucida {
 namespace {
 
-constexpr int kLook_ms = 1000;
+constexpr int kBlockLook_ms = 1000;
 constexpr int kNarrow_px = 1200;
 
 }  // namespace
@@ -19,7 +19,7 @@ BlockLabel::BlockLabel(QWidget* parent) : QLabel(parent) {
   hide();
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, [this] { look(); });
-  timer->start(kLook_ms);
+  timer->start(kBlockLook_ms);
 }
 
 void BlockLabel::look() {
