@@ -36,6 +36,9 @@ constexpr double kPoorReading = 0.6;
 // Of the radius: a dimple from which on a membrane may be seen to have sprung back, and from which on a contour may cut
 // across it. By how much that must be surer than the contour held to the tip, unless the dimple's flanks are back.
 constexpr double kSprungDepth_ratio = 0.1, kCutDepth_ratio = 0.3, kSurerSprung = 0.25;
+// A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
+// of films 27025 and 28025 less.
+constexpr double kPoorStart = 0.25;
 // Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
 constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
 
@@ -119,9 +122,9 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   // The rest shape as far as this one frame shows it: the circle through the undeformed part.
   const contour::Circle circle = fit(snakes_.outer().points);
   const OutlineShape shape(snakes_.outer().points, circle);
-  const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
-  if (!is_pushed && !shape.may_be_cell()) return false;
   detection_score_ *= shape.roundness();
+  const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
+  if (!is_pushed && !shape.may_be_cell() && detection_score_ < kPoorStart) return false;
   rest_ = {};
   rest_.center = circle.center;
   rest_.outer_radius = circle.radius;
