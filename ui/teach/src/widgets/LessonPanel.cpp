@@ -144,6 +144,13 @@ void LessonPanel::build_page(const Lesson& lesson) {
   connect(again, &QPushButton::clicked, this, [this] { opened_(lessons_[static_cast<std::size_t>(current_)]); });
   page_->addStretch(1);
   scroll_->setWidget(page);
+  // A page made anew would come last in the window's order.
+  QWidget* before = list_;
+  for (QAbstractButton* button : choices->buttons()) {
+    setTabOrder(before, button);
+    before = button;
+  }
+  setTabOrder(before, again);
   scroll_->verticalScrollBar()->setValue(0);
 }
 
