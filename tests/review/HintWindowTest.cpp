@@ -52,7 +52,7 @@ class HintWindow : public ReviewWindowTest {
     writer.close();
     window_->open(session_);
     ASSERT_TRUE(shows(0)) << text("problem");
-    ASSERT_TRUE(pass_until([] { return qApp->applicationState() == Qt::ApplicationActive; }));
+    ASSERT_TRUE(activate(*window_)) << "not active";
     for (std::size_t k = 0; k < kHinted; ++k) {
       input_.tap(kRightKey);
       pass(60);

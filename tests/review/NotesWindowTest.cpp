@@ -29,7 +29,7 @@ class NotesWindow : public ReviewWindowTest {
   void open_at(std::size_t step) {
     window_->open(session_);
     ASSERT_TRUE(shows(0)) << text("problem");
-    ASSERT_TRUE(pass_until([] { return qApp->applicationState() == Qt::ApplicationActive; }));
+    ASSERT_TRUE(activate(*window_)) << "not active";
     go_right(step);
     ASSERT_TRUE(shows(step));
   }

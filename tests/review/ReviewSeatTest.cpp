@@ -46,7 +46,7 @@ class ReviewSeat : public ReviewWindowTest {
     write_touch(session_);
     window_->open(session_);
     ASSERT_TRUE(shows(0)) << text("problem");
-    ASSERT_TRUE(pass_until([] { return qApp->applicationState() == Qt::ApplicationActive; }));
+    ASSERT_TRUE(activate(*window_)) << "not active";
     pass(100);
   }
   ThumbnailBar& thumbnails() { return *dynamic_cast<ThumbnailBar*>(window_->findChild<QWidget*>("thumbnails")); }
@@ -109,7 +109,7 @@ TEST_F(ReviewSeat, TheModelsCurvesComeInTheBackgroundAndCanBeHidden) {
   write_touch(session_, true, 0, to_json(load_profile("mouse-oocyte")));
   window_->open(session_);
   ASSERT_TRUE(shows(0)) << text("problem");
-  ASSERT_TRUE(pass_until([] { return qApp->applicationState() == Qt::ApplicationActive; }));
+  ASSERT_TRUE(activate(*window_)) << "not active";
   input_.tap(kEndKey);
   ASSERT_TRUE(shows(kFrames - 1));
   const auto drawn = [&] { return views().force_over_indentation().chart().data().named.size(); };

@@ -45,7 +45,6 @@ class ReviewWindowTest : public DisplayTest {
     choice.show_page = [this](const std::filesystem::path& page) { pages_.push_back(page); };
     window_ = std::make_unique<ReviewWindow>(ReviewOptions{}, clock_, choice);
     window_->show();
-    window_->activateWindow();
   }
 
   bool shows(std::size_t step) {
@@ -54,7 +53,7 @@ class ReviewWindowTest : public DisplayTest {
   void open() {
     window_->open(*folder_ / "S");
     ASSERT_TRUE(pass_until([&] { return window_->shown_step() == 0U; })) << text("problem");
-    ASSERT_TRUE(pass_until([] { return qApp->applicationState() == Qt::ApplicationActive; }));
+    ASSERT_TRUE(activate(*window_)) << "not active";
     pass(100);
   }
   std::string text(const char* label) const {

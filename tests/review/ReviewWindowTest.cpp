@@ -194,6 +194,7 @@ TEST_F(ReviewWindowTest, AClickOnTheMembranePicksANodeAndReadsItsHistory) {
 }
 
 TEST_F(ReviewWindowTest, ABadSessionIsASentenceAndTheWindowStaysUsable) {
+  ASSERT_TRUE(activate(*window_)) << "not active";
   window_->open("/no/such/folder");
   ASSERT_TRUE(pass_until([&] { return text("problem").find("no such session folder") != std::string::npos; }));
   EXPECT_EQ(window_->session(), nullptr);
@@ -234,7 +235,7 @@ TEST_F(ReviewWindowTest, ADamagedFrameSaysSoAndSteppingGoesOn) {
   ASSERT_TRUE(shows(0));
   EXPECT_NE(text("facts").find("interrupted"), std::string::npos);
   EXPECT_NE(text("notice").find("interrupted"), std::string::npos);
-  ASSERT_TRUE(pass_until([] { return qApp->applicationState() == Qt::ApplicationActive; }));
+  ASSERT_TRUE(activate(*window_)) << "not active";
   pass(100);
   input_.tap(test::kRightKey);
   ASSERT_TRUE(shows(1));

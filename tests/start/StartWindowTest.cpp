@@ -48,9 +48,7 @@ class StartWindowTest : public test::DisplayTest {
 
   void open() {
     window_ = std::make_unique<StartWindow>(options_, [this](bool) { return answer_; });
-    window_->show();
-    window_->activateWindow();
-    ASSERT_TRUE(pass_until([&] { return window_->isActiveWindow(); })) << "not active";
+    ASSERT_TRUE(activate(*window_)) << "not active";
     pass(100);
   }
 

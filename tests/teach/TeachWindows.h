@@ -22,9 +22,7 @@ class TeachWindows : public DisplayTest {
   // At the lesson named, shown and active, its first drawings done.
   void open(const std::string& lesson) {
     window_ = std::make_unique<TeachWindow>(choose_lessons(lesson), TeachOptions{});
-    window_->QWidget::show();
-    window_->activateWindow();
-    ASSERT_TRUE(pass_until([&] { return qApp->applicationState() == Qt::ApplicationActive; })) << "not active";
+    ASSERT_TRUE(activate(*window_)) << "not active";
     if (window_->cell().view_widget().isVisible()) {
       ASSERT_TRUE(pass_until([&] { return newest() && newest()->run > 0 && newest()->time_s > 0.05; }));
     }

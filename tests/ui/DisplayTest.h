@@ -7,14 +7,18 @@
 #include <QWidget>
 #include <functional>
 
+#include "pellucida/core/TemporaryFolder.h"
 #include "pellucida/visualization/VirtualDisplay.h"
 
 namespace pellucida::test {
 
-/// Tests of shown windows: a Qt application, on a display of its own where there is none. One for the whole program.
+/// Tests of shown windows: a Qt application, on a display of its own where there is none. One for the whole program,
+/// which reads and leaves nothing in the settings of the person who runs it or of a test beside it.
 class DisplayTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
+    static const TemporaryFolder settings;
+    qputenv("XDG_CONFIG_HOME", settings.path().c_str());
     static VirtualDisplay display;
     static int argc = 1;
     static char name[] = "test";
@@ -44,6 +48,18 @@ class DisplayTest : public testing::Test {
       pass(10);
     }
     return false;
+  }
+
+  /// Shows a window and gives it the keyboard; false when it doesn't get it. Asks again and again: without a window
+  /// manager an X server ignores a request whose time is older than that of the last one it followed.
+  static bool activate(QWidget& window) {
+    window.show();
+    return pass_until([&] {
+      if (window.isActiveWindow() && qApp->applicationState() == Qt::ApplicationActive) return true;
+      window.activateWindow();
+      pass(50);
+      return false;
+    });
   }
 };
 

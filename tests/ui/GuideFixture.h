@@ -47,9 +47,7 @@ class GuideWindowTest : public test::DisplayTest {
   }
 
   static void show(QWidget& window) {
-    window.show();
-    window.activateWindow();
-    ASSERT_TRUE(pass_until([&] { return qApp->applicationState() == Qt::ApplicationActive; })) << "not active";
+    ASSERT_TRUE(activate(window)) << "not active";
   }
 
   // Shown, active, and its hand at work.
