@@ -73,6 +73,8 @@ void PlanControl::add_menu() {
   redo_ = redo;
   connect(undo, &QAction::triggered, &changes_, &QUndoStack::undo);
   connect(redo, &QAction::triggered, &changes_, &QUndoStack::redo);
+  // At once, not with the next drawing: whoever types fast is not ignored.
+  connect(&changes_, &QUndoStack::indexChanged, this, [this] { offer_undo_and_redo(); });
   // Keys of a menu that isn't open act too.
   panel_.addActions({shown, undo, redo});
   button->setMenu(menu);
@@ -92,6 +94,11 @@ PlanMarks PlanControl::marks() const {
   return marks;
 }
 
+void PlanControl::offer_undo_and_redo() {
+  undo_->setEnabled(changes_.canUndo() && console_.may_replan());
+  redo_->setEnabled(changes_.canRedo() && console_.may_replan());
+}
+
 bool PlanControl::tick() {
   // What was changed of another cell's plan is past.
   if (console_.plan()) {
@@ -107,8 +114,7 @@ bool PlanControl::tick() {
     feed_.set_prompt({});
     hover(PlanHandle::kNone);
   }
-  undo_->setEnabled(changes_.canUndo() && console_.may_replan());
-  redo_->setEnabled(changes_.canRedo() && console_.may_replan());
+  offer_undo_and_redo();
   std::optional<PlanMarks> now;
   if (console_.plan() && is_shown_) now = marks();
   if (now == drawn_) return false;

@@ -37,6 +37,7 @@ class PlanControl : public QObject {
  private:
   friend class PlanChange;
   void add_menu();
+  void offer_undo_and_redo();
   bool take_press(const QMouseEvent& event);
   bool take_move(const QMouseEvent& event);
   bool take_release(const QMouseEvent& event);
