@@ -46,9 +46,7 @@ class GuideWindowTest : public test::DisplayTest {
     return std::make_unique<GuideWindow>(std::move(run), nullptr, GuideOptions{});
   }
 
-  static void show(QWidget& window) {
-    ASSERT_TRUE(activate(window)) << "not active";
-  }
+  static void show(QWidget& window) { ASSERT_TRUE(activate(window)) << "not active"; }
 
   // Shown, active, and its hand at work.
   void open() {
