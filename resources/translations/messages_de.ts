@@ -680,6 +680,10 @@
         <translation>Wie default, aber die Membran gibt bei 44 um nach: die Kraft fällt, die Nadel geht weiter und wird herausgezogen</translation>
     </message>
     <message>
+        <source>by its sizes and the needle's this cell is expected to give way at %1 uN and %2 um, its kind at %3 uN and %4 um</source>
+        <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
+    </message>
+    <message>
         <source>Device or resource busy</source>
         <translation>Gerät belegt</translation>
     </message>

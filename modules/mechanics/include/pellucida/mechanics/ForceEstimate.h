@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceCrossCheck.h"
 #include "pellucida/mechanics/ForceInterval.h"
 #include "pellucida/mechanics/Puncture.h"
@@ -67,7 +68,9 @@ struct ForceEstimate {
   bool puncture_revoked = false;     ///< in one frame: the puncture reported last was none, the contact goes on
   std::optional<Puncture> puncture;  ///< in the first frame that shows it
   double work_uN_um = 0.0;           ///< of the needle on the cell in this contact
-  ForceCrossCheck opinions;          ///< the force according to other models
+  /// Of this cell under this needle, as they are seen; 0 where no cell is measured.
+  ExpectedPuncture expected_puncture;
+  ForceCrossCheck opinions;                    ///< the force according to other models
   double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
   double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
 

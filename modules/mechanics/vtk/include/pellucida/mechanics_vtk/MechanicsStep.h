@@ -35,7 +35,8 @@ struct MeasuredScene {
 /// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
-/// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, and volume_um3 where nothing has yet.
+/// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, expected_puncture_uN and _um, and
+/// volume_um3 where nothing has yet.
 /// Fills `remarks`: why there is no force, why it should be doubted, the force according to other models.
 /// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h).
 /// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
