@@ -226,6 +226,7 @@ class MechanicsStep::Impl {
             .needle_force_uN = handed(array_name::kNeedleForce, e.needle_force_uN),
             .holder_force_uN = handed(array_name::kHolderForce, e.holder_force_uN),
             .tension_uN_per_um = read_off(array_name::kTension, e.tension_uN_per_um),
+            .tension_sigma_uN_per_um = read_off(array_name::kTensionSigma, e.tension_sigma_uN_per_um),
             .area_strain_percent = read_off(array_name::kAreaStrain, e.area_strain_percent)};
   }
 

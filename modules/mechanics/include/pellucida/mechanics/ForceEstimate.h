@@ -107,6 +107,8 @@ struct ForceEstimate {
   /// (n) %, the model's: area of the triangles round a node against that at rest, less 1.
   Eigen::VectorXd area_strain_percent;
   Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
+  Eigen::VectorXd
+      tension_sigma_uN_per_um;  ///< (n) its standard deviation: the force's, and the model's, see NodalField
 };
 
 }  // namespace pellucida

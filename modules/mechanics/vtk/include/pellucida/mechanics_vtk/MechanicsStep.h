@@ -18,11 +18,12 @@ struct SolvedShape;  // membrane/Indenter.h
 /// The point arrays that the mechanics adds to a surface; null where there is no force.
 struct SurfaceForces {
   vtkSmartPointer<vtkDataArray> force_uN, force_sigma_uN, needle_force_uN, holder_force_uN, tension_uN_per_um,
-      area_strain_percent;
+      tension_sigma_uN_per_um, area_strain_percent;
 
   /// All of them.
-  std::array<vtkDataArray*, 6> arrays() const {
-    return {force_uN, force_sigma_uN, needle_force_uN, holder_force_uN, tension_uN_per_um, area_strain_percent};
+  std::array<vtkDataArray*, 7> arrays() const {
+    return {force_uN,          force_sigma_uN,          needle_force_uN,    holder_force_uN,
+            tension_uN_per_um, tension_sigma_uN_per_um, area_strain_percent};
   }
 };
 
@@ -51,7 +52,7 @@ struct MeasuredScene {
 ///   | area_strain_percent| 1          | %      | area of the triangles round the node against rest        |
 /// Adds to a copy of `surface`, which must bring point arrays `membrane` and `rest_direction`:
 ///   force_uN (3), force_sigma_uN (1), needle_force_uN (3), holder_force_uN (3), tension_uN_per_um (1),
-///   area_strain_percent (1). The model's one surface represents the whole zona: its
+///   tension_sigma_uN_per_um (1), area_strain_percent (1). The model's one surface represents the whole zona: its
 ///   forces are shown on the outer membrane, with their sum kept; nodes of the inner one carry no force of their own
 ///   (0). Tension and strain are the zona's, so both membranes show them.
 /// A scene without cell or surface passes on without those parts. Where the model has no equilibrium, the force cells
