@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "ContactSight.h"
+#include "films/RelaxingTruth.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/CellProfile.h"
@@ -113,7 +114,9 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   VirtualMicroscope microscope = microscope_of(film);
   MembraneTracker tracker(options);
   const bool shipped = std::filesystem::path(film.scenario.cell.reference).has_parent_path() == false;
-  const CellProfile profile = load_profile(shipped ? film.scenario.cell.reference : "mouse-oocyte");
+  const CellProfile of_kind = load_profile(shipped ? film.scenario.cell.reference : "mouse-oocyte");
+  const CellProfile profile = film.relaxes ? with_relaxation(of_kind) : of_kind;
+  RelaxingTruth relaxing(film.seed);
   std::optional<ProfileForce> by_profile;
   if (!shipped) by_profile.emplace(profile);
   std::optional<SpecimenTrial> specimen;
@@ -130,7 +133,8 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
     const auto start = Clock::now();
     const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
     frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    const Truth& truth = microscope.truth();
+    Truth truth = microscope.truth();
+    if (film.relaxes) truth.contact_force_uN = relaxing.add(frame->time_s, truth.contact_force_uN);
     const ForceEstimate estimate = observer.process(seen);
     // What is reported: the tracker's state after the verdict on a puncture.
     const CellState state = estimate.judged_state(seen.state);

@@ -1,14 +1,17 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--family NAME] [--specimens FOLDER] [--each-once] [--drawing] [--detection auto|lines|scene]
+//               [--family NAME] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--detection
+//               auto|lines|scene]
 //               [--quality live|high]
 //               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
 // the true force (which fits the picture with --specimens alone: finite-element tables, tests/specimens; a further line
 // then says how the profile's own thickness, tip and holder would have done, and a table goes by what the specimens
-// are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --drawing: plain
+// are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --relaxing: the
+// force relaxes by a law of three arms, under a profile of two.
+// --drawing: plain
 // bright field. --film: that one film alone. --family: films of that family alone. --widest: no wider pictures. --csv:
 // a row a film. "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the
 // true force (with --specimens) or the one that the true contours and tip give. --sights: a row a frame, of what the
@@ -40,7 +43,7 @@ struct Choice {
   int jobs = 1, widest_px = 2048;
   std::string csv, sights, worst, sheets, family;
   std::vector<std::string> specimens;
-  bool frames = false, drawing = false, each_once = false;
+  bool frames = false, drawing = false, each_once = false, relaxing = false;
   TrackerOptions tracker;
 };
 
@@ -90,6 +93,8 @@ Choice read_arguments(int count, char** arguments) {
       if (quality == "high") choice.tracker.quality = TrackerOptions::Quality::kHigh;
     } else if (word == "--each-once") {
       choice.each_once = true;
+    } else if (word == "--relaxing") {
+      choice.relaxing = true;
     } else if (word == "--drawing") {
       choice.drawing = true;
     } else if (word == "--frames") {
@@ -315,6 +320,7 @@ void report(const Choice& choice) {
             choice.each_once ? std::vector{choice.specimens[k]} : choice.specimens;
         test::RandomFilm film = test::draw_film(choice.split, seeds[k], choice.widest_px, specimens);
         film.drawing = choice.drawing;
+        film.relaxes = choice.relaxing;
         runs[k] = test::run_film(film, choice.tracker);
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
