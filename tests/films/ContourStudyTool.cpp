@@ -1,6 +1,7 @@
 // A developer's tool, not installed and no test: how the model's section moves with each size of cell and tools, beside
 // the section of specimens from finite elements. What a sequence of contours can say of those sizes follows from it.
-//   contour_study FOLDER > FILE.csv
+//   contour_study FOLDER [--force] > FILE.csv
+// `force`: the model's and the specimen's, uN; --force: that alone.
 // A row a point: specimen, depth, what was changed, its step, and the middle line (x, z) over the middle radius at rest
 // angles 4 degrees apart from the needle's pole; `truth` is the specimen's own.
 #include <algorithm>
@@ -61,7 +62,7 @@ std::vector<Point> half_of(const CellReference& specimen, double depth_um) {
   return half;
 }
 
-void study(const CellProfile& profile, const std::string& path) {
+void study(const CellProfile& profile, const std::string& path, bool force_alone) {
   const CellReference specimen = CellReference::load(path, 1);
   const ReferenceGeometry& g = specimen.geometry();
   const MembraneGeometry own{g.middle_radius_um, g.thickness_um, g.tip_radius_um,
@@ -77,6 +78,7 @@ void study(const CellProfile& profile, const std::string& path) {
                             {"tip", &MembraneGeometry::tip_radius_um, 0.2},
                             {"holder", &MembraneGeometry::holder_radius_um, 0.15}};
   for (const Change& change : changes) {
+    if (force_alone && change.step > 0.0) break;
     MembraneGeometry geometry = own;
     geometry.*change.length *= std::exp(change.step);
     Indenter indenter(profile, geometry, -Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitZ());
@@ -84,9 +86,9 @@ void study(const CellProfile& profile, const std::string& path) {
       if (depth_um > specimen.max_indentation_um()) break;
       const IndentationState state = indenter.advance_to(depth_um);
       if (state.report.status != SolveStatus::kConverged) break;
-      print(name, depth_um, change.what, change.step, half_of(indenter), g.middle_radius_um);
+      if (!force_alone) print(name, depth_um, change.what, change.step, half_of(indenter), g.middle_radius_um);
       if (change.step > 0.0) continue;
-      print(name, depth_um, "truth", 0.0, half_of(specimen, depth_um), g.middle_radius_um);
+      if (!force_alone) print(name, depth_um, "truth", 0.0, half_of(specimen, depth_um), g.middle_radius_um);
       std::printf("%s,%.3f,force,0,0,%.5f,%.5f\n", name.c_str(), depth_um, state.push_force_uN,
                   specimen.force_uN(depth_um));
     }
@@ -97,10 +99,11 @@ void study(const CellProfile& profile, const std::string& path) {
 
 int main(int count, char** arguments) {
   try {
-    if (count != 2) throw UsageError("contour_study FOLDER");
+    const bool force_alone = count == 3 && std::string(arguments[2]) == "--force";
+    if (count != 2 && !force_alone) throw UsageError("contour_study FOLDER [--force]");
     const CellProfile profile = load_profile("mouse-oocyte");
     std::printf("specimen,depth_um,change,step,angle_rad,x,z\n");
-    for (const std::string& path : test::specimens_in(arguments[1])) study(profile, path);
+    for (const std::string& path : test::specimens_in(arguments[1])) study(profile, path, force_alone);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "contour_study: %s\n", error.what());
     return 1;

@@ -88,31 +88,6 @@ std::vector<GeometryTerm> all_terms() {
   return terms;
 }
 
-/// Terms of the depth alone: the solid over the springs at the profile's own geometry, 1 at the anchor's depth, where
-/// the scale was measured. `logs` begin at the first depth step.
-std::vector<GeometryTerm> own_terms(const std::vector<double>& logs, double anchor_ratio) {
-  if (logs.size() < 2 * kHighestDepthPower) return {};
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(logs.size()), kHighestDepthPower + 1);
-  for (Eigen::Index k = 0; k < rows.rows(); ++k)
-    for (Eigen::Index p = 0; p < rows.cols(); ++p)
-      rows(k, p) = std::pow(kDepthStep_ratio * static_cast<double>(k + 1), static_cast<double>(p));
-  const Eigen::VectorXd fitted =
-      rows.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(logs.data(), rows.rows()));
-  std::vector<GeometryTerm> terms{{0, 0, 0, 0, 0.0}};
-  for (int p = 1; p <= kHighestDepthPower; ++p) {
-    terms.push_back({0, 0, 0, p, fitted[p]});
-    terms.front().coefficient -= fitted[p] * std::pow(anchor_ratio, p);
-  }
-  return terms;
-}
-
-/// Between the depth steps, linear.
-double value_at(const std::vector<double>& logs, double depth_ratio) {
-  const double place = std::clamp(depth_ratio / kDepthStep_ratio - 1.0, 0.0, static_cast<double>(logs.size() - 1));
-  const auto k = std::min(static_cast<std::size_t>(place), logs.size() - 2);
-  return logs[k] + (place - static_cast<double>(k)) * (logs[k + 1] - logs[k]);
-}
-
 Eigen::VectorXd solve(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values) {
   return rows.colPivHouseholderQr().solve(values);
 }
@@ -193,14 +168,6 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
                             kHolder_ratio[0],    kHolder_ratio[1],    kDeepest_ratio, options.cell_count};
   profile.geometry_terms = fit(forces, profile.geometry_range.spread_ratio);
   profile.geometry_pressure_terms = fit(pressures, profile.geometry_range.pressure_spread_ratio);
-  const double anchor_ratio = profile.puncture_indentation_um / radius_um;
-  for (const GeometryTerm& term : own_terms(base.force, anchor_ratio)) profile.geometry_terms.push_back(term);
-  // The pressure's has no anchor of its own: the modulus that the force gave is the same.
-  const double force_at_anchor = value_at(base.force, anchor_ratio);
-  for (GeometryTerm term : own_terms(base.pressure, anchor_ratio)) {
-    if (term.depth == 0) term.coefficient += value_at(base.pressure, anchor_ratio) - force_at_anchor;
-    profile.geometry_pressure_terms.push_back(term);
-  }
 }
 
 }  // namespace pellucida
