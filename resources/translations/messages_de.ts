@@ -680,10 +680,6 @@
         <translation>Wie default, aber die Membran gibt bei 44 um nach: die Kraft fällt, die Nadel geht weiter und wird herausgezogen</translation>
     </message>
     <message>
-        <source>by its sizes and the needle's this cell is expected to give way at %1 uN and %2 um, its kind at %3 uN and %4 um</source>
-        <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
-    </message>
-    <message>
         <source>Device or resource busy</source>
         <translation>Gerät belegt</translation>
     </message>
@@ -1018,6 +1014,10 @@
     <message>
         <source>block %1 has other arrays than the first</source>
         <translation>Block %1 hat andere Felder als der erste</translation>
+    </message>
+    <message>
+        <source>by its sizes and the needle's this cell is expected to give way at %1 uN and %2 um, its kind at %3 uN and %4 um</source>
+        <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
     </message>
     <message>
         <source>camera.jpeg_quality is set; JPEG needs a picture of 8 bit</source>
