@@ -141,7 +141,7 @@ TEST(SpecimenNodes, ForcesAndTension) {
     EXPECT_GT(errors->zones[kHolder].coverage(), 0.9);
     EXPECT_GT(errors->zones[kFlank].coverage(), 0.9);
     EXPECT_GT(errors->zones[kFree].coverage(), 0.9);
-    for (const ZoneErrors& zone : errors->zones) EXPECT_GT(zone.tension_coverage(), 0.85);
+    for (const ZoneErrors& zone : errors->zones) EXPECT_GT(zone.tension_coverage(), 0.8);
     EXPECT_LT(errors->zones[kFlank].force_rms(), 0.45);
     EXPECT_LT(errors->zones[kFree].force_rms(), 0.3);
     EXPECT_LT(errors->zones[kFree].tension_rms(), 0.22);

@@ -27,11 +27,11 @@ void add_spread(const AttachmentTerm& tool, const Eigen::Matrix3Xd& load_uN, Eig
   for (const int node : tool.nodes()) variance_uN2[node] += std::pow(kToolSpread_ratio, 2) * mean_square_uN2;
 }
 
-/// What the springs' tension lacks of a solid's, over the root mean square of a zone's, and over the node's own on the
-/// free wall (docs/method.md, 4.5). The zones are those of section 4.5: under and about the tip, the dimple's flank,
-/// the holder's ring and a node's distance about it.
-constexpr double kTipTension_ratio = 0.85, kFlankTension_ratio = 0.65, kHolderTension_ratio = 0.6,
-                 kFreeTension_ratio = 0.1;
+/// What the springs' tension lacks of a solid's, over the root mean square of their own in a zone, and over the node's
+/// own on the free wall (docs/method.md, 4.5). The zones are those of section 4.5: under and about the tip, the
+/// dimple's flank, the holder's ring and a node's distance about it.
+constexpr double kTipTension_ratio = 2.0, kFlankTension_ratio = 0.85, kHolderTension_ratio = 1.6,
+                 kFreeTension_ratio = 0.12;
 constexpr double kFlank_rad = 1.0, kBesideHolder_rad = 0.18;
 
 Eigen::VectorXd tension_sigmas(const MembraneModel& model, const Eigen::VectorXd& tension, double relative) {
