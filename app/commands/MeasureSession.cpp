@@ -83,6 +83,16 @@ std::string cell_line(const BatchResult& result) {
   return line;
 }
 
+// "expected at 12.1 uN and 47 um (its kind: 7.5 uN and 44 um)" where the sizes say so.
+std::string puncture_line(const BatchResult& result) {
+  if (!result.peak || !(result.peak->measurement.expected_puncture_uN > 0.0)) return {};
+  const Measurement& m = result.peak->measurement;
+  return format(
+      "puncture expected at %.1f uN and %.0f um by the sizes of cell and needle (its kind: %.1f uN and %.0f um)\n",
+      m.expected_puncture_uN, m.expected_puncture_um, result.profile.puncture_force_uN,
+      result.profile.puncture_indentation_um);
+}
+
 // What was read, where it is a file; the frames' own hash is the writer's business.
 RunProvenance provenance_of(const std::string& source) {
   RunProvenance provenance;
@@ -138,7 +148,7 @@ std::string summary(const BatchResult& result, const std::filesystem::path& fold
   std::string text = "frames   " + state_line(result) + '\n' + damage_line(result);
   text += "profile  " + result.profile.name + " (" + result.profile.description + ")\n";
   text += "force    " + force_line(result) + '\n' + remark_lines(result);
-  text += "cell     " + cell_line(result) + '\n';
+  text += "cell     " + cell_line(result) + '\n' + puncture_line(result);
   if (!result.puncture_risk.empty()) text += "scale    " + scale_line(result) + '\n';
   const auto median_ms = [&](const char* step) { return 1e-3 * result.step_us.at(step).quantile(0.5); };
   text += format("speed    tracking %.1f, surface %.1f, mechanics %.1f ms per frame (median); %.0f frames/s overall\n",

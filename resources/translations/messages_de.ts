@@ -1016,6 +1016,10 @@
         <translation>Block %1 hat andere Felder als der erste</translation>
     </message>
     <message>
+        <source>by its sizes and the needle's this cell is expected to give way at %1 uN and %2 um, its kind at %3 uN and %4 um</source>
+        <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
+    </message>
+    <message>
         <source>camera.jpeg_quality is set; JPEG needs a picture of 8 bit</source>
         <translation>camera.jpeg_quality ist gesetzt; JPEG braucht ein Bild mit 8 Bit</translation>
     </message>

@@ -1366,12 +1366,12 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Kraft eines Knotens (µN)</translation>
     </message>
     <message>
-        <source>Force of the needle on the cell against that at which this kind of cell gives way. Light band: the whole 95 % interval; dark band: what the picture leaves open.</source>
-        <translation>Kraft der Nadel auf die Zelle, gemessen an jener, bei der diese Zellart nachgibt. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt.</translation>
+        <source>Force of the needle on the cell against that at which a cell of this kind and these sizes is expected to give way. Light band: the whole 95 % interval; dark band: what the picture leaves open.</source>
+        <translation>Kraft der Nadel auf die Zelle, gemessen an jener, bei der eine Zelle dieser Art und dieser Maße voraussichtlich nachgibt. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt.</translation>
     </message>
     <message>
-        <source>Force of the needle on the cell against the largest that the hand is let exert. Light band: the whole 95 % interval; dark band: what the picture leaves open. Fine mark: where this kind of cell gives way.</source>
-        <translation>Kraft der Nadel auf die Zelle, gemessen an der größten, die der Hand erlaubt ist. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt. Feine Marke: wo diese Zellart nachgibt.</translation>
+        <source>Force of the needle on the cell against the largest that the hand is let exert. Light band: the whole 95 % interval; dark band: what the picture leaves open. Fine mark: where a cell of this kind and these sizes is expected to give way.</source>
+        <translation>Kraft der Nadel auf die Zelle, gemessen an der größten, die der Hand erlaubt ist. Helles Band: das ganze 95-%-Intervall; dunkles Band: was das Bild offen lässt. Feine Marke: wo eine Zelle dieser Art und dieser Maße voraussichtlich nachgibt.</translation>
     </message>
     <message>
         <source>Force of the needle on the cell, along the needle, with its 95 % interval: the whole.

@@ -19,7 +19,7 @@ TEST(Measurement, HeaderIsTheContract) {
             "dimple_radius_um,contact_force_uN,contact_force_lower_uN,contact_force_upper_uN,pressure_Pa,volume_um3,"
             "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
             "puncture_probability,contact_force_picture_lower_uN,contact_force_picture_upper_uN,"
-            "contact_force_scale_lower_uN,contact_force_scale_upper_uN");
+            "contact_force_scale_lower_uN,contact_force_scale_upper_uN,expected_puncture_uN,expected_puncture_um");
   EXPECT_TRUE(measurement_header().starts_with(measurement_header_start()));
   EXPECT_TRUE(measurement_header_start().ends_with("volume_um3,frame_age_ms"));
 }
@@ -45,7 +45,7 @@ TEST(Measurement, RowReadsBackAndEmptyCellsMeanNotMeasured) {
   m.indentation_um = 12.25;
   m.contact_force_uN = 1.5;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,,,,,");
+  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_EQ(back.frame, 41);
   EXPECT_EQ(back.state, CellState::kContact);
@@ -99,7 +99,7 @@ TEST(Measurement, ARowWithoutAStateWasNotMeasured) {
   m.frame = 12;
   m.time_s = 0.4;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_FALSE(back.state);
   EXPECT_TRUE(std::isnan(back.confidence));

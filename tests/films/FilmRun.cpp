@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "ContactSight.h"
+#include "films/RelaxingTruth.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/CellProfile.h"
@@ -113,10 +114,15 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   VirtualMicroscope microscope = microscope_of(film);
   MembraneTracker tracker(options);
   const bool shipped = std::filesystem::path(film.scenario.cell.reference).has_parent_path() == false;
-  const CellProfile profile = load_profile(shipped ? film.scenario.cell.reference : "mouse-oocyte");
+  const CellProfile of_kind = load_profile(shipped ? film.scenario.cell.reference : "mouse-oocyte");
+  const CellProfile profile = film.relaxes ? with_relaxation(of_kind) : of_kind;
+  RelaxingTruth relaxing(film.seed);
   std::optional<ProfileForce> by_profile;
   if (!shipped) by_profile.emplace(profile);
-  double profile_squares = 0.0;
+  std::optional<SpecimenTrial> specimen;
+  if (!shipped) specimen.emplace(film, profile);
+  double profile_squares = 0.0, sight_squares = 0.0;
+  int sight_count = 0;
   ForceObserver observer(profile, {}), of_truth(profile, {});
   std::vector<double> frame_ms;
   double force_squares = 0.0, peak_uN = 0.0, worst_badness = -1.0;
@@ -127,7 +133,8 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
     const auto start = Clock::now();
     const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
     frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-    const Truth& truth = microscope.truth();
+    Truth truth = microscope.truth();
+    if (film.relaxes) truth.contact_force_uN = relaxing.add(frame->time_s, truth.contact_force_uN);
     const ForceEstimate estimate = observer.process(seen);
     // What is reported: the tracker's state after the verdict on a puncture.
     const CellState state = estimate.judged_state(seen.state);
@@ -172,6 +179,11 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
       if (estimate.by_picture.lower_uN <= true_uN && true_uN <= estimate.by_picture.upper_uN) ++run.covered_count;
     }
     run.sights.back().expected_uN = expected_uN;
+    if (contact && std::isfinite(expected_uN)) {
+      sight_squares += std::pow(expected_uN - truth.contact_force_uN, 2);
+      ++sight_count;
+    }
+    if (specimen) specimen->add(seen, estimate, contact, truth.contact_force_uN, truth.observation.indentation_um);
 
     const double missed = run.has_cell && !seen.outer ? 5.0 : 0.0;
     const double badness = (bold ? 1000.0 : 0.0) + (false_puncture ? 300.0 : 0.0) + missed +
@@ -196,6 +208,8 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   if (peak_of_truth_uN > 0)
     run.tracking_force_rms_percent =
         100.0 * std::sqrt(tracking_squares / static_cast<double>(run.errors.size())) / peak_of_truth_uN;
+  if (specimen) run.specimen = specimen->result();
+  if (sight_count > 0) run.true_sight_percent = 100.0 * std::sqrt(sight_squares / sight_count) / peak_uN;
   run.median_frame_ms = median_of(frame_ms);
   return run;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "films/RandomFilm.h"
+#include "films/SpecimenTrial.h"
 #include "pellucida/core/Observation.h"
 #include "tracking/ScenarioRun.h"
 
@@ -56,6 +57,10 @@ struct FilmRun {
   /// The same as `force_rms_percent` of the profile's own thickness, tip and holder on the cell's radius.
   double profile_force_rms_percent = -1.0;
   FilmSizes seen_sizes, true_sizes;
+  std::optional<SpecimenResult> specimen;  ///< of a specimen with tables of its own
+  /// RMS difference of the force by the true contours from the true one, over frames in contact, % of peak: what is not
+  /// the tracker's; -1: never in contact.
+  double true_sight_percent = -1.0;
   int measured_count = 0;  ///< frames in contact with a force
   /// Of these, those with the true force in the picture's 95 % interval (the truth has the profile's modulus). Where no
   /// finite elements fit the picture, the force that the true observations give stands for it.

@@ -24,6 +24,7 @@ struct RandomFilm {
   Scenario scenario;
   Look look;
   bool drawing = false;  ///< plain bright field instead of the look
+  bool relaxes = false;  ///< the force, by a law of its own (`RelaxingTruth`), under a profile with arms
 };
 
 /// The film of a seed: a family of the split, then all that families.json says, then geometry and motion: a cell of 35

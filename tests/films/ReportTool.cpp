@@ -1,17 +1,22 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--family NAME] [--specimens FOLDER] [--drawing] [--detection auto|lines|scene] [--quality live|high]
+//               [--family NAME] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--detection
+//               auto|lines|scene]
+//               [--quality live|high]
 //               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
 // the true force (which fits the picture with --specimens alone: finite-element tables, tests/specimens; a further line
-// then says how the profile's own thickness, tip and holder would have done). --drawing: plain bright field. --film:
-// that one film alone. --family: films of that family alone. --widest: no wider pictures. --csv: a row a film.
-// "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the true force
-// (with --specimens) or the one that the true contours and tip give. --sights: a row a frame, of what the verdict on a
-// puncture saw and of the force. --worst: pictures of the ten worst films, truth
-// green, found red. --sheets: nine pictures of each film. --frames: also a line a frame.
+// then says how the profile's own thickness, tip and holder would have done, and a table goes by what the specimens
+// are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --relaxing: the
+// force relaxes by a law of three arms, under a profile of two.
+// --drawing: plain
+// bright field. --film: that one film alone. --family: films of that family alone. --widest: no wider pictures. --csv:
+// a row a film. "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the
+// true force (with --specimens) or the one that the true contours and tip give. --sights: a row a frame, of what the
+// verdict on a puncture saw and of the force. --worst: pictures of the ten worst films, truth green, found red.
+// --sheets: nine pictures of each film. --frames: also a line a frame.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -23,6 +28,7 @@
 #include <thread>
 
 #include "films/FilmRun.h"
+#include "films/SpecimenTable.h"
 #include "pellucida/core/Error.h"
 
 namespace {
@@ -37,7 +43,7 @@ struct Choice {
   int jobs = 1, widest_px = 2048;
   std::string csv, sights, worst, sheets, family;
   std::vector<std::string> specimens;
-  bool frames = false, drawing = false;
+  bool frames = false, drawing = false, each_once = false, relaxing = false;
   TrackerOptions tracker;
 };
 
@@ -85,6 +91,10 @@ Choice read_arguments(int count, char** arguments) {
       const std::string quality = value();
       if (quality != "live" && quality != "high") throw UsageError("--quality is live or high");
       if (quality == "high") choice.tracker.quality = TrackerOptions::Quality::kHigh;
+    } else if (word == "--each-once") {
+      choice.each_once = true;
+    } else if (word == "--relaxing") {
+      choice.relaxing = true;
     } else if (word == "--drawing") {
       choice.drawing = true;
     } else if (word == "--frames") {
@@ -93,6 +103,7 @@ Choice read_arguments(int count, char** arguments) {
       throw UsageError("unknown argument " + word);
     }
   }
+  if (choice.each_once && choice.specimens.empty()) throw UsageError("--each-once needs --specimens");
   if (!has_split) throw UsageError("--split is missing: tuning or validation");
   return choice;
 }
@@ -193,7 +204,9 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
          "confident_and_wrong,tracking_force_rms_percent,force_rms_percent,measured,covered,median_frame_ms,worst_"
          "frame,"
          "badness,specimen,profile_force_rms_percent,radius_um,thickness_um,tip_radius_um,holder_radius_um,"
-         "true_radius_um,true_thickness_um,true_tip_radius_um,true_holder_radius_um\n";
+         "true_radius_um,true_thickness_um,true_tip_radius_um,true_holder_radius_um,given_percent,bias_percent,"
+         "palpated_percent,in_whole,in_wide,true_sight_percent,deepest_ratio,aspect,suction_kPa,stiffening,angle_deg,"
+         "offset_um\n";
   for (const FilmRun& run : runs) {
     std::vector<double> outer, inner, tip;
     collect(run.errors, &FrameError::outer_px, outer);
@@ -214,6 +227,11 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
     for (const test::FilmSizes* sizes : {&run.seen_sizes, &run.true_sizes})
       out << ',' << sizes->radius_um << ',' << sizes->thickness_um << ',' << sizes->tip_radius_um << ','
           << sizes->holder_radius_um;
+    const test::SpecimenResult r = run.specimen.value_or(test::SpecimenResult{});
+    out << ',' << r.given_percent << ',' << r.bias_percent << ',' << r.palpated_percent << ',' << r.in_whole << ','
+        << r.in_wide << ',' << run.true_sight_percent << ',' << r.deepest_ratio << ',' << r.specimen.aspect_ratio << ','
+        << r.specimen.suction_kPa << ',' << r.specimen.stiffening << ',' << r.specimen.holder_angle_deg << ','
+        << r.specimen.offset_um;
     out << '\n';
   }
   if (!out.flush()) throw OutputError(file + " can't be written");
@@ -275,8 +293,14 @@ void draw_sheets(const std::string& folder, const std::vector<FilmRun>& runs) {
 std::vector<std::uint64_t> seeds_of(const Choice& choice) {
   constexpr std::uint64_t kMostPerFilm = 1000;  // no family is as rare as that
   std::vector<std::uint64_t> seeds;
-  for (std::uint64_t seed = choice.first; seeds.size() < choice.count; ++seed) {
-    if (choice.family.empty() || test::draw_film(choice.split, seed).family == choice.family) seeds.push_back(seed);
+  const std::size_t count =
+      choice.each_once ? std::min<std::size_t>(choice.count, choice.specimens.size()) : choice.count;
+  for (std::uint64_t seed = choice.first; seeds.size() < count; ++seed) {
+    const std::vector<std::string> any = choice.each_once ? std::vector{choice.specimens.front()} : choice.specimens;
+    const test::RandomFilm film = test::draw_film(choice.split, seed, choice.widest_px, any);
+    const bool touches = film.scenario.cell.in_view && film.scenario.motion.indentation_um > 0.0;
+    if ((choice.family.empty() || film.family == choice.family) && (touches || !choice.each_once))
+      seeds.push_back(seed);
     if (seed - choice.first > kMostPerFilm * choice.count)
       throw UsageError("--family: there is no family \"" + choice.family + "\" in this split");
   }
@@ -292,8 +316,11 @@ void report(const Choice& choice) {
   const auto work = [&] {
     for (std::size_t k; !failed && (k = next++) < runs.size();) {
       try {
-        test::RandomFilm film = test::draw_film(choice.split, seeds[k], choice.widest_px, choice.specimens);
+        const std::vector<std::string> specimens =
+            choice.each_once ? std::vector{choice.specimens[k]} : choice.specimens;
+        test::RandomFilm film = test::draw_film(choice.split, seeds[k], choice.widest_px, specimens);
         film.drawing = choice.drawing;
+        film.relaxes = choice.relaxing;
         runs[k] = test::run_film(film, choice.tracker);
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
@@ -317,7 +344,10 @@ void report(const Choice& choice) {
   print_head();
   for (const auto& [contrast, some] : by_contrast) print_row(contrast, some);
   print_row("ALL", all);
-  if (!choice.specimens.empty()) print_by_profile(runs);
+  if (!choice.specimens.empty()) {
+    print_by_profile(runs);
+    test::print_by_specimen(runs);
+  }
   if (!choice.csv.empty()) write_csv(choice.csv, runs);
   if (!choice.sights.empty()) write_sights(choice.sights, runs);
   if (!choice.worst.empty()) draw_worst_ten(choice.worst, runs);

@@ -49,7 +49,8 @@ ForceEstimate ramp(ForceObserver& observer, double depth_um, double axis_rad, do
 
 void expect_finite(const ForceEstimate& e) {
   EXPECT_TRUE(e.rest_um.allFinite() && e.solved_um.allFinite() && e.force_uN.allFinite());
-  EXPECT_TRUE(e.force_sigma_uN.allFinite() && e.tension_uN_per_um.allFinite() && e.tip_force_uN.allFinite());
+  EXPECT_TRUE(e.force_sigma_uN.allFinite() && e.tension_uN_per_um.allFinite() &&
+              e.tension_sigma_uN_per_um.allFinite() && e.tip_force_uN.allFinite());
 }
 
 TEST(ForceObserver, MeetsTheForceCurveAtAnyAngleInTheImage) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/mechanics/ExpectedPuncture.h"
 #include "support/TestProfiles.h"
 
 namespace pellucida {
@@ -40,18 +41,39 @@ TEST(PalpationUpdate, AnUnsureDepthMakesItBlunter) {
 
 TEST(PalpationUpdate, ProbabilityIsHalfAtTheProfilesPunctureForceAndRises) {
   const CellProfile profile = testing::coarse_profile();
-  EXPECT_NEAR(puncture_probability(profile, profile.puncture_force_uN, 0.1), 0.5, 1e-12);
-  EXPECT_EQ(puncture_probability(profile, 0.0, 0.1), 0.0);
+  const ExpectedPuncture expected = expected_puncture(profile, geometry_of(profile));
+  EXPECT_EQ(expected.depth_um, profile.puncture_indentation_um);
+  EXPECT_NEAR(puncture_probability(expected, profile.puncture_force_uN, 0.1), 0.5, 1e-12);
+  EXPECT_EQ(puncture_probability(expected, 0.0, 0.1), 0.0);
   double before = 0.0;
   for (double force = 1.0; force < 30.0; force += 1.0) {
-    const double now = puncture_probability(profile, force, 0.1);
+    const double now = puncture_probability(expected, force, 0.1);
     EXPECT_GT(now, before);
     EXPECT_LT(now, 1.0);
     before = now;
   }
   // A standard deviation up, with the force known exactly.
-  EXPECT_NEAR(puncture_probability(profile, profile.puncture_force_uN * std::exp(kPunctureSpread_ratio), 0.0), 0.8413,
+  EXPECT_NEAR(puncture_probability(expected, profile.puncture_force_uN * std::exp(kPunctureSpread_ratio), 0.0), 0.8413,
               9e-5);
+}
+
+// A finer needle is through earlier, and a blunter one or a thicker wall later; how much is less sure then.
+TEST(PalpationUpdate, AnotherNeedleOrZonaMovesThePuncture) {
+  const CellProfile profile = testing::coarse_profile();
+  const ExpectedPuncture usual = expected_puncture(profile, geometry_of(profile));
+  EXPECT_EQ(usual.sigma_ratio, kPunctureSpread_ratio);
+  MembraneGeometry fine = geometry_of(profile), thick = fine;
+  fine.tip_radius_um *= 0.5;
+  thick.thickness_um *= 2.0;
+  const ExpectedPuncture with_fine = expected_puncture(profile, fine), of_thick = expected_puncture(profile, thick);
+  EXPECT_NEAR(with_fine.force_uN, 0.5 * usual.force_uN, 1e-12);
+  EXPECT_LT(with_fine.depth_um, usual.depth_um);
+  EXPECT_NEAR(of_thick.force_uN, 2.0 * usual.force_uN, 1e-12);
+  EXPECT_GT(with_fine.sigma_ratio, usual.sigma_ratio);
+  // A stiffer cell bears the same force, at a smaller depth.
+  const ExpectedPuncture stiff = expected_puncture(profile, geometry_of(profile), 2.0);
+  EXPECT_EQ(stiff.force_uN, usual.force_uN);
+  EXPECT_LT(stiff.depth_um, 0.75 * usual.depth_um);
 }
 
 TEST(PalpationUpdate, NonsenseIsRefused) {

@@ -60,6 +60,10 @@ constexpr Field<M> kColumns[] = {
      "this "
      "cell's scale was measured): one factor on all forces of a cell"},
     {"contact_force_scale_upper_uN", "uN", &M::contact_force_scale_upper_uN, kAny, "upper end of it"},
+    {"expected_puncture_uN", "uN", &M::expected_puncture_uN, kAny,
+     "force at which a cell of these sizes is expected to give way under this needle; log-normal about it, by 35 % and "
+     "more ([method.md](method.md#38-from-the-contour-to-the-force))"},
+    {"expected_puncture_um", "um", &M::expected_puncture_um, kAny, "indentation at which this cell bears that force"},
 };
 
 double M::*number_of(const Field<M>& column) {

@@ -32,6 +32,8 @@ ShellContact contact_of(const Arguments& arguments) {
   contact.tip_radius_um = arguments.tools.tip_radius_um;
   contact.holder_ring_um = arguments.tools.holder_ring_um;
   contact.holder_half_width_um = arguments.tools.holder_half_width_um;
+  contact.tip_bond_per_um = arguments.tools.tip_bond_per_um;
+  contact.holder_bond_per_um = arguments.tools.holder_bond_per_um;
   return contact;
 }
 
@@ -98,6 +100,9 @@ int main(int argc, char** argv) {
   app.add_option("--tip-radius-um", arguments.tools.tip_radius_um);
   app.add_option("--holder-ring-um", arguments.tools.holder_ring_um, "mean radius of the holder's mouth");
   app.add_option("--holder-half-width-um", arguments.tools.holder_half_width_um, "of the ring it bears on");
+  app.add_option("--tip-bond-per-um", arguments.tools.tip_bond_per_um,
+                 "peak density of the needle's bond, over the modulus");
+  app.add_option("--holder-bond-per-um", arguments.tools.holder_bond_per_um, "the same of the holder's");
   app.add_option("--max-indentation-um", arguments.max_indentation_um);
   app.add_option("--step-um", arguments.step_um, "of the depths; the first step is halved");
   app.add_option("--edge-length-ratio", arguments.options.edge_length_ratio, "mesh: 1 reference, 1.4 coarse, 0.6 fine");

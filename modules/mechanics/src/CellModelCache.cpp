@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceInterval.h"
 
 namespace pellucida {
@@ -19,7 +20,7 @@ constexpr double kHolderTurn_rad = 0.002;
 constexpr int kSteadyFrames = 5;
 /// A shape read off the path is in equilibrium when no node's residual force is above this times E h.
 constexpr double kPathTolerance_um = 1e-3;
-/// How deep the risk of puncture is reported, in puncture indentations.
+/// How deep the risk of puncture is reported, in the indentations at which a puncture is expected.
 constexpr double kRiskDepth_ratio = 1.3;
 /// A stiffness' slope by depth is taken over this.
 constexpr double kSlopeStep_um = 0.5;
@@ -143,15 +144,16 @@ std::optional<CellScale> CellModelCache::scale_after(std::span<const ScaleMeasur
 
 std::vector<PunctureRisk> CellModelCache::puncture_risk(double step_um, const CellScale& scale) {
   std::vector<PunctureRisk> risk;
+  const ExpectedPuncture expected = expected_puncture(profile_, built_, scale.ratio);
   indenter_->reset();
-  for (int k = 1; k * step_um <= kRiskDepth_ratio * profile_.puncture_indentation_um; ++k) {
+  for (int k = 1; k * step_um <= kRiskDepth_ratio * expected.depth_um; ++k) {
     const IndentationState state = indenter_->advance_to(k * step_um);
     if (state.report.status != SolveStatus::kConverged) break;
     ForceErrors errors;
     add_model_errors(profile_, state.push_force_uN, rest_stiffness_uN_per_um_, errors);
     const double force_uN = scale.ratio * state.push_force_uN;
     const double relative = std::hypot(errors.model_ratio, scale.relative_sigma);
-    risk.push_back({k * step_um, force_uN, puncture_probability(profile_, force_uN, relative)});
+    risk.push_back({k * step_um, force_uN, puncture_probability(expected, force_uN, relative)});
   }
   indenter_->reset();
   return risk;

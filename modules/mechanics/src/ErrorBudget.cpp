@@ -14,7 +14,7 @@ constexpr double kUsualMismatch_um = 0.2;
 constexpr double kUsualMismatch_ratio = 0.02;
 /// Beyond so many times what is usual the shape isn't the model's.
 constexpr double kMismatch = 2.5;
-/// A force at which all but this share of the profile's cells would be punctured is seldom borne.
+/// A force at which all but this share of the profile's cells of these sizes would be punctured is seldom borne.
 constexpr double kSeldomBorne_ratio = 0.2;
 /// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
 constexpr double kUnknownHolder_ratio = 0.3;
@@ -53,7 +53,8 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
   }
   if (estimate.puncture_doubted || std::abs(in.placement.slipped_um()) > kSlip_um) warnings |= kNeedleSlip;
   // In forces of the kind: how single cells differ is in the spread of their punctures already.
-  const double punctured = puncture_probability(in.profile, in.force.force_uN, errors.of_picture().relative());
+  const ExpectedPuncture expected = expected_puncture(in.profile, in.cell.built_geometry());
+  const double punctured = puncture_probability(expected, in.force.force_uN, errors.of_picture().relative());
   if (punctured > 1.0 - kSeldomBorne_ratio) warnings |= kSeldomBorne;
   estimate.warnings = static_cast<ForceWarning>(warnings);
 }

@@ -2,6 +2,7 @@
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "RelaxingContact.h"
+#include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceEstimate.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
 

@@ -99,7 +99,7 @@ class ForceObserver::Impl {
     if (!estimate.converged) return estimate;
     if (has_own_scale()) {
       estimate.puncture_probability =
-          puncture_probability(profile_, estimate.contact_force_uN, estimate.errors.relative());
+          puncture_probability(estimate.expected_puncture, estimate.contact_force_uN, estimate.errors.relative());
     }
     if (!frame.contact) return estimate;
     verdict_.add(frame.depth_um, estimate.contact_force_uN);
@@ -136,6 +136,7 @@ class ForceObserver::Impl {
     }
     estimate.thickness_assumed = cell_.geometry().thickness_assumed();
     measure_scale(o.time_s);
+    estimate.expected_puncture = expected_puncture(profile_, cell_.built_geometry(), scale_.ratio);
   }
 
   /// What counts by now against the model of this cell; anew where the model is. The model is at rest afterwards.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ForcePowers.h"
+
 namespace pellucida {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr double kSeenTip_ratio = 0.15, kSeenHolder_ratio = 0.08;
 constexpr double kThinnestZona_ratio = 0.02;
 /// From so many frames on, a tool's width follows what is seen at that pace.
 constexpr int kMostFrames = 50;
-/// Powers with which the force goes with radius, thickness, tip and holder (docs/method.md, 3.6).
-constexpr double kRadiusPower = 1.9, kThicknessPower = 1.2, kTipPower = 0.4, kHolderPower = 0.5;
 /// So far from the profile's own geometry, in logarithms, the correction's whole spread counts; nearer in proportion.
 constexpr double kWholeSpread = 0.5;
 

@@ -1,6 +1,10 @@
 #include "NodalField.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace pellucida {
 namespace {
@@ -21,6 +25,44 @@ void add_spread(const AttachmentTerm& tool, const Eigen::Matrix3Xd& load_uN, Eig
   if (tool.nodes().empty()) return;
   const double mean_square_uN2 = load_uN.squaredNorm() / static_cast<double>(tool.nodes().size());
   for (const int node : tool.nodes()) variance_uN2[node] += std::pow(kToolSpread_ratio, 2) * mean_square_uN2;
+}
+
+/// What the springs' tension lacks of a solid's, over the root mean square of their own in a zone, and over the node's
+/// own on the free wall (docs/method.md, 4.5). The zones are those of section 4.5: under and about the tip, the
+/// dimple's flank, the holder's ring and a node's distance about it.
+constexpr double kTipTension_ratio = 2.0, kFlankTension_ratio = 0.85, kHolderTension_ratio = 1.6,
+                 kFreeTension_ratio = 0.12;
+constexpr double kFlank_rad = 1.0, kBesideHolder_rad = 0.18;
+
+Eigen::VectorXd tension_sigmas(const MembraneModel& model, const Eigen::VectorXd& tension, double relative) {
+  enum Zone : std::uint8_t { kTip, kFlank, kHolder, kFree, kZones };
+  const MembraneSetup& setup = model.setup();
+  const CellProfile& profile = model.profile();
+  const double radius_um = setup.mid_radius_um, tip_rad = 2.0 * profile.tip_radius_um / radius_um;
+  const double holder_rad =
+      kBesideHolder_rad + std::asin(std::min(1.0, (profile.holder_ring_um + profile.holder_half_width_um) / radius_um));
+  const Eigen::Matrix3Xd& rest = model.rest().points_um;
+  std::vector<Zone> zones(static_cast<std::size_t>(rest.cols()));
+  std::array<double, kZones> squares{}, counts{};
+  for (Eigen::Index i = 0; i < rest.cols(); ++i) {
+    const Eigen::Vector3d place = rest.col(i).normalized();
+    const double from_needle = std::acos(std::clamp(place.z(), -1.0, 1.0));
+    const double from_holder = std::acos(std::clamp(place.dot(setup.holder), -1.0, 1.0));
+    Zone zone = from_needle < kFlank_rad ? kFlank : kFree;
+    if (from_holder < holder_rad) zone = kHolder;
+    if (from_needle < tip_rad) zone = kTip;
+    zones[static_cast<std::size_t>(i)] = zone;
+    squares[zone] += tension[i] * tension[i];
+    counts[zone] += 1.0;
+  }
+  constexpr std::array kShares{kTipTension_ratio, kFlankTension_ratio, kHolderTension_ratio, kFreeTension_ratio};
+  Eigen::VectorXd sigma(tension.size());
+  for (Eigen::Index i = 0; i < tension.size(); ++i) {
+    const Zone zone = zones[static_cast<std::size_t>(i)];
+    const double usual = zone == kFree ? std::abs(tension[i]) : std::sqrt(squares[zone] / counts[zone]);
+    sigma[i] = std::hypot(relative * tension[i], kShares[zone] * usual);
+  }
+  return sigma;
 }
 
 }  // namespace
@@ -51,6 +93,10 @@ void fill_nodes(const Indenter& indenter, double scale, bool contact, ForceEstim
   const Eigen::VectorXd areas_um2 = node_areas_um2(x, model.rest().triangles);
   const Eigen::VectorXd rest_um2 = node_areas_um2(model.rest().points_um, model.rest().triangles);
   estimate.tension_uN_per_um = of_liquid * model.springs().tension_uN_per_um(x, areas_um2);
+  // The depth's error moves the tension as it moves the force.
+  const double force_uN = contact ? needle.rowwise().sum().norm() : 0.0;
+  const double by_depth = force_uN > 0.0 ? estimate.errors.depth_uN / force_uN : 0.0;
+  estimate.tension_sigma_uN_per_um = tension_sigmas(model, estimate.tension_uN_per_um, std::hypot(relative, by_depth));
   estimate.area_strain_percent = 100.0 * (areas_um2.array() / rest_um2.array() - 1.0);
 }
 

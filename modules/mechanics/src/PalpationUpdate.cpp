@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "pellucida/core/Error.h"
 
@@ -37,13 +36,6 @@ CellScale update_scale(const CellScale& before, const Palpation& palpation, doub
   const double after_variance = 1.0 / (1.0 / before_variance + 1.0 / variance);
   const double mean = after_variance * (std::log(before.ratio) / before_variance + measured / variance);
   return {std::exp(mean), std::sqrt(after_variance)};
-}
-
-double puncture_probability(const CellProfile& profile, double force_uN, double force_relative_sigma) noexcept {
-  if (!(force_uN > 0.0) || !(profile.puncture_force_uN > 0.0)) return 0.0;
-  const double sigma = std::hypot(force_relative_sigma, kPunctureSpread_ratio);
-  const double z = std::log(force_uN / profile.puncture_force_uN) / sigma;
-  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
 }  // namespace pellucida

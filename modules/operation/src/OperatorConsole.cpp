@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "Demonstration.h"
 #include "HandCatalog.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr double kOut_um = 15.0;  // before the entry: the needle is out of the cell
 // A tip this far before or behind the image plane is too blurred to be found.
 constexpr double kBlurred_um = 30.0;
+/// The limits follow a cell's sizes in steps of this.
+constexpr double kStrengthStep_ratio = 0.03;
 constexpr double kHome_um = 2.0;  // the needle is back
 constexpr double kLongestWayHome_s = 15.0;
 
@@ -266,14 +269,19 @@ void OperatorConsole::look() {
   if (!scene || scene->contact.frame_index == frame_index_) return;
   frame_index_ = scene->contact.frame_index;
   broken_ = scene->contact.state == CellState::kPunctured;
-  follow_scale(scene->remarks);
+  follow_strength(scene->measurement);
   if (guide_->see(scene->contact) && !plan() && !renewing_) make_plan(scene->contact);
 }
 
-void OperatorConsole::follow_scale(const ForceRemarks& remarks) {
-  const double ratio = remarks.has_own_scale ? remarks.scale_ratio : 1.0;
-  if (ratio == cell_scale_ratio_) return;
-  cell_scale_ratio_ = ratio;
+// The limits stay where they are while the needle is at the cell.
+void OperatorConsole::follow_strength(const Measurement& seen) {
+  if (seen.state == CellState::kContact || seen.state == CellState::kPunctured) return;
+  const CellStrength now = strength_of(run_.profile(), seen), used = strength();
+  const auto moved = [](double one, double other) { return std::abs(one / other - 1.0) > kStrengthStep_ratio; };
+  if (!moved(now.puncture_force_uN, used.puncture_force_uN) && !moved(now.puncture_depth_um, used.puncture_depth_um)) {
+    return;
+  }
+  strength_ = now;
   apply_settings();
 }
 
@@ -369,7 +377,7 @@ void OperatorConsole::repeat_demonstration() {
 }
 
 CellStrength OperatorConsole::strength() const noexcept {
-  return strength_of(run_.profile(), cell_scale_ratio_);
+  return strength_ ? *strength_ : strength_of(run_.profile());
 }
 
 CellLimits OperatorConsole::limits() const {

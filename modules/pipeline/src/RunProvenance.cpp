@@ -5,6 +5,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldJson.h"
 #include "pellucida/core/Version.h"
+#include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/session/Sha256.h"
 
 namespace pellucida {

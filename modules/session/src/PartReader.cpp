@@ -66,11 +66,11 @@ void require_components(vtkDataSetAttributes* arrays) {
     const char* name;
     int components;
   };
-  static constexpr std::array kVectors{Vector{array_name::kForce, 3},         Vector{array_name::kForceSigma, 1},
-                                       Vector{array_name::kDisplacement, 3},  Vector{array_name::kTension, 1},
-                                       Vector{array_name::kSigma, 1},         Vector{array_name::kConfidence, 1},
-                                       Vector{array_name::kRestDirection, 3}, Vector{array_name::kNeedleForce, 3},
-                                       Vector{array_name::kHolderForce, 3},   Vector{array_name::kAreaStrain, 1}};
+  static constexpr std::array kVectors{
+      Vector{array_name::kForce, 3},         Vector{array_name::kForceSigma, 1},  Vector{array_name::kDisplacement, 3},
+      Vector{array_name::kTension, 1},       Vector{array_name::kSigma, 1},       Vector{array_name::kConfidence, 1},
+      Vector{array_name::kRestDirection, 3}, Vector{array_name::kNeedleForce, 3}, Vector{array_name::kHolderForce, 3},
+      Vector{array_name::kAreaStrain, 1},    Vector{array_name::kTensionSigma, 1}};
   for (const Vector& one : kVectors) {
     vtkDataArray* array = arrays->GetArray(one.name);
     if (array && array->GetNumberOfComponents() != one.components) {

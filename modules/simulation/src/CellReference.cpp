@@ -123,6 +123,10 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   // Configuration 4 is configuration 1 with the needle moved sideways.
   reference.holder_angle_rad_ = configuration == 4 ? 0.0 : (configuration - 1) * std::numbers::pi / 4;
   reference.offset_um_ = configuration == 4 ? kOffset_um : 0.0;
+  if (configuration == 1) {
+    reference.holder_angle_rad_ = reference.geometry_.holder_angle_deg * std::numbers::pi / 180;
+    reference.offset_um_ = reference.geometry_.offset_um;
+  }
   const double apex_rad = std::asin(reference.offset_um_ / reference.outer_radius_um());
   reference.angle_rad_ = material_angles(apex_rad);
   const Eigen::Index n = reference.angle_rad_.size();
@@ -143,6 +147,10 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
   const bool solid = profile.has("outer_r_um");
   const Eigen::VectorXd angle = profile.column("theta0_rad");
   const auto steps = steps_of(profile.column("indentation_um"));
+  reference.apex_z_um_ = reference.outer_radius_um() * std::cos(apex_rad);
+  // Out of round, or sucked into the holder: where the table has it at rest.
+  const bool is_sphere = reference.geometry_.aspect_ratio == 1.0 && reference.geometry_.suction_kPa == 0.0;
+  if (solid && !is_sphere) reference.apex_z_um_ = profile.column("outer_z_um")(0);
   reference.depth_um_.resize(static_cast<Eigen::Index>(steps.size()));
   for (std::size_t s = 0; s < steps.size(); ++s) {
     const auto& step = steps[s];
@@ -155,7 +163,7 @@ CellReference CellReference::load(std::string_view cell, int configuration) {
     if (solid) {
       Eigen::VectorXd a, x, z;
       mirror_half(step_angle, rows("outer_r_um"), rows("outer_z_um"), a, x, z);
-      outer = smooth_surface(a, x, z, reference.outer_radius_um(), reference.outer_radius_um() - step.depth_um,
+      outer = smooth_surface(a, x, z, reference.outer_radius_um(), reference.apex_z_um_ - step.depth_um,
                              reference.angle_rad_);
       mirror_half(step_angle, rows("inner_r_um"), rows("inner_z_um"), a, x, z);
       inner = smooth_surface(a, x, z, reference.inner_radius_um(), rows("inner_z_um")(0), reference.angle_rad_);
@@ -218,10 +226,6 @@ double CellReference::lateral_force_uN(double indentation_um) const {
 
 double CellReference::pressure_Pa(double indentation_um) const {
   return cubic(force_depth_um_, pressure_Pa_, pressure_slope_, indentation_um);
-}
-
-double CellReference::apex_z_um() const noexcept {
-  return outer_radius_um() * std::cos(angle_rad_(angle_rad_.size() / 2));
 }
 
 double CellReference::max_indentation_um() const noexcept {

@@ -1,5 +1,6 @@
 #include "pellucida/simulation/ReferenceGeometry.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "pellucida/core/Error.h"
@@ -32,9 +33,20 @@ constexpr Field<Geometry> kReferenceGeometry[] = {
      "half that ring's width",
      FieldNeed::kRequired},
     {"young_modulus_kPa", "kPa", &Geometry::young_modulus_kPa, {1e-6, 1e6}, "of the forces", FieldNeed::kRequired},
+    {"aspect_ratio", "", &Geometry::aspect_ratio, {0.5, 2}, "length along the needle over that across"},
+    {"holder_angle_deg", "degrees", &Geometry::holder_angle_deg, {0, 90}, "between push and holder"},
+    {"offset_um", "um", &Geometry::offset_um, {0, 100}, "of the needle's line from the centre"},
+    {"suction_kPa", "kPa", &Geometry::suction_kPa, {0, 1000}, "in the holder's mouth"},
+    {"stiffening", "", &Geometry::stiffening, {0, 100}, "exponent of the wall's law"},
 };
 
 }  // namespace
+
+double ReferenceGeometry::outer_radius_um(double angle_rad) const noexcept {
+  if (aspect_ratio == 1.0) return outer_radius_um();
+  const double root = std::sqrt(aspect_ratio);
+  return middle_radius_um / std::hypot(std::cos(angle_rad) / root, std::sin(angle_rad) * root) + 0.5 * thickness_um;
+}
 
 ReferencePlace find_reference(std::string_view cell) {
   const std::filesystem::path path(cell);

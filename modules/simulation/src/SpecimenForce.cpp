@@ -16,7 +16,8 @@ SpecimenForce SpecimenForce::load(std::string_view cell, int configuration, cons
   const CellReference reference = CellReference::load(cell, configuration);
   SpecimenForce field;
   field.frame_ = frame;
-  field.radius_um_ = reference.outer_radius_um();
+  // Out of round the needle stays on the axis.
+  field.radius_um_ = reference.offset_um() > 0.0 ? reference.outer_radius_um() : reference.apex_z_um();
   field.max_depth_um_ = reference.max_indentation_um();
   field.symmetric_ = reference.holder_angle_rad() == 0.0;
 
@@ -34,7 +35,7 @@ SpecimenForce SpecimenForce::load(std::string_view cell, int configuration, cons
     beside_depth = beside.column("indentation_um");
     beside_force = beside.column("force_uN");
   } else {
-    field.max_offset_um_ = kOnAxis_um;
+    field.max_offset_um_ = reference.offset_um() + kOnAxis_um;
   }
 
   auto fill = [&](Curve& curve, const std::vector<double>& depth_um, const std::vector<double>& force_uN) {

@@ -151,7 +151,8 @@ HolderRim holder_rim(const VirtualSpecimen& specimen) noexcept {
   HolderRim rim;
   rim.wall_radius_um = scale * geometry.holder_half_width_um;
   rim.ring_radius_um = scale * geometry.holder_ring_um;
-  const double reach = specimen.outer_radius_um() + rim.wall_radius_um;
+  const double sine = geometry.holder_ring_um / (geometry.outer_radius_um() + geometry.holder_half_width_um);
+  const double reach = scale * geometry.outer_radius_um(std::asin(std::min(1.0, sine))) + rim.wall_radius_um;
   rim.distance_um = std::sqrt(reach * reach - rim.ring_radius_um * rim.ring_radius_um);
   return rim;
 }

@@ -86,6 +86,7 @@ void narrow_forces(vtkPolyData* surface) {
   vtkPointData* arrays = surface->GetPointData();
   const auto relative = [](double value, vtkIdType) { return to_bits(value); };
   round_array(arrays, array_name::kTension, relative);
+  round_array(arrays, array_name::kTensionSigma, relative);
   round_array(arrays, array_name::kAreaStrain, relative);
   // The steps of the force follow from its deviations as they are kept, so that narrowing again changes nothing.
   const vtkSmartPointer<vtkFloatArray> sigma = round_array(arrays, array_name::kForceSigma, relative);

@@ -293,7 +293,7 @@ void GuideWindow::show_gauges() {
   const LiveStatus status = run_->status();
   GaugeInput input;
   input.scene = scenes_.measured();
-  input.strength = strength_of(run_->profile());
+  input.strength = input.scene ? strength_of(run_->profile(), input.scene->measurement) : strength_of(run_->profile());
   input.limits = limits_of(input.strength);
   input.frame_age_s = 1e-3 * status.frame_age_ms;
   input.is_still = run_->paused() || status.finished;

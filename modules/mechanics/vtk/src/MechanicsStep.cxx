@@ -133,6 +133,7 @@ class MechanicsStep::Impl {
       said_.clear();
       warnings_.clear();
       reported_puncture_ = false;
+      told_puncture_uN_ = 0.0;
     }
     take_measurements();
     MeasuredScene measured{.scene = scene, .forces = {}};
@@ -157,6 +158,10 @@ class MechanicsStep::Impl {
     out.measurement.asymmetry_um = e.shape.asymmetry_um;
     out.measurement.model_spread_percent = e.opinions.spread_percent;
     out.measurement.puncture_probability = e.puncture_probability;
+    if (e.expected_puncture.force_uN > 0.0) {
+      out.measurement.expected_puncture_uN = e.expected_puncture.force_uN;
+      out.measurement.expected_puncture_um = e.expected_puncture.depth_um;
+    }
     add_events(e, *scene.observation, out);
 
     // Why there is no force: with every frame, and once as a note when the reason is new.
@@ -221,6 +226,7 @@ class MechanicsStep::Impl {
             .needle_force_uN = handed(array_name::kNeedleForce, e.needle_force_uN),
             .holder_force_uN = handed(array_name::kHolderForce, e.holder_force_uN),
             .tension_uN_per_um = read_off(array_name::kTension, e.tension_uN_per_um),
+            .tension_sigma_uN_per_um = read_off(array_name::kTensionSigma, e.tension_sigma_uN_per_um),
             .area_strain_percent = read_off(array_name::kAreaStrain, e.area_strain_percent)};
   }
 
@@ -254,6 +260,7 @@ class MechanicsStep::Impl {
       out.events.push_back({o.time_s, event_kind::kWarning, std::move(detail)});
     }
 
+    note_puncture(e, o, out);
     const CellScale scale = observer_.scale();
     // A model built anew changes it by a trifle.
     const bool is_news = std::abs(std::log(scale.ratio / reported_scale_.ratio)) > 0.01 ||
@@ -267,6 +274,23 @@ class MechanicsStep::Impl {
     }
   }
 
+  /// Once a cell, as it is touched: that it is expected to give way elsewhere than its kind.
+  void note_puncture(const ForceEstimate& e, const Observation& o, Scene& out) {
+    const ExpectedPuncture& expected = e.expected_puncture;
+    if (o.state != CellState::kContact || !(expected.force_uN > 0.0)) return;
+    const CellProfile& kind = observer_.profile();
+    constexpr double kNews = 0.2;
+    const bool is_told = std::abs(std::log(expected.force_uN / told_puncture_uN_)) < kNews;
+    const bool is_usual = std::abs(std::log(expected.force_uN / kind.puncture_force_uN)) < kNews;
+    if (is_told || (is_usual && told_puncture_uN_ == 0.0)) return;
+    told_puncture_uN_ = expected.force_uN;
+    out.events.push_back(
+        {o.time_s, event_kind::kNote,
+         format("by its sizes and the needle's this cell is expected to give way at %.1f uN and %.0f "
+                "um, its kind at %.1f uN and %.0f um",
+                expected.force_uN, expected.depth_um, kind.puncture_force_uN, kind.puncture_indentation_um)});
+  }
+
   /// A measured scale that hardly any cell of the kind has.
   std::string far_from_kind(const CellScale& scale) const {
     const double sigmas = std::abs(std::log(scale.ratio)) / scale_before(observer_.profile()).relative_sigma;
@@ -278,6 +302,7 @@ class MechanicsStep::Impl {
 
   ForceObserver observer_;
   WarningNews warnings_;
+  double told_puncture_uN_ = 0.0;   // the expected one of the last note; 0: none yet
   bool reported_puncture_ = false;  // the state has been punctured since
   CellScale reported_scale_;
   std::mutex waiting_mutex_;

@@ -229,8 +229,10 @@ std::array<Gauge, 4> make_gauges(const GaugeInput& input) {
           ? say("Force of the needle on the cell against the largest that the hand is let exert. Light band: the whole "
                 "95 "
                 "% "
-                "interval; dark band: what the picture leaves open. Fine mark: where this kind of cell gives way.")
-          : say("Force of the needle on the cell against that at which this kind of cell gives way. Light band: the "
+                "interval; dark band: what the picture leaves open. Fine mark: where a cell of this kind and these "
+                "sizes is expected to give way.")
+          : say("Force of the needle on the cell against that at which a cell of this kind and these sizes is expected "
+                "to give way. Light band: the "
                 "whole "
                 "95 % interval; dark band: what the picture leaves open.");
   gauges[1].tip =

@@ -41,7 +41,7 @@ struct Gauge {
   double inner_from = kNothing, inner_to = kNothing;  ///< the part of it that the picture leaves open
   double limit_share = kNothing;
   double truth_share = kNothing;  ///< a mark of its own
-  double usual_share = kNothing;  ///< a fine mark: where this kind of cell gives way
+  double usual_share = kNothing;  ///< a fine mark: where a cell of this kind and these sizes is expected to give way
 
   /// Looks the same, NaN beside NaN included.
   bool operator==(const Gauge& other) const;

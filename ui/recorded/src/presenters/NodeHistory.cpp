@@ -59,7 +59,7 @@ void add_point(Curve& curve, double x, const SurfaceNode& node, NodeArray array)
     curve.add_gap();
     return;
   }
-  const auto [low, high] = sigma_interval(value, array == NodeArray::kForce ? node.force_sigma_uN : SurfaceNode::kNone);
+  const auto [low, high] = sigma_interval(value, sigma_of(node, array));
   curve.add(x, value, low, high);
 }
 

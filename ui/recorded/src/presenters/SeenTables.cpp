@@ -25,7 +25,7 @@ void write_nodes(vtkPolyData* surface, std::optional<long> picked, const fs::pat
   OutputFile output(file);
   output.add(
       "node,picked,membrane,x_um,y_um,z_um,fx_uN,fy_uN,fz_uN,force_uN,force_sigma_uN,tension_uN_per_um,"
-      "displacement_um");
+      "displacement_um,tension_sigma_uN_per_um");
   for (long i = 0; i < surface->GetNumberOfPoints(); ++i) {
     const auto node = surface_node(surface, i);
     if (!node) continue;
@@ -34,8 +34,8 @@ void write_nodes(vtkPolyData* surface, std::optional<long> picked, const fs::pat
     for (const auto* vector : {&node->place_um, &node->force_uN}) {
       for (const double value : *vector) line += ',' + csv_number(value);
     }
-    for (const double value :
-         {node->force_magnitude_uN, node->force_sigma_uN, node->tension_uN_per_um, node->displacement_um}) {
+    for (const double value : {node->force_magnitude_uN, node->force_sigma_uN, node->tension_uN_per_um,
+                               node->displacement_um, node->tension_sigma_uN_per_um}) {
       line += ',' + csv_number(value);
     }
     output.add(line);

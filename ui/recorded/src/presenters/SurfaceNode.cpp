@@ -69,6 +69,11 @@ double value_of(const SurfaceNode& node, NodeArray array) noexcept {
   return node.force_magnitude_uN;
 }
 
+double sigma_of(const SurfaceNode& node, NodeArray array) noexcept {
+  if (array == NodeArray::kTension) return node.tension_sigma_uN_per_um;
+  return array == NodeArray::kForce ? node.force_sigma_uN : SurfaceNode::kNone;
+}
+
 std::optional<SurfaceNode> surface_node(vtkPolyData* surface, long number) {
   if (!surface || number < 0 || number >= surface->GetNumberOfPoints()) return std::nullopt;
   SurfaceNode node;
@@ -80,6 +85,7 @@ std::optional<SurfaceNode> surface_node(vtkPolyData* surface, long number) {
   node.force_magnitude_uN = length_of(node.force_uN);
   node.force_sigma_uN = number_at(surface, array_name::kForceSigma, number);
   node.tension_uN_per_um = number_at(surface, array_name::kTension, number);
+  node.tension_sigma_uN_per_um = number_at(surface, array_name::kTensionSigma, number);
   node.displacement_um = length_of(vector_at(surface, array_name::kDisplacement, number));
   return node;
 }
@@ -96,7 +102,11 @@ std::vector<NodeFact> node_facts(const SurfaceNode& node) {
                      : readout::number(SurfaceNode::kNone, 0)});
   facts.push_back({say("Sigma"), with_unit(node.force_sigma_uN, kForceDecimals, "µN")});
   facts.push_back({say("Along x, y, z"), three(node.force_uN, kForceDecimals, "µN")});
-  facts.push_back({say("Tension"), with_unit(node.tension_uN_per_um, kForceDecimals, "µN/µm")});
+  const double tension_sigma = node.tension_sigma_uN_per_um;
+  const std::string sigma = std::isfinite(tension_sigma) ? " ± " + readout::number(tension_sigma, kForceDecimals) : "";
+  facts.push_back({say("Tension"), std::isfinite(node.tension_uN_per_um)
+                                       ? readout::number(node.tension_uN_per_um, kForceDecimals) + sigma + " µN/µm"
+                                       : with_unit(node.tension_uN_per_um, kForceDecimals, "µN/µm")});
   facts.push_back({say("Displacement"), with_unit(node.displacement_um, 2, "µm")});
   return facts;
 }

@@ -22,6 +22,7 @@ struct SurfaceNode {
   double force_magnitude_uN = kNone;
   double force_sigma_uN = kNone;  ///< standard deviation of the magnitude
   double tension_uN_per_um = kNone;
+  double tension_sigma_uN_per_um = kNone;  ///< its standard deviation
   double displacement_um = kNone;  ///< its length
 };
 
@@ -33,6 +34,8 @@ std::string axis_title(NodeArray array);
 /// "Force": as a list names it.
 std::string name_of(NodeArray array);
 double value_of(const SurfaceNode& node, NodeArray array) noexcept;
+/// Its standard deviation; NaN where it has none.
+double sigma_of(const SurfaceNode& node, NodeArray array) noexcept;
 
 /// Node `number` of `surface`; nothing where there is no surface, or no such node.
 std::optional<SurfaceNode> surface_node(vtkPolyData* surface, long number);

@@ -46,6 +46,8 @@ struct Measurement {
   double contact_force_picture_upper_uN = kNotMeasured;
   double contact_force_scale_lower_uN = kNotMeasured;
   double contact_force_scale_upper_uN = kNotMeasured;
+  double expected_puncture_uN = kNotMeasured;
+  double expected_puncture_um = kNotMeasured;
 };
 
 /// The two parts of a force's uncertainty as standard deviations over the force, from their 95 % intervals; NaN where

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceCrossCheck.h"
 #include "pellucida/mechanics/ForceInterval.h"
 #include "pellucida/mechanics/Puncture.h"
@@ -67,7 +68,9 @@ struct ForceEstimate {
   bool puncture_revoked = false;     ///< in one frame: the puncture reported last was none, the contact goes on
   std::optional<Puncture> puncture;  ///< in the first frame that shows it
   double work_uN_um = 0.0;           ///< of the needle on the cell in this contact
-  ForceCrossCheck opinions;          ///< the force according to other models
+  /// Of this cell under this needle, as they are seen; 0 where no cell is measured.
+  ExpectedPuncture expected_puncture;
+  ForceCrossCheck opinions;                    ///< the force according to other models
   double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
   double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
 
@@ -104,6 +107,8 @@ struct ForceEstimate {
   /// (n) %, the model's: area of the triangles round a node against that at rest, less 1.
   Eigen::VectorXd area_strain_percent;
   Eigen::VectorXd tension_uN_per_um;  ///< (n) mean membrane tension, see SpringTerm
+  Eigen::VectorXd
+      tension_sigma_uN_per_um;  ///< (n) its standard deviation: the force's, and the model's, see NodalField
 };
 
 }  // namespace pellucida

@@ -48,9 +48,9 @@ class ForceObserver {
   /// kind's scale. Throws UsageError as `way_of`, and for an aspiration without its modulus.
   void set_scale_measurements(std::vector<ScaleMeasurement> measurements);
 
-  /// The risk of a further push into the cell seen last: depths `step_um`, 2 `step_um`, ... to 1.3 times the profile's
-  /// puncture indentation. Empty before a cell was seen. Leaves the model at rest: not to be called between two frames
-  /// in contact. Throws UsageError unless the step is above 0.
+  /// The risk of a further push into the cell seen last: depths `step_um`, 2 `step_um`, ... to 1.3 times the one at
+  /// which its puncture is expected (`ExpectedPuncture`). Empty before a cell was seen. Leaves the model at rest: not
+  /// to be called between two frames in contact. Throws UsageError unless the step is above 0.
   std::vector<PunctureRisk> puncture_risk(double step_um);
 
   /// The scale in use, and whether it was measured on this cell.

@@ -25,9 +25,6 @@ struct Palpation {
 /// Throws UsageError unless the numbers are as `Palpation` states.
 void validate(const Palpation& palpation);
 
-/// Spread of puncture forces about the profile's (Table I gives one number and no spread): assumed.
-constexpr double kPunctureSpread_ratio = 0.3;
-
 /// The scale of a cell before it is measured: the profile's, with the uncertainty of the kind's mean and the spread of
 /// its single cells.
 CellScale scale_before(const CellProfile& profile) noexcept;
@@ -38,10 +35,6 @@ CellScale scale_before(const CellProfile& profile) noexcept;
 /// `model_value` > 0 and its slope by depth: the profile's force (or stiffness) at the palpation's depth.
 CellScale update_scale(const CellScale& before, const Palpation& palpation, double model_value,
                        double model_slope_per_um, double model_relative_sigma) noexcept;
-
-/// The probability that a membrane under this force gives way, its puncture force log-normal about the profile's with
-/// `kPunctureSpread_ratio`: Phi(ln(F / Fp) / sqrt(sF^2 + sp^2)); 0 at and below 0.
-double puncture_probability(const CellProfile& profile, double force_uN, double force_relative_sigma) noexcept;
 
 /// One depth of a cell's risk.
 struct PunctureRisk {

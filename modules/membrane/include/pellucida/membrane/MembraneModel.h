@@ -49,6 +49,8 @@ class MembraneModel {
   MembraneModel(const MembraneModel&) = delete;
   MembraneModel& operator=(const MembraneModel&) = delete;
 
+  /// As adapted to its geometry.
+  const CellProfile& profile() const noexcept { return profile_; }
   const TriangleMesh& rest() const noexcept { return rest_; }
   const MembraneSetup& setup() const noexcept { return setup_; }
   /// The sum of this model's terms, for a solver. Further terms may be added to it.

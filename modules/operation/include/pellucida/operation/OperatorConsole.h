@@ -96,7 +96,7 @@ class OperatorConsole {
   /// To be called from the window's tick, ten times a second or more: evaluates the newest frame.
   void update();
 
-  /// What the cell in view bears, by the profile and its own scale.
+  /// What the cell in view bears, by the profile, its sizes and its own scale.
   CellStrength strength() const noexcept;
   /// What the hand at work is held to, by plan and strength; before there is one, the limits of the strength.
   CellLimits limits() const;
@@ -111,7 +111,7 @@ class OperatorConsole {
   HapticSettings settings() const;
   void apply_settings();
   void look();
-  void follow_scale(const ForceRemarks& remarks);
+  void follow_strength(const Measurement& seen);
   void make_plan(const ContactModel& contact);
   void show_operator();
   void renew();
@@ -136,8 +136,8 @@ class OperatorConsole {
   HomingHand* homing_ = nullptr;  // the hand's device, while it leads the needle back
   double homing_since_s_ = 0.0;
   long frame_index_ = -1;
-  double cell_scale_ratio_ = 1.0;  // of the newest frame
-  bool broken_ = false;            // the newest frame shows the membrane closed around the shaft
+  std::optional<CellStrength> strength_;  // of the cell seen last; none yet: its kind's
+  bool broken_ = false;                   // the newest frame shows the membrane closed around the shaft
 };
 
 }  // namespace pellucida

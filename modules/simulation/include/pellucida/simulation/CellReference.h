@@ -20,8 +20,9 @@ class CellReference {
  public:
   /// `cell` a shipped one (`reference_cells`) or the path of others' tables without their ending (`films/specimen-7`
   /// for `films/specimen-7-1-force.csv`); `configuration` 1 (holder opposite the needle), 2 (45 degrees off), 3 (90), 4
-  /// (as 1, the needle 10 um beside the holder's axis and parallel to it). Throws UsageError when there is no such
-  /// reference, InputError when a file is damaged.
+  /// (as 1, the needle 10 um beside the holder's axis and parallel to it). In configuration 1 angle and offset are
+  /// those of the geometry, if it has them. Throws UsageError when there is no such reference, InputError when a file
+  /// is damaged.
   static CellReference load(std::string_view cell, int configuration);
 
   struct Section {
@@ -45,14 +46,14 @@ class CellReference {
   double max_indentation_um() const noexcept;  ///< the last step
   double holder_angle_rad() const noexcept { return holder_angle_rad_; }
   double offset_um() const noexcept { return offset_um_; }  ///< of the needle's line from the centre
-  double apex_z_um() const noexcept;                        ///< where that line meets the outer membrane at rest
+  double apex_z_um() const noexcept { return apex_z_um_; }  ///< where that line meets the outer membrane at rest
   const ReferenceGeometry& geometry() const noexcept { return geometry_; }
 
  private:
   CellReference() = default;
 
   ReferenceGeometry geometry_;
-  double holder_angle_rad_ = 0.0, offset_um_ = 0.0;
+  double holder_angle_rad_ = 0.0, offset_um_ = 0.0, apex_z_um_ = 0.0;
   Eigen::VectorXd angle_rad_;
   Eigen::VectorXd force_depth_um_, force_uN_, force_slope_, pressure_Pa_, pressure_slope_, lateral_uN_, lateral_slope_;
   Eigen::VectorXd depth_um_;                  // (s) steps of the profile

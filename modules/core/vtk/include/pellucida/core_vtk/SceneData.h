@@ -27,8 +27,9 @@ inline constexpr const char* kHolderForce = "holder_force_uN";     ///< points o
 inline constexpr const char* kAreaStrain = "area_strain_percent";  ///< points of the surface
 inline constexpr const char* kDisplacement = "displacement_um";    ///< points of the surface, 3 components
 inline constexpr const char* kTension = "tension_uN_per_um";       ///< points of the surface
-inline constexpr const char* kPath = "path";                       ///< cells of a recording of the hand: 0 hand, 1 tip
-inline constexpr const char* kCenter = "center_um";                ///< field data of membranes and surface, 3 values
+inline constexpr const char* kTensionSigma = "tension_sigma_uN_per_um";  ///< points of the surface
+inline constexpr const char* kPath = "path";                  ///< cells of a recording of the hand: 0 hand, 1 tip
+inline constexpr const char* kCenter = "center_um";           ///< field data of membranes and surface, 3 values
 inline constexpr const char* kAxis = "axis";                  ///< field data, 3 values: unit, cell centre to needle
 inline constexpr const char* kRestRadius = "rest_radius_um";  ///< field data, 2 values: outer, inner; 0 = unknown
 inline constexpr const char* kRestDirection =

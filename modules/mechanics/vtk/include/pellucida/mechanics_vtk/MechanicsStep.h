@@ -18,11 +18,12 @@ struct SolvedShape;  // membrane/Indenter.h
 /// The point arrays that the mechanics adds to a surface; null where there is no force.
 struct SurfaceForces {
   vtkSmartPointer<vtkDataArray> force_uN, force_sigma_uN, needle_force_uN, holder_force_uN, tension_uN_per_um,
-      area_strain_percent;
+      tension_sigma_uN_per_um, area_strain_percent;
 
   /// All of them.
-  std::array<vtkDataArray*, 6> arrays() const {
-    return {force_uN, force_sigma_uN, needle_force_uN, holder_force_uN, tension_uN_per_um, area_strain_percent};
+  std::array<vtkDataArray*, 7> arrays() const {
+    return {force_uN,          force_sigma_uN,          needle_force_uN,    holder_force_uN,
+            tension_uN_per_um, tension_sigma_uN_per_um, area_strain_percent};
   }
 };
 
@@ -35,7 +36,8 @@ struct MeasuredScene {
 /// The mechanics step of the chain: a scene with observation and surface in, the same scene with forces out.
 ///
 /// Fills of the measurement: contact_force_uN with its interval, lateral_force_uN, stiffness_uN_per_um, pressure_Pa,
-/// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, and volume_um3 where nothing has yet.
+/// shape_residual_um, asymmetry_um, model_spread_percent, puncture_probability, expected_puncture_uN and _um, and
+/// volume_um3 where nothing has yet.
 /// Fills `remarks`: why there is no force, why it should be doubted, the force according to other models.
 /// Fills `contact`, the hand's model of the frame (ContactModelBuilder.h).
 /// Events: `puncture` in the frame that shows it, with the largest force, depth and work (the state of that frame is
@@ -50,7 +52,7 @@ struct MeasuredScene {
 ///   | area_strain_percent| 1          | %      | area of the triangles round the node against rest        |
 /// Adds to a copy of `surface`, which must bring point arrays `membrane` and `rest_direction`:
 ///   force_uN (3), force_sigma_uN (1), needle_force_uN (3), holder_force_uN (3), tension_uN_per_um (1),
-///   area_strain_percent (1). The model's one surface represents the whole zona: its
+///   tension_sigma_uN_per_um (1), area_strain_percent (1). The model's one surface represents the whole zona: its
 ///   forces are shown on the outer membrane, with their sum kept; nodes of the inner one carry no force of their own
 ///   (0). Tension and strain are the zona's, so both membranes show them.
 /// A scene without cell or surface passes on without those parts. Where the model has no equilibrium, the force cells
