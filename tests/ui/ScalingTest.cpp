@@ -54,7 +54,7 @@ TEST(Scaling, LettersAreAsWideAsTheirBoxes) {
   while (clock.elapsed() < 1500) QApplication::processEvents(QEventLoop::AllEvents, 10);
   ASSERT_NEAR(widget->devicePixelRatioF(), scale, 1e-6);
   widget->render();
-  const QImage image = widget->grabFramebuffer();
+  const QImage image = widget->picture();
   ASSERT_NEAR(image.width(), 400 * scale, 2.0);
   int first = image.width(), last = -1, top = image.height(), bottom = -1;
   for (int y = 0; y < image.height(); ++y) {
