@@ -164,6 +164,7 @@ void GuideWindow::build_controls() {
   parts.has_truth = static_cast<bool>(options_.true_force_uN);
   parts.remark = [this](const std::string& text) { control_->remark(text); };
   parts.changed = [this] {
+    charts_->show_truth(display_->shows_truth());
     scenes_.poll();
     show_scene();
   };
@@ -284,7 +285,7 @@ void GuideWindow::show_scene() {
   if (plan) plan->has_handles = false;
   membranes_.set_plan(plan);
   if (membrane_panel_->isVisible()) membranes_.refresh();
-  charts_->append(scenes_.new_rows());
+  charts_->append(scenes_.new_rows(), options_.true_force_uN);
   feed_panel_->view().render();
   membrane_panel_->view().render();
   ++drawn_count_;
