@@ -31,6 +31,8 @@ class OneLine : public View {
   void draw_hud(HudCanvas& hud, double, double) override {
     const HudText style{.size_pt = font_size::kTitle, .color = Color::from_hex(0xFFFFFF), .bold = true};
     width_px = hud.text_width_px("Holding pipette", style);
+    // What is drawn later lies above.
+    hud.rectangle(0.0, 0.0, 300.0, 100.0, Color::from_hex(0x000000));
     hud.text(kLeft_px, kMiddle_px, "Holding pipette", style);
   }
 };

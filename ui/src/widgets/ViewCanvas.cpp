@@ -2,6 +2,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -46,6 +47,9 @@ QImage ViewCanvas::render(QSize size_px) {
   if (size_px.isEmpty() || !begin() || !context_.makeCurrent(&surface_)) return {};
   const int width_px = size_px.width(), height_px = size_px.height();
   window_->SetSize(width_px, height_px);
+  // A context begins with less, under which of two flat things the second would be lost.
+  window_->GetState()->Reset();
+  window_->GetState()->vtkglDepthFunc(GL_LEQUAL);
   window_->Render();
   // What was resolved and smoothed.
   constexpr int kFront = 1;
