@@ -3258,6 +3258,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Das ist die Zelle</translation>
     </message>
     <message>
+        <source>This needs OpenGL 3.2: install a driver of the graphics card, or Mesa</source>
+        <translation>Das braucht OpenGL 3.2: einen Treiber der Grafikkarte oder Mesa installieren</translation>
+    </message>
+    <message>
         <source>This session</source>
         <translation>Diese Sitzung</translation>
     </message>
@@ -4052,6 +4056,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>true </source>
         <translation>wahr </translation>
+    </message>
+    <message>
+        <source>true force</source>
+        <translation>wahre Kraft</translation>
     </message>
     <message>
         <source>unfinished</source>

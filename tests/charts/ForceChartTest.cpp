@@ -21,6 +21,38 @@ TEST_F(Views, ChartDrawsItsCurveAndSaysWhenThereIsNone) {
   window->Finalize();
 }
 
+TEST_F(Views, TheTrueForceIsACurveOnDemand) {
+  for (const ForceChartKind kind : {ForceChartKind::kForceIndentation, ForceChartKind::kForceTime}) {
+    ForceChart chart(kind);
+    chart.add_to(window);
+    const auto green = [&] { return count_near(shot(), current_theme().good, 0.05); };
+    for (const Measurement& m : test::synthetic_rows(100, 30.0)) chart.append(m, 0.5 * m.contact_force_uN);
+    EXPECT_LT(green(), 5);
+    chart.show_truth(true);
+    EXPECT_GT(green(), 100);
+    chart.show_truth(false);
+    EXPECT_LT(green(), 5);
+    window->Finalize();
+  }
+}
+
+// An hour at 30 frames/s holds as much as is drawn of it: no more than of minutes.
+TEST(ForceChartLength, AnHourHoldsNoMoreThanMinutesDo) {
+  TraceHistory history;
+  Measurement m;
+  m.state = CellState::kContact;
+  m.contact_force_uN = 1.0;
+  for (long frame = 0; frame < 108000; ++frame) {
+    m.frame = frame;
+    m.time_s = static_cast<double>(frame) / 30.0;
+    m.indentation_um = 10.0;
+    history.append(m);
+  }
+  EXPECT_LE(history.over_time().size(), TraceHistory::kMostPoints);
+  EXPECT_LE(history.current_touch().size(), TraceHistory::kMostPoints);
+  EXPECT_DOUBLE_EQ(history.over_time().back().time_s, m.time_s);
+}
+
 class ChartGap : public Views {
  protected:
   // A run in which frames 120 to 209 were not measured; from column `begin_px` to `end_px` the picture shows these

@@ -246,7 +246,7 @@ double share_of_edges(const QImage& picture) {
 
 TEST_F(ReviewSeat, AViewIsDrawnAnewAtTheSizeAskedFor) {
   open();
-  const QImage seen = image().grabFramebuffer();
+  const QImage seen = image().picture();
   const QImage large = image().picture(seen.size() * 2);
   ASSERT_EQ(large.size(), seen.size() * 2);
   // The same picture, but drawn: sharper than one that was made larger.
@@ -260,7 +260,7 @@ TEST_F(ReviewSeat, AViewIsDrawnAnewAtTheSizeAskedFor) {
   const QImage blown_up = seen.scaled(large.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   EXPECT_GT(share_of_edges(large), 1.2 * share_of_edges(blown_up));
   // The window shows on as before.
-  EXPECT_EQ(image().grabFramebuffer().size(), seen.size());
+  EXPECT_EQ(image().picture().size(), seen.size());
   const QImage window = window_picture(*window_, 2 * window_->width());
   EXPECT_EQ(window.size(), window_->size() * 2);
 }

@@ -69,8 +69,8 @@ class GuideControlsTest : public GuideWindowTest {
     pass(200);
   }
   FeedView& feed() {
-    for (auto* one : window_->findChildren<QVTKOpenGLNativeWidget*>()) {
-      if (auto* view = dynamic_cast<FeedView*>(&dynamic_cast<ViewWidget*>(one)->view())) return *view;
+    for (auto* one : ViewWidget::all_in(*window_)) {
+      if (auto* view = dynamic_cast<FeedView*>(&one->view())) return *view;
     }
     throw std::logic_error("no feed");
   }

@@ -96,10 +96,9 @@ class GuideWindowTest : public test::DisplayTest {
 inline QPoint on_screen(GuideWindow& window, const Eigen::Vector2d& place_um) {
   ViewWidget* view = nullptr;
   FeedView* found = nullptr;
-  for (auto* widget : window.findChildren<QVTKOpenGLNativeWidget*>()) {
-    auto* one = dynamic_cast<ViewWidget*>(widget);
-    if (auto* image = one ? dynamic_cast<FeedView*>(&one->view()) : nullptr) {
-      view = one;
+  for (auto* widget : ViewWidget::all_in(window)) {
+    if (auto* image = dynamic_cast<FeedView*>(&widget->view())) {
+      view = widget;
       found = image;
     }
   }

@@ -125,11 +125,11 @@ TEST_F(GuideWindowTest, AViewThatHasTheFocusTakesNoKeys) {
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&keys);
   count->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
-  const auto views = window_->findChildren<QVTKOpenGLNativeWidget*>();
-  ASSERT_EQ(views.size(), 4);
-  for (QVTKOpenGLNativeWidget* view : views) {
-    view->renderWindow()->GetInteractor()->AddObserver("CharEvent", count);
-    view->renderWindow()->GetInteractor()->AddObserver("KeyPressEvent", count);
+  const auto views = ViewWidget::all_in(*window_);
+  ASSERT_EQ(views.size(), 4U);
+  for (ViewWidget* view : views) {
+    view->interactor()->AddObserver("CharEvent", count);
+    view->interactor()->AddObserver("KeyPressEvent", count);
     view->setFocus();
     input_.tap(test::kPKey);
     pass(200);

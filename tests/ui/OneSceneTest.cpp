@@ -64,9 +64,8 @@ class OneScene : public test::DisplayTest {
   template <class V>
   std::vector<V*> views() const {
     std::vector<V*> found;
-    for (QVTKOpenGLNativeWidget* widget : window_->findChildren<QVTKOpenGLNativeWidget*>()) {
-      auto* view = dynamic_cast<ViewWidget*>(widget);
-      if (auto* one = view ? dynamic_cast<V*>(&view->view()) : nullptr) found.push_back(one);
+    for (ViewWidget* widget : ViewWidget::all_in(*window_)) {
+      if (auto* one = dynamic_cast<V*>(&widget->view())) found.push_back(one);
     }
     return found;
   }

@@ -31,6 +31,8 @@ class OneLine : public View {
   void draw_hud(HudCanvas& hud, double, double) override {
     const HudText style{.size_pt = font_size::kTitle, .color = Color::from_hex(0xFFFFFF), .bold = true};
     width_px = hud.text_width_px("Holding pipette", style);
+    // What is drawn later lies above.
+    hud.rectangle(0.0, 0.0, 300.0, 100.0, Color::from_hex(0x000000));
     hud.text(kLeft_px, kMiddle_px, "Holding pipette", style);
   }
 };
@@ -54,7 +56,7 @@ TEST(Scaling, LettersAreAsWideAsTheirBoxes) {
   while (clock.elapsed() < 1500) QApplication::processEvents(QEventLoop::AllEvents, 10);
   ASSERT_NEAR(widget->devicePixelRatioF(), scale, 1e-6);
   widget->render();
-  const QImage image = widget->grabFramebuffer();
+  const QImage image = widget->picture();
   ASSERT_NEAR(image.width(), 400 * scale, 2.0);
   int first = image.width(), last = -1, top = image.height(), bottom = -1;
   for (int y = 0; y < image.height(); ++y) {

@@ -62,7 +62,7 @@ void WindowFigures::drew() {
   if (has_drawn_) return;
   has_drawn_ = true;
   // What was rendered gets to the screen before the next timer.
-  QTimer::singleShot(0, [this] { begin(); });
+  QTimer::singleShot(0, &owner_, [this] { begin(); });
 }
 
 void WindowFigures::begin() {

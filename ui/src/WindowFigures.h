@@ -1,4 +1,5 @@
 #pragma once
+#include <QObject>
 #include <chrono>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ class WindowFigures {
   void write() const;
 
  private:
+  QObject owner_;  // of what waits: it goes with the window
   struct Memory {
     double time_s;  // since the first frame
     double resident_MiB;

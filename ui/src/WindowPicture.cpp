@@ -15,7 +15,7 @@ QImage window_picture(QWidget& window, int width_px) {
   window.render(&picture);
   QPainter painter(&picture);
   // What the widgets hold of the views is as large as the screen shows it.
-  for (ViewWidget* view : window.findChildren<ViewWidget*>()) {
+  for (ViewWidget* view : ViewWidget::all_in(window)) {
     if (!view->isVisible()) continue;
     const QRect place(view->mapTo(&window, QPoint(0, 0)), view->size());
     painter.drawImage(QRectF(place), view->picture((QSizeF(place.size()) * scale).toSize()));

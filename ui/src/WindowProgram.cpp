@@ -2,12 +2,10 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <QIcon>
 #include <QMutex>
 #include <QSet>
 #include <QSocketNotifier>
-#include <QSurfaceFormat>
 #include <QThread>
 #include <cstdio>
 
@@ -57,7 +55,6 @@ WindowProgram::WindowProgram(const WindowOptions& options) {
   }
   // Multisampling belongs to the views that ask for it.
   vtkOpenGLRenderWindow::SetGlobalMaximumNumberOfMultiSamples(0);
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

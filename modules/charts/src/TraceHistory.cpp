@@ -27,7 +27,7 @@ void TraceHistory::Trace::append(TracePoint point, long frame) {
   offered = every;
 }
 
-void TraceHistory::append(const Measurement& m) {
+void TraceHistory::append(const Measurement& m, double true_force_uN) {
   if (!all_.points.empty() && m.time_s < all_.points.back().time_s) clear();
 
   // A frame that was not measured says nothing, also not that a touch is over.
@@ -55,7 +55,8 @@ void TraceHistory::append(const Measurement& m) {
                          .lower_uN = or_force(m.contact_force_lower_uN),
                          .upper_uN = or_force(m.contact_force_upper_uN),
                          .picture_lower_uN = or_force(m.contact_force_picture_lower_uN),
-                         .picture_upper_uN = or_force(m.contact_force_picture_upper_uN)};
+                         .picture_upper_uN = or_force(m.contact_force_picture_upper_uN),
+                         .true_uN = true_force_uN};
   all_.append(point, m.frame);
   if (m.state == CellState::kContact && std::isfinite(m.indentation_um)) current_.append(point, m.frame);
 }

@@ -40,8 +40,8 @@ namespace pellucida {
 namespace {
 
 constexpr int kTick_ms = 33;
-// What the mouse and the other threads get after a long tick at most.
-constexpr int kLongestPause_ms = 8;
+// After which a tick that found the views still being drawn looks again.
+constexpr int kRetry_ms = 4;
 constexpr double kStatusPeriod_s = 0.1;
 constexpr double kNotice_s = 6.0, kProblem_s = 20.0;
 // A window lower than this has smaller gauges.
@@ -164,6 +164,7 @@ void GuideWindow::build_controls() {
   parts.has_truth = static_cast<bool>(options_.true_force_uN);
   parts.remark = [this](const std::string& text) { control_->remark(text); };
   parts.changed = [this] {
+    charts_->show_truth(display_->shows_truth());
     scenes_.poll();
     show_scene();
   };
@@ -249,7 +250,9 @@ void GuideWindow::tick() {
   const double begin_s = now_s();
   if (hand_) hand_->tick();
   const bool plan_changed = plan_ && plan_->tick();
-  const bool has_scene = scenes_.poll();
+  // A scene is drawn before the next one is taken.
+  const bool is_drawing = feed_panel_->view().is_waiting() || membrane_panel_->view().is_waiting();
+  const bool has_scene = !is_drawing && scenes_.poll();
   if (has_scene) {
     show_scene();
   } else if (plan_changed) {
@@ -264,9 +267,9 @@ void GuideWindow::tick() {
     figures_.look();
     status_shown_s_ = begin_s;
   }
-  // A slow renderer must leave time for the mouse and the other threads.
+  // The rest of the tick is for the views, each in an event of its own, for the mouse and for the other threads.
   const int spent_ms = static_cast<int>(spent.elapsed());
-  timer_.start(std::max(kTick_ms - spent_ms, std::min(spent_ms / 3, kLongestPause_ms)));
+  timer_.start(is_drawing ? kRetry_ms : std::max(kTick_ms - spent_ms, kRetry_ms));
 }
 
 // All of the window that shows a scene, in one go.
@@ -282,7 +285,7 @@ void GuideWindow::show_scene() {
   if (plan) plan->has_handles = false;
   membranes_.set_plan(plan);
   if (membrane_panel_->isVisible()) membranes_.refresh();
-  charts_->append(scenes_.new_rows());
+  charts_->append(scenes_.new_rows(), options_.true_force_uN);
   feed_panel_->view().render();
   membrane_panel_->view().render();
   ++drawn_count_;

@@ -32,9 +32,9 @@ namespace {
 constexpr double kLeastTime_s = 5.0;
 constexpr double kLeastPull_uN = 0.1;
 
-enum Column { kX, kForce, kLower, kUpper, kPictureLower, kPictureUpper, kColumnCount };
-constexpr std::array<const char*, kColumnCount> kColumnNames{"x",        "force_uN",         "lower_uN",
-                                                             "upper_uN", "picture_lower_uN", "picture_upper_uN"};
+enum Column { kX, kForce, kLower, kUpper, kPictureLower, kPictureUpper, kTrue, kColumnCount };
+constexpr std::array<const char*, kColumnCount> kColumnNames{
+    "x", "force_uN", "lower_uN", "upper_uN", "picture_lower_uN", "picture_upper_uN", "true_uN"};
 // The whole interval behind, what the picture leaves open in front.
 constexpr double kWholeOpacity = 0.14, kPictureOpacity = 0.26;
 
@@ -60,7 +60,8 @@ void fill_table(vtkTable* table, const std::vector<TracePoint>& points, std::siz
                                          edge(p.lower_uN),
                                          edge(p.upper_uN),
                                          edge(p.picture_lower_uN),
-                                         edge(p.picture_upper_uN)};
+                                         edge(p.picture_upper_uN),
+                                         is_edge ? nan : p.true_uN};
     for (int c = 0; c < kColumnCount; ++c) {
       vtkDoubleArray::SafeDownCast(table->GetColumn(c))->InsertNextValue(values[c]);
     }
@@ -104,6 +105,7 @@ struct ForceChart::Plots {
   vtkPlotArea* band = nullptr;
   vtkPlotArea* picture_band = nullptr;
   vtkPlotLine* curve = nullptr;
+  vtkPlotLine* truth = nullptr;
   vtkPlotPoints* last = nullptr;
 };
 
@@ -120,6 +122,7 @@ ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_uniq
   p.band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
   p.picture_band = vtkPlotArea::SafeDownCast(p.chart->AddPlot(vtkChart::AREA));
   p.curve = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
+  p.truth = vtkPlotLine::SafeDownCast(p.chart->AddPlot(vtkChart::LINE));
   p.last = vtkPlotPoints::SafeDownCast(p.chart->AddPlot(vtkChart::POINTS));
   p.before->SetInputData(p.before_table, kX, kForce);
   for (const auto& [band, lower, upper] :
@@ -130,9 +133,10 @@ ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_uniq
     band->SetInputArray(2, kColumnNames[upper]);
   }
   p.curve->SetInputData(p.table, kX, kForce);
+  p.truth->SetInputData(p.table, kX, kTrue);
   p.last->SetInputData(p.last_table, kX, kForce);
   p.last->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{p.before, p.band, p.picture_band, p.curve, p.last}) {
+  for (vtkPlot* plot : std::initializer_list<vtkPlot*>{p.before, p.band, p.picture_band, p.curve, p.truth, p.last}) {
     plot->SelectableOff();
     plot->SetVisible(false);
   }
@@ -143,11 +147,16 @@ ForceChart::ForceChart(ForceChartKind kind) : kind_(kind), plots_(std::make_uniq
 
 ForceChart::~ForceChart() = default;
 
-void ForceChart::append(const Measurement& m) {
+void ForceChart::append(const Measurement& m, double true_force_uN) {
   const bool was_in_touch = history_.in_touch();
-  history_.append(m);
+  history_.append(m, true_force_uN);
   // Between two touches the curve over the indentation stays as it is.
   if (kind_ == ForceChartKind::kForceTime || was_in_touch || history_.in_touch()) changed_ = true;
+}
+
+void ForceChart::show_truth(bool shown) {
+  changed_ = changed_ || shown != truth_shown_;
+  truth_shown_ = shown;
 }
 
 void ForceChart::clear() {
@@ -210,6 +219,8 @@ void ForceChart::style_axes(double ratio) {
     band->GetBrush()->SetColorF(theme_->curve.red, theme_->curve.green, theme_->curve.blue, opacity);
     set_color(band->GetPen(), theme_->curve, 0.0);
   }
+  p.truth->SetWidth(static_cast<float>(1.5 * ratio));
+  set_color(p.truth->GetPen(), theme_->good);
   p.last->SetMarkerSize(static_cast<float>(9.0 * ratio));
   set_color(p.last->GetPen(), theme_->text);
 }
@@ -232,6 +243,7 @@ void ForceChart::fill() {
   fill_table(p.before_table, behind(), 0, over_time);
   const bool drawable = points.size() - first > 1;
   p.curve->SetVisible(drawable);
+  p.truth->SetVisible(drawable && truth_shown_);
   // A needle that rests has a curve of no width, and no band.
   const bool has_band = over_time ? drawable : p.band_table->GetNumberOfRows() > 1;
   p.band->SetVisible(has_band);
@@ -252,6 +264,7 @@ void ForceChart::set_ranges() {
     for (const TracePoint& point : points) {
       greatest_uN = std::max(greatest_uN, point.upper_uN);
       least_uN = std::min(least_uN, point.force_uN);
+      if (truth_shown_ && std::isfinite(point.true_uN)) greatest_uN = std::max(greatest_uN, point.true_uN);
       if (std::isfinite(point.indentation_um)) greatest_um = std::max(greatest_um, point.indentation_um);
     }
   };
@@ -291,6 +304,7 @@ void ForceChart::prepare(double width_px, double height_px) {
 
 void ForceChart::draw_hud(HudCanvas& hud, double width_px, double height_px) {
   if (!reference_name_.empty()) draw_reference_name(hud);
+  if (truth_shown_ && !points().empty()) draw_truth_name(hud, width_px);
   if (!points().empty()) {
     if (kind_ == ForceChartKind::kForceTime) {
       draw_marks(hud);
@@ -315,6 +329,15 @@ void ForceChart::draw_reference_name(HudCanvas& hud) const {
     hud.text(x + kStroke_px + 8.0, y, name, {.color = theme_->text_dim});
     y -= kRow_px;
   }
+}
+
+// At the lower right, where a curve that rises and falls leaves room.
+void ForceChart::draw_truth_name(HudCanvas& hud, double width_px) const {
+  constexpr double kStroke_px = 22.0, kMargin_px = 18.0;
+  const double y = plots_->chart->GetAxis(vtkAxis::LEFT)->GetPoint1()[1] / hud_ratio() + 14.0;
+  const double x = width_px - kMargin_px - hud.text_width_px(say("true force"));
+  hud.text(x, y, say("true force"), {.color = theme_->text_dim});
+  hud.line(x - 8.0 - kStroke_px, y, x - 8.0, y, 2.0, theme_->good);
 }
 
 // The intervals of one point, the whole and what the picture leaves open, as upright bars.

@@ -5,9 +5,11 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include "BlendingRenderer.h"
+
 namespace pellucida {
 
-View::View() {
+View::View() : main_(vtk::TakeSmartPointer<vtkRenderer>(BlendingRenderer::New())) {
   main_->SetUseFXAA(true);
   main_->SetBackground(current_theme().view_bottom.data());
   // The camera of the upper renderer is never used: everything there is flat.
@@ -24,6 +26,10 @@ View::View() {
 View::~View() {
   main_->RemoveObserver(starts_);
   over_->RemoveObserver(starts_);
+}
+
+vtkRenderer* View::renderer() const noexcept {
+  return main_;
 }
 
 void View::add_to(vtkRenderWindow* window, const Viewport& viewport, double hud_ratio) {

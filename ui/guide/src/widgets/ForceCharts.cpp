@@ -1,5 +1,7 @@
 #include "widgets/ForceCharts.h"
 
+#include <limits>
+
 #include "Words.h"
 #include "widgets/Panel.h"
 #include "widgets/ViewWidget.h"
@@ -33,11 +35,23 @@ ForceCharts::~ForceCharts() {
   delete force_time_widget_;
 }
 
-void ForceCharts::append(const std::vector<Measurement>& rows) {
+void ForceCharts::append(const std::vector<Measurement>& rows,
+                         const std::function<std::optional<double>(long)>& true_force_uN) {
   for (const Measurement& row : rows) {
-    force_indentation_.append(row);
-    force_time_.append(row);
+    const auto truth_uN = true_force_uN ? true_force_uN(row.frame) : std::nullopt;
+    for (ForceChart* chart : {&force_indentation_, &force_time_}) {
+      chart->append(row, truth_uN.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
   }
+  draw_soon();
+}
+
+void ForceCharts::show_truth(bool shown) {
+  for (ForceChart* chart : {&force_indentation_, &force_time_}) chart->show_truth(shown);
+  draw_soon();
+}
+
+void ForceCharts::draw_soon() {
   const bool is_stale = force_indentation_.is_stale() || force_time_.is_stale();
   if (is_stale && !timer_.isActive()) timer_.start(kBetweenCharts_ms);
 }

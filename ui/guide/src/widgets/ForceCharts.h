@@ -1,6 +1,8 @@
 #pragma once
 #include <QSplitter>
 #include <QTimer>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "pellucida/charts_vtk/ForceChart.h"
@@ -17,8 +19,11 @@ class ForceCharts : public QSplitter {
   explicit ForceCharts(QWidget* parent);
   ~ForceCharts() override;
 
-  /// They are drawn soon.
-  void append(const std::vector<Measurement>& rows);
+  /// They are drawn soon. `true_force_uN`: of a frame, where somebody knows it; empty for nobody.
+  void append(const std::vector<Measurement>& rows,
+              const std::function<std::optional<double>(long frame)>& true_force_uN = {});
+  /// The true force as a curve in both.
+  void show_truth(bool shown);
   /// Draws both now where they have changed.
   void render();
   /// In a low window they may be lower than a view usually is.
@@ -28,6 +33,7 @@ class ForceCharts : public QSplitter {
   ForceChart force_indentation_{ForceChartKind::kForceIndentation};
   ForceChart force_time_{ForceChartKind::kForceTime};
   void render_next();
+  void draw_soon();
 
   ViewWidget* force_indentation_widget_;
   ViewWidget* force_time_widget_;

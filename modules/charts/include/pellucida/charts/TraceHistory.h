@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "pellucida/core/Measurement.h"
@@ -15,7 +16,8 @@ struct TracePoint {
   double upper_uN = 0.0;
   double picture_lower_uN = 0.0;  ///< of what the picture leaves open; the two above are the whole
   double picture_upper_uN = 0.0;
-  bool after_gap = false;  ///< no line joins it to the point before
+  double true_uN = std::numeric_limits<double>::quiet_NaN();  ///< of a virtual cell, where it is known
+  bool after_gap = false;                                     ///< no line joins it to the point before
 };
 
 /// A moment marked on the time axis.
@@ -34,8 +36,8 @@ class TraceHistory {
   static constexpr double kBridged_s = 0.5;
 
   /// Rows without a force are left out; one of a frame that was not measured also does not end a touch. A step of time
-  /// backwards (a recording started again) starts all afresh.
-  void append(const Measurement& m);
+  /// backwards (a recording started again) starts all afresh. `true_force_uN`: NaN where nobody knows it.
+  void append(const Measurement& m, double true_force_uN = std::numeric_limits<double>::quiet_NaN());
   void clear();
 
   /// All rows over time.

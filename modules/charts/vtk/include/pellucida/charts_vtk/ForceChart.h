@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +25,10 @@ class ForceChart : public View {
   explicit ForceChart(ForceChartKind kind);
   ~ForceChart() override;
 
-  void append(const Measurement& m);
+  /// `true_force_uN`: of a virtual cell; NaN where nobody knows it.
+  void append(const Measurement& m, double true_force_uN = std::numeric_limits<double>::quiet_NaN());
+  /// The true force as a curve in front of the others, named; not shown at first.
+  void show_truth(bool shown);
   void clear();
   /// A curve behind the others on kForceIndentation, in place of the touch before; `name` is written beside it.
   void set_reference(std::string name, const std::vector<double>& depth_um, const std::vector<double>& force_uN);
@@ -47,6 +51,7 @@ class ForceChart : public View {
   void fill();
   void set_ranges();
   void draw_marks(HudCanvas& hud) const;
+  void draw_truth_name(HudCanvas& hud, double width_px) const;
   void draw_interval(HudCanvas& hud, const TracePoint& point) const;
 
   ForceChartKind kind_;
@@ -59,7 +64,7 @@ class ForceChart : public View {
   std::vector<TracePoint> reference_;
   std::unique_ptr<Plots> plots_;
   double time_window_s_ = 0.0;
-  bool changed_ = true;
+  bool truth_shown_ = false, changed_ = true;
   double styled_ratio_ = 0.0;
 };
 

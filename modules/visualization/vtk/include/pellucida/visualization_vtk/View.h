@@ -1,5 +1,6 @@
 #pragma once
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <memory>
 #include <utility>
@@ -40,7 +41,7 @@ class View {
   /// Takes the colours of `current_theme()`, from the next rendering on.
   virtual void follow_theme();
 
-  vtkRenderer* renderer() const noexcept { return main_; }
+  vtkRenderer* renderer() const noexcept;
 
  protected:
   /// Called before the scene is rendered: camera and sizes in device pixels.
@@ -51,7 +52,7 @@ class View {
   std::pair<double, double> to_hud(const double world_um[3]) const;
   double hud_ratio() const noexcept { return hud_ratio_; }
 
-  vtkNew<vtkRenderer> main_;
+  vtkSmartPointer<vtkRenderer> main_;
 
  private:
   static void on_start(vtkObject* caller, unsigned long event, void* self, void* data);
