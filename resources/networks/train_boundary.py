@@ -141,13 +141,16 @@ def strip_of(image, outer, inner, random):
         return None
     part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
     offsets = (np.arange(COLUMNS) - ZERO) * spacing
+    # A picture may be turned: that is, its normals.
+    angle = random.uniform(0, 2 * np.pi)
+    seen = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]) @ normals
     wrapped = np.arange(-WRAP, NORMALS + WRAP) % NORMALS
-    points, normals, truth = points[:, wrapped], normals[:, wrapped], truth[:, wrapped]
+    points, normals, seen, truth = points[:, wrapped], normals[:, wrapped], seen[:, wrapped], truth[:, wrapped]
     x = (points[0] - low[0])[:, None] + normals[0][:, None] * offsets
     y = (points[1] - low[1])[:, None] + normals[1][:, None] * offsets
     grey = sampled(part, x, y)
     plane = np.ones_like(grey)
-    strip = np.stack([normalised(grey), plane * normals[0][:, None], plane * normals[1][:, None],
+    strip = np.stack([normalised(grey), plane * seen[0][:, None], plane * seen[1][:, None],
                       plane * spacing_of(spacing)])
     return strip.astype(np.float32), truth.astype(np.float32)
 

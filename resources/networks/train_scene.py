@@ -16,7 +16,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from training import Block, UNetwork, arguments_of, draw_batch, export, normalised, rows_of, train
+from training import Block, UNetwork, arguments_of, draw_batch, export, normalised, other_look, rows_of, train
 
 CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
 SIDE = 192             # of a training picture, network pixels
@@ -78,16 +78,7 @@ class Samples:
         x = cv2.warpAffine(image, m, (SIDE, SIDE), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT_101)
         y = cv2.warpAffine(label, m, (SIDE, SIDE), flags=cv2.INTER_NEAREST, borderMode=cv2.BORDER_REFLECT_101)
         x = x.astype(np.float32)
-        if random.random() < 0.3:
-            x = 255 - x
-        if random.random() < 0.3:
-            x = 255 * (np.clip(x, 0, 255) / 255) ** np.exp(random.uniform(-0.6, 0.6))
-        if random.random() < 0.4:
-            u, v = np.meshgrid(np.linspace(-1, 1, SIDE), np.linspace(-1, 1, SIDE))
-            x += random.normal(0, 25) * u + random.normal(0, 25) * v + random.normal(0, 12) * (u * u + v * v)
-        if random.random() < 0.3:
-            x = cv2.GaussianBlur(x, (0, 0), random.uniform(0.3, 1.2))
-        x += random.normal(0, random.uniform(0, 6), x.shape)
+        x = other_look(x, 1.0, random)
         heat = np.zeros((SIDE // 2, SIDE // 2), np.float32)
         if tip[0] is not None and 0 <= tip[0] < w and 0 <= tip[1] < h:
             at = (m @ np.array([*tip, 1.0])) / 2
@@ -97,7 +88,8 @@ class Samples:
 
 
 def loss_of(out, labels, heat, weights):
-    logits = out[:, :CLASSES]
+    # Weighted classes would come out more probable than they are.
+    logits = out[:, :CLASSES] + torch.log(weights)[:, None, None]
     crossed = nn.functional.cross_entropy(logits, labels, weight=weights)
     share = torch.softmax(logits, 1)
     truth = nn.functional.one_hot(labels, CLASSES).permute(0, 3, 1, 2).float()
@@ -119,9 +111,6 @@ def main():
         return loss_of(network(pictures[:, None]), labels, heat, weights), float("nan")
 
     train(network, options, samples, loss_of_batch)
-    # Weighted classes are more probable than they are: the weights' logarithms come off the last layer.
-    with torch.no_grad():
-        network.out.bias[:CLASSES] -= torch.log(weights)
     export(network, options.output, (1, 1, SIDE, 256), "picture", "scene")
 
 

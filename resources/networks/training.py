@@ -57,19 +57,106 @@ def spacing_of(spacing_px):
 
 
 def varied(part, spacing_px, random):
-    """A part of a picture with other greys, blur and noise, then blurred for samples `spacing_px` apart."""
-    part = np.ascontiguousarray(part).astype(np.float32)
-    if random.random() < 0.2:
-        part = 255 - part
-    if random.random() < 0.3:
-        part = 255 * (np.clip(part, 0, 255) / 255) ** np.float32(np.exp(random.uniform(-0.5, 0.5)))
-    if random.random() < 0.3:
-        part = cv2.GaussianBlur(part, (0, 0), random.uniform(0.3, 1.0))
-    if random.random() < 0.5:
-        part = part + cv2.randn(np.empty_like(part), 0, random.uniform(0, 5))
+    """A part of a picture as another microscope and camera might show it, then blurred for samples `spacing_px` apart."""
+    part = other_look(np.ascontiguousarray(part).astype(np.float32), spacing_px, random)
     if spacing_px > 1:
         part = cv2.GaussianBlur(part, (0, 0), REDUCING_BLUR * spacing_px)
     return part
+
+
+def other_look(picture, unit_px, random):
+    """A picture (float, 0 to 255) with its boundaries in place but other contrast, light, optics and camera. `unit_px`:
+    how many of its pixels the network sees as one."""
+    chance = lambda share: random.random() < share
+    unit = max(1.0, unit_px)
+    if chance(0.25):
+        picture = 255 - picture
+    if chance(0.12):
+        picture = other_contrast(picture, unit, random)
+    if chance(0.3):
+        picture = 255 * (np.clip(picture, 0, 255) / 255) ** np.float32(np.exp(random.uniform(-0.7, 0.7)))
+    if chance(0.2):  # a halo, or a camera that sharpens
+        wide = np.exp(random.uniform(np.log(1.5), np.log(25))) * unit
+        picture = picture + np.float32(random.uniform(-0.5, 1.5)) * (picture - blurred(picture, wide))
+    if chance(0.15):
+        picture = with_bodies(picture, unit, random)
+    if chance(0.3):
+        picture = shaded(picture, random)
+    if chance(0.35):
+        picture = cv2.GaussianBlur(picture, (0, 0), unit * random.uniform(0.3, 1.3))
+    elif chance(0.06):  # out of focus
+        half = int(round(unit * random.uniform(1, 2.5)))
+        disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * half + 1, 2 * half + 1)).astype(np.float32)
+        picture = cv2.filter2D(picture, -1, disc / disc.sum())
+    if chance(0.55):
+        strength = random.uniform(0, 8) if chance(0.3) else random.uniform(0, 4)
+        noise = cv2.randn(np.empty_like(picture), 0, strength)
+        if chance(0.25):  # with a grain of its own
+            noise = 2 * cv2.GaussianBlur(noise, (0, 0), random.uniform(0.5, 1.2))
+        picture = picture + noise
+    if chance(0.06):  # columns that differ
+        picture = picture + random.normal(0, random.uniform(0, 2.5), picture.shape[1]).astype(np.float32)
+    if chance(0.12):
+        quality = [cv2.IMWRITE_JPEG_QUALITY, int(random.integers(15, 85))]
+        picture = cv2.imdecode(cv2.imencode(".jpg", np.clip(picture, 0, 255).astype(np.uint8), quality)[1],
+                               cv2.IMREAD_GRAYSCALE).astype(np.float32)
+    if chance(0.08):  # blacks or whites cut off
+        low, high = np.percentile(picture, [random.uniform(0, 6), random.uniform(94, 100)])
+        picture = np.clip(picture, low, high)
+    return picture
+
+
+def blurred(picture, sigma_px):
+    """Blurred, from a reduced copy where that is wide."""
+    step = max(1, int(sigma_px / 3))
+    if step == 1:
+        return cv2.GaussianBlur(picture, (0, 0), sigma_px)
+    size = tuple(max(2, n // step) for n in picture.shape[::-1])
+    small = cv2.GaussianBlur(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), (0, 0), sigma_px / step)
+    return cv2.resize(small, picture.shape[::-1], interpolation=cv2.INTER_LINEAR)
+
+
+def other_contrast(picture, unit, random):
+    """Mixed with its derivative in some direction (relief) and its second derivative (a change of focus), each of the
+    picture's own spread. All three are even about a line or odd about a step, so boundaries stay where they are."""
+    fine = cv2.GaussianBlur(picture, (0, 0), unit * random.uniform(0.6, 1.5))
+    angle = random.uniform(0, 2 * np.pi)
+    parts = [np.cos(angle) * cv2.Sobel(fine, cv2.CV_32F, 1, 0) + np.sin(angle) * cv2.Sobel(fine, cv2.CV_32F, 0, 1),
+             cv2.Laplacian(fine, cv2.CV_32F)]
+    spread = picture.std()
+    mixed = random.uniform(0, 1) * (picture - picture.mean())
+    for part in parts:
+        mixed = mixed + np.float32(random.normal(0, 0.7) * spread / (part.std() + 1e-3)) * part
+    return 128 + mixed * (spread / (mixed.std() + 1e-3))
+
+
+def with_bodies(picture, unit, random):
+    """With a few specks, blots and threads over it, darker or brighter."""
+    h, w = picture.shape
+    cover = np.zeros((h, w), np.float32)
+    for _ in range(random.integers(1, 5)):
+        at = (int(random.uniform(0, w)), int(random.uniform(0, h)))
+        grey = float(random.normal(0, 45))
+        if random.random() < 0.3:
+            cv2.line(cover, at, (int(random.uniform(0, w)), int(random.uniform(0, h))), grey,
+                     max(1, int(unit * random.uniform(0.5, 3))), cv2.LINE_AA)
+        else:
+            size = np.exp(random.uniform(np.log(1), np.log(12))) * unit
+            axes = (max(1, int(size)), max(1, int(size * random.uniform(0.4, 1))))
+            thick = -1 if random.random() < 0.6 else max(1, int(0.3 * size))
+            cv2.ellipse(cover, at, axes, random.uniform(0, 180), 0, 360, grey, thick, cv2.LINE_AA)
+    return picture + cv2.GaussianBlur(cover, (0, 0), unit * random.uniform(0.3, 1.5))
+
+
+def shaded(picture, random):
+    """Under light that changes from side to side, or towards the corners."""
+    h, w = picture.shape
+    u, v = np.linspace(-1, 1, w, dtype=np.float32)[None, :], np.linspace(-1, 1, h, dtype=np.float32)[:, None]
+    slope = random.normal(0, 0.25, 2).astype(np.float32)
+    light = slope[0] * u + slope[1] * v + np.float32(random.normal(0, 0.12)) * (u * u + v * v)
+    if random.random() < 0.5:
+        return picture * np.clip(1 + light, 0.15, 2.5)
+    return picture + 100 * light
 
 
 def sampled(part, x, y):
@@ -133,7 +220,7 @@ def arguments_of(text, minutes):
     parser.add_argument("samples")
     parser.add_argument("output")
     parser.add_argument("--minutes", type=float, default=minutes)
-    parser.add_argument("--start", help="weights to go on from (.pt)")
+    parser.add_argument("--start", help="weights to go on from (.pt, or a network as shipped, .onnx)")
     parser.add_argument("--rate", type=float, default=4e-3)
     parser.add_argument("--threads", type=int, default=1)
     options = parser.parse_args()
@@ -144,14 +231,68 @@ def arguments_of(text, minutes):
     return options
 
 
+def go_on_from(network, path, loss_of_batch, batches=20):
+    """Takes weights over. A shipped network's batch normalisation has gone into its weights: it is put back by what the
+    layers give in a few batches, so that the network answers as before."""
+    if path.endswith(".pt"):
+        network.load_state_dict(torch.load(path))
+        return
+    import onnx
+    from onnx import numpy_helper
+    graph = onnx.load(path).graph
+    values = {one.name: torch.from_numpy(numpy_helper.to_array(one).copy()) for one in graph.initializer}
+    shipped = [[values[name] for name in node.input[1:]] for node in graph.node if node.op_type in ("Conv", "ConvTranspose", "Gemm")]
+    modules = dict(network.named_modules())
+    layers = [one for one in modules.values() if isinstance(one, (nn.Conv2d, nn.ConvTranspose2d, nn.Linear))]
+    norms = {previous: one for previous, one in zip(modules.values(), list(modules.values())[1:])
+             if isinstance(one, nn.BatchNorm2d)}
+    # The graph runs the layers in the order of forward(), which is not that of the members.
+    order = []
+    hooks = [layer.register_forward_hook(lambda one, *_: order.append(one)) for layer in layers]
+    network.eval()
+    with torch.no_grad():
+        loss_of_batch()
+    for hook in hooks:
+        hook.remove()
+    if len(order) != len(shipped):
+        raise SystemExit(f"{path}: {len(shipped)} layers, {len(order)} wanted")
+    means = {}
+    with torch.no_grad():
+        for layer, (weight, bias) in zip(order, shipped):
+            layer.weight.copy_(weight)
+            norm = norms.get(layer)
+            if norm is None:
+                layer.bias.copy_(bias)
+                continue
+            norm.running_mean.zero_()
+            norm.running_var.fill_(1 - norm.eps)
+            norm.weight.fill_(1)
+            norm.bias.copy_(bias)
+            means[norm] = []
+        hooks = [norm.register_forward_pre_hook(lambda one, x: means[one].append(
+            torch.stack([x[0].mean((0, 2, 3)), (x[0] ** 2).mean((0, 2, 3))]))) for norm in means]
+        for _ in range(batches):
+            loss_of_batch()
+        for hook in hooks:
+            hook.remove()
+        for norm, seen in means.items():
+            mean, square = torch.stack(seen).mean(0)
+            variance = (square - mean ** 2).clamp(min=1e-6)
+            norm.running_mean.copy_(mean)
+            norm.running_var.copy_(variance)
+            norm.weight.copy_((variance + norm.eps).sqrt())
+            norm.bias.add_(mean)
+    network.train()
+
+
 def train(network, options, samples, loss_of_batch):
     """Steps until the time is up, at a rate that falls; `loss_of_batch()`: the loss, and a figure to be printed."""
     print(f"{len(samples.items)} samples, {sum(p.numel() for p in network.parameters())} parameters", flush=True)
     if options.start:
-        network.load_state_dict(torch.load(options.start))
+        go_on_from(network, options.start, loss_of_batch)
     optimiser = torch.optim.AdamW(network.parameters(), lr=options.rate, weight_decay=1e-4)
-    begin, step, losses, figures = time.time(), 0, [], []
-    while (share := (time.time() - begin) / (60 * options.minutes)) < 1:
+    begin, step, losses, figures = time.process_time(), 0, [], []  # of the processor, however busy the machine is
+    while (share := (time.process_time() - begin) / (60 * options.minutes)) < 1:
         for group in optimiser.param_groups:
             group["lr"] = options.rate * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
         loss, figure = loss_of_batch()
@@ -164,7 +305,7 @@ def train(network, options, samples, loss_of_batch):
         step += 1
         if step % 100 == 0:
             samples.load()
-            print(f"step {step}  {time.time() - begin:.0f} s  loss {np.mean(losses[-100:]):.3f}  "
+            print(f"step {step}  {time.process_time() - begin:.0f} s  loss {np.mean(losses[-100:]):.3f}  "
                   f"median off {np.mean(figures[-100:]):.2f}  {len(samples.items)} samples", flush=True)
             torch.save(network.state_dict(), options.output[:-5] + ".pt")
     network.eval()

@@ -1,6 +1,7 @@
 #include "films/RandomFilm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,11 @@ const Json& families_file() {
   static const Json file = read_json_object(PELLUCIDA_SOURCE_DIR "/tests/films/families.json");
   return file;
 }
+
+// By their place in Split.
+constexpr std::array<const char*, 4> kSplits{"tuning", "validation", "wide", "unseen"};
+// Between the dice of a seed of the first two and of the last two.
+constexpr std::uint64_t kFurtherSeeds = 1ULL << 40;
 
 class Dice {
  public:
@@ -135,9 +141,9 @@ void draw_motion(Scenario& s, Dice& dice) {
 }  // namespace
 
 Split split_of(const std::string& word) {
-  if (word == "tuning") return Split::kTuning;
-  if (word == "validation") return Split::kValidation;
-  throw UsageError("families are 'tuning' or 'validation', not '" + word + "'");
+  for (std::size_t i = 0; i < kSplits.size(); ++i)
+    if (word == kSplits[i]) return static_cast<Split>(i);
+  throw UsageError("families are 'tuning', 'validation', 'wide' or 'unseen', not '" + word + "'");
 }
 
 std::vector<std::string> specimens_in(const std::string& folder) {
@@ -153,10 +159,12 @@ std::vector<std::string> specimens_in(const std::string& folder) {
 }
 
 RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px, const std::vector<std::string>& specimens) {
-  Dice dice(seed * 2 + (split == Split::kValidation ? 1 : 0));
+  const auto which = static_cast<std::size_t>(split);
+  const bool is_further = split == Split::kWide || split == Split::kUnseen;
+  Dice dice(seed * 2 + which % 2 + (is_further ? kFurtherSeeds : 0));
   RandomFilm film;
   film.seed = seed;
-  const Json& families = families_file()[split == Split::kTuning ? "tuning" : "validation"];
+  const Json& families = families_file()[kSplits[which]];
   int weight_sum = 0;
   for (const Json& family : families) weight_sum += family["weight"].get<int>();
   auto place = static_cast<int>(dice.index(static_cast<std::size_t>(weight_sum)));
@@ -170,8 +178,10 @@ RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px, const std::
   film.contrast = (*chosen)["contrast"];
 
   const FieldList look = fields_of(film.look), scenario = fields_of(film.scenario);
-  for (const Json* draws : {&families_file()["common"], &(*chosen)["draw"]})
-    for (const auto& [key, choice] : draws->items()) draw_key(key, choice, look, scenario, dice);
+  std::vector<const Json*> draws{&families_file()["common"], &(*chosen)["draw"]};
+  if (is_further) draws.insert(draws.begin() + 1, &families_file()["further"]);
+  for (const Json* some : draws)
+    for (const auto& [key, choice] : some->items()) draw_key(key, choice, look, scenario, dice);
 
   Scenario& s = film.scenario;
   s.name = film.look.name = film.family + '-' + std::to_string(seed);

@@ -8,12 +8,14 @@
 
 namespace pellucida::test {
 
-/// Whether constants may be set on a film.
+/// What a film may be used for.
 enum class Split {
-  kTuning,     ///< yes
-  kValidation  ///< no: it is only ever reported
+  kTuning,      ///< constants may be set on it, and networks learn from it
+  kValidation,  ///< it is only ever reported
+  kWide,        ///< networks learn from it: looks further out than those of tuning
+  kUnseen       ///< it is only ever reported, and its ranges lie outside all that networks have learnt
 };
-/// "tuning" or "validation"; throws UsageError for another word.
+/// "tuning", "validation", "wide" or "unseen"; throws UsageError for another word.
 Split split_of(const std::string& word);
 
 /// A film of the virtual microscope drawn from the whole space of looks, cells, tools, motions and cameras.

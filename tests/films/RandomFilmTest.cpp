@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "pellucida/core/Error.h"
@@ -11,9 +12,10 @@ namespace pellucida::test {
 namespace {
 
 constexpr std::uint64_t kFilms = 12;
+constexpr std::array kSplits{Split::kTuning, Split::kValidation, Split::kWide, Split::kUnseen};
 
 TEST(RandomFilm, IsWholeAndInItsRanges) {
-  for (const Split split : {Split::kTuning, Split::kValidation})
+  for (const Split split : kSplits)
     for (std::uint64_t seed = 1; seed <= kFilms; ++seed) {
       const RandomFilm film = draw_film(split, seed);
       SCOPED_TRACE(film.look.name);
@@ -37,19 +39,21 @@ TEST(RandomFilm, IsWholeAndInItsRanges) {
 }
 
 TEST(RandomFilm, SameSeedSameFilmAndFamiliesKeptApart) {
-  std::set<std::string> families[2];
-  for (const Split split : {Split::kTuning, Split::kValidation})
+  std::array<std::set<std::string>, kSplits.size()> families;
+  for (const Split split : kSplits)
     for (std::uint64_t seed = 1; seed <= kFilms; ++seed) {
       const RandomFilm one = draw_film(split, seed), two = draw_film(split, seed);
       EXPECT_EQ(one.family, two.family);
       EXPECT_EQ(one.scenario.tools.holder_angle_deg, two.scenario.tools.holder_angle_deg);
       EXPECT_EQ(one.scenario.motion.indentation_um, two.scenario.motion.indentation_um);
       EXPECT_EQ(one.look.contrast.defocus_um, two.look.contrast.defocus_um);
-      families[split == Split::kTuning ? 0 : 1].insert(one.family);
+      families[static_cast<std::size_t>(split)].insert(one.family);
     }
-  EXPECT_GE(families[0].size(), 4u);
-  EXPECT_GE(families[1].size(), 4u);
-  for (const std::string& family : families[0]) EXPECT_FALSE(families[1].contains(family)) << family;
+  std::set<std::string> known;
+  for (const std::set<std::string>& some : families) {
+    EXPECT_GE(some.size(), 4u);
+    for (const std::string& family : some) EXPECT_TRUE(known.insert(family).second) << family;
+  }
   EXPECT_NE(draw_film(Split::kTuning, 1).scenario.tools.holder_angle_deg,
             draw_film(Split::kTuning, 2).scenario.tools.holder_angle_deg);
   EXPECT_THROW(split_of("test"), UsageError);

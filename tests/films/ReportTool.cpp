@@ -1,9 +1,8 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
-//   film_report --split tuning|validation [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
+//   film_report --split tuning|validation|wide|unseen [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
 //               [--family NAME] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--detection
-//               auto|lines|scene]
-//               [--quality live|high]
+//               auto|lines|scene] [--quality live|high]
 //               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
@@ -104,7 +103,7 @@ Choice read_arguments(int count, char** arguments) {
     }
   }
   if (choice.each_once && choice.specimens.empty()) throw UsageError("--each-once needs --specimens");
-  if (!has_split) throw UsageError("--split is missing: tuning or validation");
+  if (!has_split) throw UsageError("--split is missing: tuning, validation, wide or unseen");
   return choice;
 }
 

@@ -1,6 +1,6 @@
-// A developer's tool, not installed and no test: labelled pictures to train a segmenter on, one of each random film of
-// the families of tuning.
-//   film_samples --out FOLDER [--count N] [--first SEED] [--plain yes]
+// A developer's tool, not installed and no test: labelled pictures to train a network on, one of each random film of
+// the families of tuning. (Of validation or unseen they are to check with.)
+//   film_samples --out FOLDER [--split tuning|wide|validation|unseen] [--count N] [--first SEED] [--plain yes]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file, outer or
 // inner, then x and y of the boundary's points, px); NNNNN is the film's seed. Several of them may run at once with
@@ -70,6 +70,7 @@ void write(std::ofstream& csv, const char* stem, const char* which, const Contou
 int main(int count, char** arguments) {
   std::filesystem::path out;
   std::uint64_t first = 1, wanted = 100;
+  test::Split split = test::Split::kTuning;
   bool is_plain = false;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = arguments[i], value = arguments[i + 1];
@@ -79,6 +80,8 @@ int main(int count, char** arguments) {
       wanted = std::stoull(value);
     else if (word == "--first")
       first = std::stoull(value);
+    else if (word == "--split")
+      split = test::split_of(value);
     else if (word == "--plain")
       is_plain = value == "yes";
     else
@@ -95,7 +98,7 @@ int main(int count, char** arguments) {
   contours << std::fixed << std::setprecision(3);
   for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
     try {
-      const test::RandomFilm film = test::draw_film(test::Split::kTuning, seed, kWidest_px);
+      const test::RandomFilm film = test::draw_film(split, seed, kWidest_px);
       VirtualMicroscope microscope =
           is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.

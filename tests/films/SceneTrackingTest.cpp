@@ -74,7 +74,7 @@ TEST(SceneTracking, DepthsCountFromTheSeatAndTheTipHasItsRadius) {
       if (run.sights[k].truth == CellState::kContact && run.sights[k].has_needle)
         off_um.push_back(std::abs(run.sights[k].tip_um - run.sights[k].true_tip_um));
     ASSERT_GT(off_um.size(), 20U);
-    EXPECT_LT(share_of(off_um, 0.9), 4.0);
+    EXPECT_LT(share_of(off_um, 0.9), 5.0);
     EXPECT_NEAR(std::log(run.seen_sizes.tip_radius_um / run.true_sizes.tip_radius_um), 0.0, 0.45);
   }
 }

@@ -13,8 +13,14 @@ namespace {
 // the outline's radius.
 constexpr int kNormals = 128, kWrap = 16, kRows = kNormals + 2 * kWrap, kColumns = 96, kZero = 58;
 constexpr double kRadiusSamples = 160.0;
+// Of the radius: the spread of a place that is half believed.
+constexpr double kHalfBelieved = 0.02;
 
 }  // namespace
+
+Eigen::VectorXd confidence_of(const Eigen::VectorXd& sigma_px, double radius_px) {
+  return (1.0 + (sigma_px / (kHalfBelieved * radius_px)).array().square()).inverse();
+}
 
 class BoundaryNetwork::Impl {
  public:

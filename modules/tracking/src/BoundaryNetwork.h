@@ -12,6 +12,9 @@ struct BoundaryPlaces {
   Eigen::VectorXd sigma_px;   ///< (n) as spread as the network's answer is
 };
 
+/// 0..1 for each place of that spread, on a cell of this radius.
+Eigen::VectorXd confidence_of(const Eigen::VectorXd& sigma_px, double radius_px);
+
 /// What the network sees around an outline.
 struct BoundaryReading {
   Eigen::Matrix2Xd points;   ///< (2 x n) px: the outline, evenly spaced

@@ -9,8 +9,8 @@
 namespace pellucida {
 namespace {
 
-// Of the radius: the spread of a place that is half believed; no place is known better than this.
-constexpr double kHalfBelieved = 0.02, kLeastSpreadShare = 0.0015;
+// Of the radius: no place is known better than this.
+constexpr double kLeastSpreadShare = 0.0015;
 // Spread, of the radius, of an inner boundary that is not seen any more.
 constexpr double kUnseenShare = 0.05;
 // Of the radius: two boundaries this near to each other are one.
@@ -20,10 +20,12 @@ constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with e
 // many radii of a tip that pushes, only what the shape has not had.
 constexpr double kReadRigidity = 20.0, kDimpleRadii = 1.0;
 
+// Of the radius: an outline that is as near to what was read needs no further round.
+constexpr double kSettledShare = 0.004;
 // Rounds from a rough outline, and the score below which that showed no boundary. Set on films of the tuning families:
 // 0.95 and more in all 41 with a cell.
 constexpr int kRoundsAtFirst = 3;
-constexpr double kLeastAtFirst = 0.85;
+constexpr double kLeastAtFirst = 0.82;
 
 // The places of the network's normals on others of the same contour, both evenly spaced from the same point on.
 void spread_out(const Eigen::VectorXd& places, Eigen::VectorXd& out) {
@@ -46,7 +48,7 @@ void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, doubl
   spread_out(places.offset_px, edges_);
   spread_out(places.sigma_px, sigmas_);
   sigmas_ = sigmas_.cwiseMax(kLeastSpreadShare * radius_px);
-  snake.confidence = (1.0 + (sigmas_ / (kHalfBelieved * radius_px)).array().square()).inverse();
+  snake.confidence = confidence_of(sigmas_, radius_px);
   double score = 0.0, seen = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {
     if (needle && needle->covers(outer_.points.col(i), kNeedleMargin)) continue;
@@ -96,6 +98,7 @@ double MembraneSnakes::read(const FrameSampler& image, BoundaryNetwork& network,
     if (shows_inner) relax_on(reading.inner, false, radius_px, needle, inner_);
     relax_on(reading.outer, true, radius_px, needle, outer_);
     if (!shows_inner) inner_ = {};
+    if (reading.outer.offset_px.cwiseAbs().mean() < kSettledShare * radius_px) break;
   }
   if (has_inner()) {
     contour::resample_smooth(inner_.points, options_.contour_point_count, 0.0, even_);

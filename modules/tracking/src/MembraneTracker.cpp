@@ -220,6 +220,8 @@ class MembraneTracker::Impl {
     const bool has_lines = by_lines();
     LinesVerdict verdict;
     if (has_lines) verdict = judge_with_needle(frame, by_lines);
+    // Nothing to choose: both see the same, and the network is not at home here.
+    if (has_lines && verdict.is_same() && verdict.is_strange) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
     const bool has_seen = start_seen(frame, inside);
@@ -230,6 +232,10 @@ class MembraneTracker::Impl {
     choose_scene(frame, false);
     cell_ = std::move(lines);
     if (!has_lines || (verdict.is_bubble && !inside)) return false;
+    return follow_lines(verdict);
+  }
+
+  bool follow_lines(const LinesVerdict& verdict) {
     is_start_confirmed_ = verdict.is_confirmed();
     cell_.doubt(!is_start_confirmed_);
     needle_confirmed_ = cell_.needle().valid();

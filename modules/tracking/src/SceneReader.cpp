@@ -9,7 +9,7 @@ namespace {
 // Network pixels: width of a whole image, and the finest and coarsest that it may be seen, a px.
 constexpr double kOverviewWidth = 256.0, kCoarsest = 0.31, kFinest = 1.0;
 // Network pixels: a cell's radius in a closer look; how much of its surroundings that takes in, in radii.
-constexpr double kCloseRadius = 75.0, kSurroundings = 3.0, kMostMagnified = 2.0;
+constexpr double kCloseRadius = 62.0, kSurroundings = 3.0, kMostMagnified = 2.0;
 // The same of a needle's tip: how finely it is looked at, network pixels a px at most, and over how many network
 // pixels.
 constexpr double kTipScale = 1.0, kTipSide = 128.0, kTipMagnified = 3.0;
@@ -27,6 +27,15 @@ constexpr double kCircleTolerance = 0.06;
 
 double close_scale(double radius_px) {
   return std::min(kMostMagnified, kCloseRadius / radius_px);
+}
+
+// How wide holding pipettes are shows better from nearer by.
+void take_widths(std::vector<SceneTool>& holders, const std::vector<SceneTool>& closer) {
+  for (SceneTool& holder : holders)
+    for (const SceneTool& other : closer) {
+      const bool is_same = other.pitch_px < holder.pitch_px && other.direction.dot(holder.direction) > kSameFromNearer;
+      if (is_same) holder.half_width_px = other.half_width_px;
+    }
 }
 
 }  // namespace
@@ -81,6 +90,7 @@ SceneReading SceneReader::read(const GrayImage& image) {
   std::vector<SceneCell> closer;
   for (const SceneCell& cell : reading.cells) {
     const SceneReading close = look_at(image, cell.center, cell.radius_px);
+    take_widths(reading.holders, close.holders);
     const auto same = std::find_if(close.cells.begin(), close.cells.end(), [&](const SceneCell& other) {
       return (other.center - cell.center).norm() < kElsewhere * cell.radius_px;
     });

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "ContourMath.h"
+#include "Median.h"
 
 namespace pellucida {
 namespace {
@@ -118,6 +120,27 @@ LongAxis long_axis(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
   return axis;
 }
 
+// Half the width across a direction, map pixels: half the median, over its length, of the probability summed across.
+double half_width_across(const std::vector<cv::Point>& area, const cv::Mat1f& share, const Eigen::Vector2d& direction) {
+  cv::Mat1b near(share.size(), uchar{0});
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (const cv::Point& p : area) {
+    near(p) = 255;
+    const double along = Eigen::Vector2d(p.x, p.y).dot(direction);
+    from = std::min(from, along);
+    to = std::max(to, along);
+  }
+  cv::dilate(near, near, {}, {-1, -1}, 2);
+  std::vector<double> widths(static_cast<std::size_t>(std::lround(to - from)) + 1);
+  for (int y = 0; y < near.rows; ++y)
+    for (int x = 0; x < near.cols; ++x) {
+      const long at = std::lround(Eigen::Vector2d(x, y).dot(direction) - from);
+      if (near(y, x) > 0 && at >= 0 && at < static_cast<long>(widths.size()))
+        widths[static_cast<std::size_t>(at)] += double{share(y, x)};
+    }
+  return 0.5 * median_of(widths);
+}
+
 // Middle of the part of an area that lies at the map's border; nothing where none does.
 std::optional<Eigen::Vector2d> middle_of_border(const std::vector<cv::Point>& area, const cv::Mat1f& share) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -197,7 +220,8 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     tool.direction = direction;
     tool.is_short = is_short || is_end;
     tool.length_px = map.pitch_px * (to - from);
-    tool.half_width_px = 0.5 * map.pitch_px * static_cast<double>(area.size()) / std::max(to - from, 1.0);
+    tool.half_width_px = map.pitch_px * (is_holder ? half_width_across(area, share, direction)
+                                                   : 0.5 * static_cast<double>(area.size()) / std::max(to - from, 1.0));
     tool.share = mean_share(share, area);
     tool.pitch_px = map.pitch_px;
     Eigen::Vector2d tip = mean + to * direction;

@@ -19,7 +19,9 @@ constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
 constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
 // The network's score is 0.98 or more for looks like those it has learnt from, 0.95 or less for most others, the lines'
 // 0.999 for bubbles. kKnownScore was chosen with the validation films 16001 to 16040 in view.
-constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.967, kKnownScore = 0.95, kBubbleScore = 0.99;
+constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.95, kKnownScore = 0.93, kBubbleScore = 0.99;
+// Of a reading about the lines, holder and needle included: below, none about the network's own outline is familiar.
+constexpr double kStrangeScore = 0.91;
 
 // Mean distance of an outline's points from the nearest points of a contour, px.
 double distance_px(const Eigen::Matrix2Xd& outline, const Eigen::Matrix2Xd& contour) {
@@ -43,9 +45,14 @@ bool is_same(const CellFollower& by_lines, const SceneCell& seen) {
   return distance_px(seen.outer, outline) < std::max(kLeastApart_px, kSameCell_ratio * radius_px(outline));
 }
 
-// How far from the lines the network reads the outer boundary, mean over the normals, px.
-double read_apart_px(const CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
-  return reader.boundaries().read(image, outline_of(by_lines)).outer.offset_px.cwiseAbs().mean();
+// The outer boundary as the network reads it about the lines, means over the normals.
+struct ReadAbout {
+  double apart_px = 0.0, confidence = 0.0;
+};
+ReadAbout read_about(const CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
+  const Eigen::Matrix2Xd& outline = outline_of(by_lines);
+  const BoundaryPlaces seen = reader.boundaries().read(image, outline).outer;
+  return {seen.offset_px.cwiseAbs().mean(), confidence_of(seen.sigma_px, radius_px(outline)).mean()};
 }
 
 double most_apart_px(const CellFollower& by_lines) {
@@ -79,7 +86,9 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
     has_cell = true;
     verdict.is_same_cell = verdict.is_same_cell || is_same(by_lines, seen);
   }
-  verdict.is_same_outline = read_apart_px(by_lines, image, reader) < most_apart_px(by_lines);
+  const ReadAbout seen = read_about(by_lines, image, reader);
+  verdict.is_same_outline = seen.apart_px < most_apart_px(by_lines);
+  verdict.is_strange = seen.confidence < kStrangeScore;
   by_lines.take_bevel(image, reader.tips());
   verdict.is_same_needle =
       is_needle_confirmed(by_lines, scene) && by_lines.needle().is_where_read(reader.tips(), image);
@@ -89,7 +98,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
 }
 
 bool is_where_read(CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
-  if (read_apart_px(by_lines, image, reader) >= most_apart_px(by_lines)) return false;
+  if (read_about(by_lines, image, reader).apart_px >= most_apart_px(by_lines)) return false;
   return by_lines.needle().is_where_read(reader.tips(), image) || by_lines.take_bevel(image, reader.tips());
 }
 

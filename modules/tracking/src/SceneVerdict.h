@@ -11,6 +11,7 @@ struct LinesVerdict {
   bool is_same_outline = false;  ///< and on each normal the outer boundary lies where the lines have it
   bool is_same_needle = false;   ///< neither sees a needle, or both the same one with its tip in the same place
   bool is_bubble = false;        ///< the scene has no cell at all, and no membrane is as strong and even as these lines
+  bool is_strange = false;       ///< the network knows this look less surely than those it has learnt from
   bool is_sure = false;          ///< the lines were seen well enough to be believed at all
   /// Lines and networks see the same cell, and the same needle too.
   bool is_same() const noexcept { return is_same_cell && is_same_outline; }
