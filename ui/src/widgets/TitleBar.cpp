@@ -3,36 +3,17 @@
 #include <QHBoxLayout>
 #include <QKeySequence>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 
 #include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
+#include "widgets/ElidedLabel.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
 #include "widgets/StartButton.h"
 
 namespace pellucida {
-namespace {
-
-// Its middle is left out where there is no room for all of it.
-class ElidedName : public QLabel {
- public:
-  using QLabel::QLabel;
-  QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(contentsRect(), static_cast<int>(Qt::AlignRight | Qt::AlignVCenter),
-                     fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width()));
-  }
-};
-
-}  // namespace
-
 TitleBar::TitleBar(QWidget* parent) : QWidget(parent) {
   setObjectName("topBar");
   setAttribute(Qt::WA_StyledBackground);
@@ -78,7 +59,8 @@ void TitleBar::add_look_menu(const QKeySequence& light_key) {
 void TitleBar::add_name(const QString& name, const QString& tip, bool shows_blocks) {
   row_->addStretch(1);
   if (shows_blocks) row_->addWidget(new BlockLabel(this));
-  auto* label = new ElidedName(name, this);
+  auto* label = new ElidedLabel(Qt::ElideMiddle, this);
+  label->setText(name);
   label->setObjectName("sourceName");
   label->setToolTip(tip.isEmpty() || tip == name ? name : name + "\n" + tip);
   row_->addWidget(label);

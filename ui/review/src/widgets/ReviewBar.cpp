@@ -13,6 +13,7 @@
 #include "presenters/RecordedSession.h"
 #include "widgets/BlockLabel.h"
 #include "widgets/ButtonKey.h"
+#include "widgets/ElidedLabel.h"
 #include "widgets/Icons.h"
 #include "widgets/KeySheet.h"
 #include "widgets/LookMenu.h"
@@ -68,14 +69,12 @@ ReviewBar::ReviewBar(const Actions& actions, QWidget* parent) : QWidget(parent) 
   auto* session = new QVBoxLayout;
   session->setSpacing(0);
   session->setContentsMargins(0, 5, 0, 5);
-  name_ = new QLabel(this);
+  name_ = new ElidedLabel(Qt::ElideMiddle, this);
   name_->setObjectName("sourceName");
-  facts_ = new QLabel(this);
+  facts_ = new ElidedLabel(Qt::ElideRight, this);
   facts_->setObjectName("facts");
   for (QLabel* label : {name_, facts_}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // A long line is cut off rather than widening the window.
+    // A long line is elided rather than widening the window.
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     session->addWidget(label);
   }
