@@ -25,7 +25,7 @@ const Json& families_file() {
 }
 
 // By their place in Split.
-constexpr std::array<const char*, 4> kSplits{"tuning", "validation", "wide", "unseen"};
+constexpr std::array<const char*, 4> kSplitNames{"tuning", "validation", "wide", "unseen"};
 // Between the dice of a seed of the first two and of the last two.
 constexpr std::uint64_t kFurtherSeeds = 1ULL << 40;
 
@@ -141,8 +141,8 @@ void draw_motion(Scenario& s, Dice& dice) {
 }  // namespace
 
 Split split_of(const std::string& word) {
-  for (std::size_t i = 0; i < kSplits.size(); ++i)
-    if (word == kSplits[i]) return static_cast<Split>(i);
+  for (std::size_t i = 0; i < kSplitNames.size(); ++i)
+    if (word == kSplitNames[i]) return static_cast<Split>(i);
   throw UsageError("families are 'tuning', 'validation', 'wide' or 'unseen', not '" + word + "'");
 }
 
@@ -164,7 +164,7 @@ RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px, const std::
   Dice dice(seed * 2 + which % 2 + (is_further ? kFurtherSeeds : 0));
   RandomFilm film;
   film.seed = seed;
-  const Json& families = families_file()[kSplits[which]];
+  const Json& families = families_file()[kSplitNames[which]];
   int weight_sum = 0;
   for (const Json& family : families) weight_sum += family["weight"].get<int>();
   auto place = static_cast<int>(dice.index(static_cast<std::size_t>(weight_sum)));
