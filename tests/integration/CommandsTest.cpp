@@ -200,8 +200,9 @@ TEST(Commands, WorkstationWithoutADisplayLeavesASessionAndAPicture) {
   const auto session = folder / "session";
   const auto outcome = test::run_program("workstation --session '" + session.string() + "'", folder);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 11) << outcome.out;
-  for (const char* said : {"simulated operator", "membrane gave way", "left in the cell; needle taken out"}) {
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 12) << outcome.out;
+  for (const char* said : {"simulated operator", "puncture expected at 7.5 uN", "membrane gave way",
+                           "left in the cell; needle taken out"}) {
     EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
   }
   EXPECT_EQ(test::run_program("check '" + session.string() + "'", folder).exit_code, 0);
