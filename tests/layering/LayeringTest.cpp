@@ -29,9 +29,9 @@ bool is_code(const fs::path& file) {
 }
 
 // Parts of their own inside another: the windows of single modes, what measures speed.
-const std::map<std::string, std::string> kInside = {{"guide", "ui"},  {"notes", "ui"}, {"recorded", "ui"},
-                                                    {"review", "ui"}, {"start", "ui"}, {"teach", "ui"},
-                                                    {"bench", "app"}};
+const std::map<std::string, std::string> kInside = {{"guide", "ui"},    {"notes", "ui"},  {"readouts", "ui"},
+                                                    {"recorded", "ui"}, {"review", "ui"}, {"start", "ui"},
+                                                    {"teach", "ui"},    {"bench", "app"}};
 
 bool is_inner_part(const fs::path& folder) {
   const auto inside = kInside.find(folder.filename());

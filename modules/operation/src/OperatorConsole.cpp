@@ -19,8 +19,7 @@ namespace {
 constexpr double kOut_um = 15.0;  // before the entry: the needle is out of the cell
 // A tip this far before or behind the image plane is too blurred to be found.
 constexpr double kBlurred_um = 30.0;
-/// The limits follow a cell's sizes in steps of this.
-constexpr double kStrengthStep_ratio = 0.03;
+constexpr double kStrengthStep_ratio = 0.03;  // in such steps the limits follow a cell's sizes
 constexpr double kHome_um = 2.0;  // the needle is back
 constexpr double kLongestWayHome_s = 15.0;
 
@@ -277,10 +276,10 @@ void OperatorConsole::look() {
 void OperatorConsole::follow_strength(const Measurement& seen) {
   if (seen.state == CellState::kContact || seen.state == CellState::kPunctured) return;
   const CellStrength now = strength_of(run_.profile(), seen), used = strength();
-  const auto moved = [](double one, double other) { return std::abs(one / other - 1.0) > kStrengthStep_ratio; };
-  if (!moved(now.puncture_force_uN, used.puncture_force_uN) && !moved(now.puncture_depth_um, used.puncture_depth_um)) {
-    return;
-  }
+  const auto moved = [&](double CellStrength::*part) {
+    return std::abs(now.*part / used.*part - 1.0) > kStrengthStep_ratio;
+  };
+  if (!moved(&CellStrength::puncture_force_uN) && !moved(&CellStrength::puncture_depth_um)) return;
   strength_ = now;
   apply_settings();
 }

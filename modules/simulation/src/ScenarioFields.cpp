@@ -52,12 +52,7 @@ constexpr Field<Tools> kTools[] = {
     {"holder_angle_deg", "degrees", &Tools::holder_angle_deg, kDegrees,
      "from the cell's centre to the holder; turns the whole scene"},
     {"mirrored", "", &Tools::mirrored, kNone, "the needle is on the other side of the holder's axis (2 to 4)"},
-    {"needle_tip_radius_um",
-     "um",
-     &Tools::needle_tip_radius_um,
-     {0, 20},
-     "of the needle's end as it is drawn; 0: of the finite elements' tip. Another one than theirs doesn't fit the "
-     "forces"},
+    {"needle_tip_radius_um", "um", &Tools::needle_tip_radius_um, {0, 20}, "as drawn; 0: the tip the forces are for"},
     {"needle_taper_deg", "degrees", &Tools::needle_taper_deg, {0.5, 6}, "half-angle of the needle's cone at the tip"},
     {"needle_shaft_radius_um",
      "um",
@@ -85,11 +80,7 @@ constexpr Field<Puncture> kPuncture[] = {
     {"indentation_um", "um", &Puncture::indentation_um, {0.5, 200}, "depth at which it gives way"},
     {"residual_um", "um", &Puncture::residual_um, {0, 20}, "depth that it keeps about the needle"},
     {"relaxation_s", "s", &Puncture::relaxation_s, {0.001, 10}, "time constant of its return"},
-    {"spread_ratio",
-     "",
-     &Puncture::spread_ratio,
-     {0, 0.5},
-     "a cell bears this part less at most; the seed draws which"},
+    {"spread_ratio", "", &Puncture::spread_ratio, {0, 0.5}, "a cell bears up to this part less; the seed draws which"},
 };
 
 using Optics = Scenario::Optics;

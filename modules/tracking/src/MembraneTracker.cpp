@@ -51,11 +51,7 @@ class MembraneTracker::Impl {
       detect(frame);
     }
 
-    if (has_cell_) {
-      lone_needle_.reset();
-    } else {
-      follow_lone_needle(frame);
-    }
+    has_cell_ ? lone_needle_.reset() : follow_lone_needle(frame);
 
     if (tip_hint_um_) {
       hint_outcome_ = start_hinted_needle(frame, *tip_hint_um_ / view.pixel_size_um)
@@ -218,8 +214,7 @@ class MembraneTracker::Impl {
   bool start_confirmed(FrameInput& frame, const ByLines& by_lines, const std::optional<Eigen::Vector2d>& inside) {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
-    LinesVerdict verdict;
-    if (has_lines) verdict = judge_with_needle(frame, by_lines);
+    const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
     // Nothing to choose: both see the same, and the network is not at home here.
     if (has_lines && verdict.is_same() && verdict.is_strange) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
@@ -231,8 +226,7 @@ class MembraneTracker::Impl {
       return true;
     choose_scene(frame, false);
     cell_ = std::move(lines);
-    if (!has_lines || (verdict.is_bubble && !inside)) return false;
-    return follow_lines(verdict);
+    return has_lines && (!verdict.is_bubble || inside) && follow_lines(verdict);
   }
 
   bool follow_lines(const LinesVerdict& verdict) {

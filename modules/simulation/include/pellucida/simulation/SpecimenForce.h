@@ -31,7 +31,6 @@ static_assert(std::is_trivially_copyable_v<SpecimenReply>);
 /// with s, t the tip's places across in and out of the plane and z along the needle: cubic Hermite in d as the tables
 /// of CellReference, cubic in s between the offsets. Being a gradient it generates no energy on a closed path: the tip
 /// glides over the membrane without friction. (The tables' own lateral force is that of a tip that sticks.)
-///
 /// Past the deepest table the force continues with its last slope; past an offset of 20 um the energy fades to 0 at 45
 /// um, as if the needle slipped off: only there `in_range` is false. The needle comes from its own side: a tip behind
 /// the cell has pushed it all the way. A holder opposite the needle makes the field a surface of revolution; in
