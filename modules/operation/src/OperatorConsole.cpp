@@ -20,7 +20,7 @@ constexpr double kOut_um = 15.0;  // before the entry: the needle is out of the 
 // A tip this far before or behind the image plane is too blurred to be found.
 constexpr double kBlurred_um = 30.0;
 constexpr double kStrengthStep_ratio = 0.03;  // in such steps the limits follow a cell's sizes
-constexpr double kHome_um = 2.0;  // the needle is back
+constexpr double kHome_um = 2.0;              // the needle is back
 constexpr double kLongestWayHome_s = 15.0;
 
 constexpr std::array kScales_um_per_m{kCoarseScale_um_per_m, kFineScale_um_per_m, kFinestScale_um_per_m};

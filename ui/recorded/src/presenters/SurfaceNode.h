@@ -23,7 +23,7 @@ struct SurfaceNode {
   double force_sigma_uN = kNone;  ///< standard deviation of the magnitude
   double tension_uN_per_um = kNone;
   double tension_sigma_uN_per_um = kNone;  ///< its standard deviation
-  double displacement_um = kNone;  ///< its length
+  double displacement_um = kNone;          ///< its length
 };
 
 /// The arrays of a node that can be drawn.
