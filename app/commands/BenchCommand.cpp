@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/FieldOption.h"
+#include "commands/ReplaceOption.h"
 #include "commands/ReplayBench.h"
 #include "pellucida/bench/DisplayBench.h"
 #include "pellucida/bench/HapticsBench.h"
@@ -14,6 +15,7 @@
 #include "pellucida/bench/WindowBench.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/core/NewFiles.h"
 #include "pellucida/core/OutputFile.h"
 #include "pellucida/core/Progress.h"
 #include "pellucida/identification/Identification.h"
@@ -29,6 +31,7 @@ using Json = nlohmann::ordered_json;
 struct BenchArguments {
   std::string part = "all";
   std::string json;
+  bool replace = false;
   std::string source = "virtual";
   double seconds = 10.0;
   bool window = false;
@@ -250,7 +253,10 @@ void bench(const BenchArguments& arguments) {
     throw UsageError("bench " + arguments.part +
                      ": give tracking, mechanics, haptics, pipeline, session, replay or all");
   }
-  if (!arguments.json.empty()) require_apart(arguments.json, arguments.source, "--json");
+  if (!arguments.json.empty()) {
+    require_apart(arguments.json, arguments.source, "--json");
+    if (!arguments.replace) require_new({arguments.json});
+  }
   Json report;
   if (arguments.window) {
     report["pipeline"]["window"] = bench_window(arguments.window_options, arguments);
@@ -280,6 +286,7 @@ void add_bench_command(CLI::App& app) {
   command->add_option("part", arguments->part, "tracking, mechanics, haptics, pipeline, session, replay or all")
       ->capture_default_str();
   command->add_option("--json", arguments->json, "also write the figures to this file (microseconds unless named)");
+  add_replace_option(*command, arguments->replace);
   command->add_option("--seconds", arguments->seconds, "measure for at least this long, s")
       ->check(number_in(above(0.0, 3600.0)))
       ->capture_default_str();

@@ -6,9 +6,11 @@
 #include "commands/DetectionOption.h"
 #include "commands/FieldOption.h"
 #include "commands/PlaybackOption.h"
+#include "commands/ReplaceOption.h"
 #include "commands/WorkstationRun.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/core/FieldTable.h"
+#include "pellucida/core/NewFiles.h"
 
 namespace pellucida {
 namespace {
@@ -67,6 +69,7 @@ void add_workstation_command(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--figures", arguments->window.figures,
                       "guide: write frames/s, blocks, start time and memory of the window as JSON, then close");
+  add_replace_option(*command, arguments->replace);
   command->add_option("--width-px", arguments->window.width_px, "width of the window at the start, px")
       ->check(CLI::Range(800, 8000))
       ->capture_default_str();
@@ -81,6 +84,9 @@ void add_workstation_command(CLI::App& app) {
     for (const char* option : {"--lesson", "--large-letters"}) belongs(option, "teach");
     belongs("--compare", "review");
     belongs("--figures", "guide");
+    for (const std::string& file : {arguments->window.screenshot, arguments->window.figures}) {
+      if (!file.empty() && !arguments->replace) require_new({file});
+    }
     arguments->window.remembered_size = command->count("--width-px") + command->count("--height-px") == 0;
     if (command->count("path") > 0) {
       if (command->count("--mode") > 0 && arguments->mode != "start") {

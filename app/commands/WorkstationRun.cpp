@@ -12,6 +12,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/guide/Guide.h"
 #include "pellucida/operation/OperatorConsole.h"
+#include "pellucida/operation/VirtualExposure.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/pipeline/LiveRun.h"
@@ -84,6 +85,8 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   if (!hand) {
     auto source = open_any_source(arguments.source, arguments.source_options, arguments.playback);
     options.true_force_uN = truth_of(*source);
+    if (is_virtual_source(arguments.source)) source = with_virtual_exposure(std::move(source));
+    options.exposure = source->exposure();
     return run_guide(std::make_unique<LiveRun>(std::move(source), arguments.pipeline, arguments.speed_ratio), nullptr,
                      options);
   }
@@ -97,8 +100,10 @@ int run_window(const WorkstationArguments& arguments, GuideOptions options) {
   }
   const auto colon = arguments.source.find(':');
   VirtualInjectionSetup setup(colon == std::string::npos ? "injection" : arguments.source.substr(colon + 1));
-  auto microscope = setup.make_microscope(Pace::kWallClock);
+  std::unique_ptr<FrameSource> microscope = setup.make_microscope(Pace::kWallClock);
   options.true_force_uN = truth_of(*microscope);
+  microscope = with_virtual_exposure(std::move(microscope));
+  options.exposure = microscope->exposure();
   auto run = std::make_unique<LiveRun>(std::move(microscope), arguments.pipeline);
   auto console = std::make_unique<OperatorConsole>(*run, setup.injector(), &setup.needle());
   options.hand = console->find_hand(*hand).value_or(-1);

@@ -24,6 +24,7 @@ struct WorkstationArguments {
   std::string compare;
   std::string path;  ///< given alone: a session or a recording
   WindowOptions window;
+  bool replace = false;  ///< the picture and the figures may replace files that are there
 };
 
 /// Runs the window of the mode (guide, review, teach) until it is closed; true when the person wants the start page

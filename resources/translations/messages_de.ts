@@ -516,6 +516,14 @@
         <translation>%1: die Kamera liefert seit Bild %2 keine Bilder; prüfen Sie ihr Kabel</translation>
     </message>
     <message>
+        <source>%1: the camera has no automatic exposure; set a time</source>
+        <translation>%1: Die Kamera hat keine automatische Belichtung; stellen Sie eine Zeit ein</translation>
+    </message>
+    <message>
+        <source>%1: the camera refuses its exposure control (%2); check its cable, and close other programs that control it</source>
+        <translation>%1: Die Kamera verweigert die Einstellung der Belichtung (%2); prüfen Sie ihr Kabel, und schließen Sie andere Programme, die sie steuern</translation>
+    </message>
+    <message>
         <source>%1: the chart can't be written; free some space, or choose another folder</source>
         <translation>%1: das Diagramm lässt sich nicht schreiben; schaffen Sie Platz, oder wählen Sie einen anderen Ordner</translation>
     </message>
@@ -530,6 +538,10 @@
     <message>
         <source>%1: the driver gives no time for an image</source>
         <translation>%1: der Treiber gibt keine Zeit für ein Bild</translation>
+    </message>
+    <message>
+        <source>%1: the exposure time must be a number, ms</source>
+        <translation>%1: Die Belichtungszeit muss eine Zahl sein, ms</translation>
     </message>
     <message>
         <source>%1: the folder can't be read (%2); check its permission</source>
@@ -1824,6 +1836,10 @@
         <translation>die Bibliothek des Treibers ist vorhanden; ein Gerät wird geöffnet, wenn es gewählt wird</translation>
     </message>
     <message>
+        <source>the exposure time must be a number, ms</source>
+        <translation>die Belichtungszeit muss eine Zahl sein, ms</translation>
+    </message>
+    <message>
         <source>the indentation is deeper than the model reaches</source>
         <translation>die Eindellung ist tiefer, als das Modell reicht</translation>
     </message>
@@ -1882,6 +1898,10 @@
     <message>
         <source>the video %1 can't be written; choose a folder that exists and may be written, and .mp4 or .avi</source>
         <translation>das Video %1 lässt sich nicht schreiben; wählen Sie einen vorhandenen, beschreibbaren Ordner und .mp4 oder .avi</translation>
+    </message>
+    <message>
+        <source>the virtual camera has no automatic exposure; set a time</source>
+        <translation>die virtuelle Kamera hat keine automatische Belichtung; stellen Sie eine Zeit ein</translation>
     </message>
     <message>
         <source>there are</source>

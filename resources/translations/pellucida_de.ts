@@ -369,7 +369,7 @@ Schließen Sie eine an und drücken Sie „Erneut suchen“.</translation>
     </message>
     <message>
         <source>1 to 4 choose a card, Enter starts it; or drop a file or a folder here</source>
-        <translation>1 bis 4 wählt eine Karte, Eingabe startet sie; oder ziehen Sie eine Datei oder einen Ordner hierher</translation>
+        <translation>1 bis 4: Karte, Eingabe: Start; oder Datei oder Ordner hierher ziehen</translation>
     </message>
     <message>
         <source>1.5 times as stiff</source>
@@ -1268,6 +1268,14 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Export ▾</source>
         <translation>Export ▾</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Exposure time of the camera</source>
+        <translation>Belichtungszeit der Kamera</translation>
     </message>
     <message>
         <source>F1 closes the sheet. Esc does too, and stops the needle.</source>
@@ -3032,6 +3040,14 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>That would be </source>
         <translation>Das wären </translation>
+    </message>
+    <message>
+        <source>The camera chooses the time</source>
+        <translation>Die Kamera wählt die Zeit</translation>
+    </message>
+    <message>
+        <source>The camera's own: it changes what is measured.</source>
+        <translation>Der Kamera selbst: ändert, was gemessen wird.</translation>
     </message>
     <message>
         <source>The cell is as stiff as its profile says.</source>

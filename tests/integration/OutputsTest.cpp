@@ -70,7 +70,8 @@ TEST_F(Outputs, WhatCantBePrintedIsNoSuccess) {
 TEST_F(Outputs, FilesAreReplacedOnRequestAlone) {
   const std::string film = "simulate --duration-s 0.2 --fps 10 --output " + at("r.avi");
   const std::string curve = "force mouse-oocyte --max-indentation-um 4 --step-um 4 --output " + at("r.csv");
-  for (const std::string& command : {film, curve}) {
+  const std::string bench = "bench tracking --seconds 0.1 --json " + at("r.json");
+  for (const std::string& command : {film, curve, bench}) {
     ASSERT_EQ(run(command).exit_code, 0);
     const auto again = run(command);
     EXPECT_EQ(again.exit_code, 2);
@@ -78,6 +79,9 @@ TEST_F(Outputs, FilesAreReplacedOnRequestAlone) {
     EXPECT_NE(again.err.find("--replace"), std::string::npos) << again.err;
     EXPECT_EQ(run(command + " --replace").exit_code, 0);
   }
+  const auto picture = run("workstation --screenshot " + at("r.csv"));
+  EXPECT_EQ(picture.exit_code, 2);
+  EXPECT_NE(picture.err.find("already there"), std::string::npos) << picture.err;
 }
 
 TEST_F(Outputs, AFolderOfAnotherRunsImagesIsNotMixed) {

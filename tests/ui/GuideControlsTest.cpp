@@ -3,10 +3,12 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSlider>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -18,6 +20,7 @@
 #include "GuideFixture.h"
 #include "pellucida/core/CellNameNote.h"
 #include "pellucida/core/NewCellNote.h"
+#include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionReader.h"
 #include "support/Files.h"
@@ -123,6 +126,32 @@ TEST_F(GuideControlsTest, WhileTheWindowAsksTheRecordingGoesOnAndItEndsWhole) {
   const SessionReport report = check_session(folder, false);
   EXPECT_TRUE(report.fine()) << report.problems.front();
   EXPECT_GT(SessionReader(folder).measurements().size(), count + 3);
+}
+
+TEST_F(GuideControlsTest, TheCamerasExposureIsSetInTheImagesMenuAndNoted) {
+  open();
+  wait_for_plan();
+  const auto mean_grey = [&] {
+    const auto scene = run_->frames()->peek();
+    const ImageView image = view_of(scene->frame.get());
+    const auto* row = static_cast<const unsigned char*>(image.data);
+    double sum = 0.0;
+    for (int x = 0; x < image.width_px; ++x) sum += row[x];
+    return sum / image.width_px;
+  };
+  const double before = mean_grey();
+  auto* menu = named<QToolButton>("image")->menu();
+  menu->popup(window_->mapToGlobal(QPoint(200, 200)));
+  ASSERT_TRUE(pass_until([&] { return menu->isVisible(); }));
+  pass(300);
+  keep_picture(*window_, "guide-exposure");
+  auto* slider = named<QSlider>("exposure");
+  ASSERT_TRUE(slider);
+  EXPECT_FALSE(named<QCheckBox>("exposureAutomatic")->isVisible()) << "the virtual camera has no automatic";
+  slider->setValue(30);  // 2 ms (30 / 2)^0.3 = 4.5 ms of 10
+  menu->close();
+  EXPECT_TRUE(pass_until([&] { return std::abs(mean_grey() / before - 0.45) < 0.02; })) << mean_grey() / before;
+  EXPECT_TRUE(pass_until([&] { return has_event("camera exposure: 4.5 ms"); }));
 }
 
 TEST_F(GuideControlsTest, AWindowThatRecordsNothingClosesAtOnce) {

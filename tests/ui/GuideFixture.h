@@ -10,6 +10,7 @@
 #include "GuideWindow.h"
 #include "Theme.h"
 #include "pellucida/core/TemporaryFolder.h"
+#include "pellucida/operation/VirtualExposure.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/pipeline/AnySource.h"
 #include "pellucida/visualization/Palette.h"
@@ -28,8 +29,10 @@ class GuideWindowTest : public test::DisplayTest {
     apply_theme(*qApp, dark_theme());
     qputenv("HOME", home_.path().c_str());
     qputenv("XDG_CONFIG_HOME", (home_ / "config").c_str());
-    auto microscope = setup_.make_microscope(Pace::kWallClock);
-    const auto truth = microscope->truth_log();
+    auto virtual_microscope = setup_.make_microscope(Pace::kWallClock);
+    const auto truth = virtual_microscope->truth_log();
+    auto microscope = with_virtual_exposure(std::move(virtual_microscope));
+    const auto exposure = microscope->exposure();
     auto run = std::make_unique<LiveRun>(std::move(microscope), PipelineOptions{});
     run_ = run.get();
     auto console = std::make_unique<OperatorConsole>(*run, setup_.injector(), &setup_.needle());
@@ -37,6 +40,7 @@ class GuideWindowTest : public test::DisplayTest {
     GuideOptions options;
     options.hand = console->find_hand("Mouse").value();
     options.true_force_uN = [truth](long frame) { return truth->force_uN(frame); };
+    options.exposure = exposure;
     window_ = std::make_unique<GuideWindow>(std::move(run), std::move(console), options);
   }
 

@@ -67,6 +67,33 @@ TEST_F(MembraneViews, ShowTheInnerBodyAndColouredArrows) {
   window->Finalize();
 }
 
+// Through the inner membrane, which is clear then.
+TEST_F(MembraneViews, ADropletIsSeenInTheCell) {
+  view.show_arrows(false);
+  view.show_tools(false);
+  view.add_to(window);
+  const auto colored = [&] {
+    const auto image = shot();
+    int count = 0;
+    for (int y = 0; y < kHeight_px; ++y) {
+      for (int x = 0; x < kWidth_px; ++x) {
+        const auto part = [&](int k) { return image->GetScalarComponentAsDouble(x, y, 0, k); };
+        count += part(1) > part(0) + 15.0 && part(1) > part(2) + 4.0;  // greener than all else here
+      }
+    }
+    return count;
+  };
+  const int without = colored();
+  const Observation& seen = *view.scene().observation;
+  view.set_droplets({{{seen.center_um.x(), seen.center_um.y(), 0.0}, 0.3 * seen.rest_outer_radius_um, "9.9 pL"}});
+  view.refresh();
+  EXPECT_GT(colored(), without + 500);
+  view.set_droplets({});
+  view.refresh();
+  EXPECT_EQ(colored(), without);
+  window->Finalize();
+}
+
 // Shades and what lies behind would lead to colours that the scale doesn't have.
 TEST_F(MembraneViews, AColouredSurfaceHasTheColoursOfItsScale) {
   view.show_arrows(false);

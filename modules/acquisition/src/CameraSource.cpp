@@ -13,6 +13,7 @@
 #include "GapCounter.h"
 #include "MatGrey.h"
 #include "SourceCalibration.h"
+#include "V4l2Exposure.h"
 #include "VideoFileSource.h"
 #include "pellucida/acquisition/FolderContent.h"
 #include "pellucida/core/Clock.h"
@@ -39,9 +40,13 @@ std::string cameras_present() {
   return text;
 }
 
+std::string device_path(int number) {
+  return "/dev/video" + std::to_string(number);
+}
+
 // Asks the system first: its reason is better than OpenCV's plain no.
 void require_device(const std::string& name, int number) {
-  const std::string device = "/dev/video" + std::to_string(number);
+  const std::string device = device_path(number);
   const int descriptor = ::open(device.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   if (descriptor >= 0) {
     ::close(descriptor);
@@ -78,9 +83,11 @@ class CameraSource final : public FrameSource {
     settle_pixel_size(info_, options, metadata);
     settle_frame_rate(info_, options, metadata);
     gaps_ = GapCounter(info_.frame_rate_hz);
+    exposure_ = open_v4l2_exposure(device_path(number), name, info_.frame_rate_hz);
   }
 
   const SourceInfo& info() const noexcept override { return info_; }
+  std::shared_ptr<CameraExposure> exposure() override { return exposure_; }
 
   std::optional<Frame> next() override {
     const bool read = capture_.read(pixels_);
@@ -112,6 +119,7 @@ class CameraSource final : public FrameSource {
   }
 
   SourceInfo info_;
+  std::shared_ptr<CameraExposure> exposure_;
   cv::VideoCapture capture_;
   cv::Mat pixels_;
   SteadyClock clock_;

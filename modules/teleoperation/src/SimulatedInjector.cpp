@@ -173,6 +173,7 @@ PipetteState SimulatedInjector::state(double now_s) {
   state.moving = !velocity_um_per_s_.isZero(0.0);
   state.at_limit = target_clamped_;
   state.stopped = stopped_;
+  state.expelled_pL = pose_.deposited_pl;
   return state;
 }
 

@@ -42,6 +42,7 @@ const ThemeColors& dark_theme() noexcept {
                                      .node_mark = palette::kModel,
                                      .model = palette::kModel,
                                      .needle = palette::kNeedle,
+                                     .droplet = Color::from_hex(0x2FC4B2),
                                      .unsure = Color::from_hex(0x7C8794)};
   return kDark;
 }
@@ -73,6 +74,7 @@ const ThemeColors& light_theme() noexcept {
                                       .node_mark = Color::from_hex(0xC2185B),
                                       .model = Color::from_hex(0x6B5200),
                                       .needle = Color::from_hex(0xB3204F),
+                                      .droplet = Color::from_hex(0x00796B),
                                       .unsure = Color::from_hex(0x8A949F),
                                       .is_light = true};
   return kLight;

@@ -10,12 +10,14 @@
 
 #include "CellControl.h"
 #include "DisplayControl.h"
+#include "ExposureControl.h"
 #include "HandControl.h"
 #include "HintControl.h"
 #include "PlanControl.h"
 #include "RunControl.h"
 #include "Words.h"
 #include "pellucida/operation/ProfileStrength.h"
+#include "pellucida/visualization/Readout.h"
 #include "presenters/MessageBook.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
@@ -153,6 +155,11 @@ void GuideWindow::build_controls() {
       feed_, *feed_panel_,
       [this](PersonHint::Kind kind, const Eigen::Vector2d& place_um) { give_hint(kind, place_um); },
       [this] { control_->take_back_hint(); });
+  if (options_.exposure) {
+    new ExposureControl(
+        options_.exposure, feed_panel_->image_menu(), [this](const std::string& text) { control_->remark(text); },
+        say_it);
+  }
   cells_ = new CellControl(
       *control_, run_->profile().name, *this, [this] { top_bar_->show_cells(false); },
       [this](const QString& text, bool problem) { problem ? warn(text) : notify(text, false); });
@@ -284,12 +291,28 @@ void GuideWindow::show_scene() {
   auto plan = feed_.plan();
   if (plan) plan->has_handles = false;
   membranes_.set_plan(plan);
+  if (console_) show_deposits();
   if (membrane_panel_->isVisible()) membranes_.refresh();
   charts_->append(scenes_.new_rows(), options_.true_force_uN);
   feed_panel_->view().render();
   membrane_panel_->view().render();
   ++drawn_count_;
   if (scenes_.measured()) figures_.drew();
+}
+
+// What the injector has left in the cell that the plan belongs to.
+void GuideWindow::show_deposits() {
+  if (!console_->plan()) deposits_.forget();
+  const Scene* scene = scenes_.measured();
+  const Observation* seen = scene && scene->observation ? &*scene->observation : nullptr;
+  deposits_.see(console_->status().pipette,
+                scene ? scene->measurement.state.value_or(CellState::kNoCell) : CellState::kNoCell,
+                seen && seen->outer ? std::optional(seen->center_um) : std::nullopt, now_s());
+  std::vector<DropletMark> marks;
+  for (const Droplet& droplet : deposits_.droplets()) {
+    marks.push_back({droplet.center_um.eigen(), droplet.radius_um(), readout::number(droplet.volume_pL, 1) + " pL"});
+  }
+  membranes_.set_droplets(std::move(marks));
 }
 
 void GuideWindow::show_gauges() {

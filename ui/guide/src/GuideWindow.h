@@ -12,6 +12,7 @@
 #include "WindowFigures.h"
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/guide/Guide.h"
+#include "pellucida/operation/DepositTracker.h"
 #include "pellucida/visualization_vtk/FeedView.h"
 #include "pellucida/visualization_vtk/MembraneView.h"
 #include "presenters/GaugePresenter.h"
@@ -67,6 +68,7 @@ class GuideWindow : public QMainWindow {
 
   void tick();
   void show_scene();
+  void show_deposits();
   void show_gauges();
   std::vector<Event> take_events();
   void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
@@ -108,6 +110,7 @@ class GuideWindow : public QMainWindow {
   TipSpeed tip_speed_;
   std::optional<double> seen_speed_um_per_s_;
   PunctureMemory puncture_;
+  DepositTracker deposits_;
   std::size_t event_count_ = 0;  // of the run's, taken so far
   double hint_until_s_ = 0.0;    // a mark on the image
   double status_shown_s_ = -1.0;

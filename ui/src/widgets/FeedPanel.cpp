@@ -37,8 +37,10 @@ void FeedPanel::add_buttons(FeedView& feed, bool has_model) {
   }
   toggle(words("Tools"), words("Needle and holding pipette"), Qt::Key_3, true,
          [](FeedView& view, bool on) { view.show_tools(on); });
-  add_control(new ImageMenu(
-      feed, [this] { view_->render(); }, this));
+  auto* image = new ImageMenu(
+      feed, [this] { view_->render(); }, this);
+  image_menu_ = image->menu();
+  add_control(image);
 }
 
 }  // namespace pellucida

@@ -1,6 +1,8 @@
 #pragma once
 #include "widgets/Panel.h"
 
+class QMenu;
+
 namespace pellucida {
 
 class FeedView;
@@ -12,12 +14,15 @@ class FeedPanel : public Panel {
   /// `feed` must outlive the panel. `has_model`: its scenes hold the mechanical model, and there is a button for it.
   FeedPanel(FeedView& feed, QWidget* parent, bool has_model = true);
   ViewWidget& view() noexcept { return *view_; }
+  /// How the image is shown; whoever knows the camera adds to it.
+  QMenu& image_menu() noexcept { return *image_menu_; }
 
  private:
   FeedPanel(FeedView& feed, ViewWidget* view, QWidget* parent, bool has_model);
   void add_buttons(FeedView& feed, bool has_model);
 
   ViewWidget* view_;
+  QMenu* image_menu_ = nullptr;
 };
 
 }  // namespace pellucida

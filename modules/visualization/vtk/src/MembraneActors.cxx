@@ -97,6 +97,7 @@ void MembranePart::build(vtkAlgorithmOutput* surface, Membrane which) {
 void MembraneActors::build(vtkAlgorithmOutput* scene, vtkRenderer* renderer) {
   build_membranes(scene, renderer);
   build_arrows(renderer);
+  build_droplets(renderer);
   // Clear bodies come after solid ones, the cell's skin before the glass.
   outer_wall.build(renderer, current_theme().outer_solid, kClearOpacity);
   holder.build(renderer, current_theme().glass, 0.75);
@@ -114,6 +115,7 @@ void MembraneActors::follow_theme() {
   for (BoldArrow* bold : {&needle_force, &holder_force}) set_color(bold->actor, theme.contact_force);
   set_color(model_actor, theme.model);
   set_color(bar_actor, theme.text);
+  set_color(droplet_actor, theme.droplet);
   fill_lookup_table(force_colors, ColorMapKind::kForce);
   force_colors->SetNanColor(theme.unsure.red, theme.unsure.green, theme.unsure.blue, 1.0);
   fill_lookup_table(surface_colors, ColorMapKind::kSurface);
@@ -221,6 +223,25 @@ void MembraneActors::build_arrows(vtkRenderer* renderer) {
 
   needle_force.build(renderer);
   holder_force.build(renderer);
+}
+
+void MembraneActors::build_droplets(vtkRenderer* renderer) {
+  ball->SetRadius(1.0);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(16);
+  droplet_mapper->SetInputData(droplets);
+  droplet_mapper->SetSourceConnection(ball->GetOutputPort());
+  droplet_mapper->SetScaleModeToScaleByMagnitude();
+  droplet_mapper->SetScaleArray("radius_um");
+  droplet_mapper->ScalarVisibilityOff();
+  droplet_actor->SetMapper(droplet_mapper);
+  droplet_actor->PickableOff();
+  droplet_actor->VisibilityOff();
+  droplet_actor->GetProperty()->SetAmbient(0.35);
+  droplet_actor->GetProperty()->SetDiffuse(0.65);
+  droplet_actor->GetProperty()->SetSpecular(0.3);
+  droplet_actor->GetProperty()->SetSpecularPower(30.0);
+  renderer->AddActor(droplet_actor);
 }
 
 }  // namespace pellucida

@@ -5,9 +5,11 @@
 #include <vtkGlyph3DMapper.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkSphereSource.h>
 #include <vtkThreshold.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
@@ -68,7 +70,8 @@ struct BoldArrow {
 };
 
 /// What the 3-D view draws, and how it comes from the scene: both membranes, the arrows on their nodes, the tools and
-/// their forces as bold arrows, the model's mesh. What is shown of it, and with which scales, the view decides.
+/// their forces as bold arrows, deposited droplets, the model's mesh. What is shown of it, and with which scales, the
+/// view decides.
 struct MembraneActors {
   static constexpr double kClearOpacity = 0.65;  ///< of the outer membrane where its colour says nothing
 
@@ -96,6 +99,11 @@ struct MembraneActors {
 
   BoldArrow needle_force;
   BoldArrow holder_force;
+
+  vtkNew<vtkPolyData> droplets;  // centres, radius_um
+  vtkNew<vtkSphereSource> ball;
+  vtkNew<vtkGlyph3DMapper> droplet_mapper;
+  vtkNew<vtkActor> droplet_actor;
 
   ClearWall needle;
   ClearWall holder;
@@ -126,6 +134,7 @@ struct MembraneActors {
  private:
   void build_membranes(vtkAlgorithmOutput* scene, vtkRenderer* renderer);
   void build_arrows(vtkRenderer* renderer);
+  void build_droplets(vtkRenderer* renderer);
 
   bool colored_ = false;
 };

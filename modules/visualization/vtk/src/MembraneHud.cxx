@@ -36,6 +36,7 @@ void MembraneView::draw_hud(HudCanvas& hud, double width_px, double height_px) {
     return;
   }
   draw_inside(hud);
+  draw_droplets(hud);
   draw_scales(hud, width_px, height_px);
   draw_axes_triad(hud, main_->GetActiveCamera());
   for (const BoldArrow* arrow : {&actors_->needle_force, &actors_->holder_force}) draw_bold_arrow(hud, *arrow);
@@ -124,6 +125,18 @@ void MembraneView::draw_inside(HudCanvas& hud) const {
   hud.line(tip.x(), tip.y(), back.x(), back.y(), 1.5, theme.needle, 0.9);
   hud.disc(tip.x(), tip.y(), 5.5, theme.window, 0.75);
   hud.disc(tip.x(), tip.y(), 4.0, theme.needle);
+}
+
+// Each with its volume, at its lower right.
+void MembraneView::draw_droplets(HudCanvas& hud) const {
+  const ThemeColors& theme = current_theme();
+  for (const DropletMark& droplet : droplets_) {
+    const auto [x, y] = to_hud(droplet.center_um.data());
+    const HudText style{.color = theme.droplet, .bold = true};
+    const double width = hud.text_width_px(droplet.text, style);
+    hud.rounded(x + 9.0, y + 8.0, width + 12.0, 20.0, 4.0, theme.window, 0.7);
+    hud.text(x + 15.0, y + 18.0, droplet.text, style);
+  }
 }
 
 void MembraneView::draw_bold_arrow(HudCanvas& hud, const BoldArrow& arrow) const {

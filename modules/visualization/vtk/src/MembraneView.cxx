@@ -3,9 +3,11 @@
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkCamera.h>
+#include <vtkDoubleArray.h>
 #include <vtkLight.h>
 #include <vtkLookupTable.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "MembraneActors.h"
@@ -165,9 +168,10 @@ void MembraneView::refresh() {
     }
     radius_um_ = std::max(radius_um_, 1e-3);
   }
-  // A needle that is in the cell is seen through the inner membrane.
+  // What is in the cell is seen through the inner membrane.
   punctured_ = source_->GetScene().measurement.state == CellState::kPunctured;
-  p.set_inner_clear(punctured_);
+  p.set_inner_clear(punctured_ || !droplets_.empty());
+  p.droplet_actor->SetVisibility(has_surface_ && !droplets_.empty());
   const bool has_model = model_shown_ && has_surface_ && source_->GetScene().model;
   p.model_actor->SetVisibility(has_model);
   refresh_coloring(surface);
@@ -324,6 +328,19 @@ void MembraneView::show_error_bars(bool shown) {
 void MembraneView::show_model(bool shown) {
   model_shown_ = shown;
   refresh();
+}
+
+void MembraneView::set_droplets(std::vector<DropletMark> droplets) {
+  droplets_ = std::move(droplets);
+  vtkNew<vtkPoints> centers;
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("radius_um");
+  for (const DropletMark& droplet : droplets_) {
+    centers->InsertNextPoint(droplet.center_um.data());
+    radii->InsertNextValue(droplet.radius_um);
+  }
+  actors_->droplets->SetPoints(centers);
+  actors_->droplets->GetPointData()->AddArray(radii);
 }
 
 void MembraneView::show_tools(bool shown) {

@@ -24,8 +24,9 @@ struct PipetteState {
   PlainVector3 tip_um;
   PlainVector3 velocity_um_per_s;
   bool moving = false;
-  bool at_limit = false;  ///< a travel limit was reached
-  bool stopped = false;   ///< the emergency stop is in force
+  bool at_limit = false;     ///< a travel limit was reached
+  bool stopped = false;      ///< the emergency stop is in force
+  double expelled_pL = 0.0;  ///< by the injector since it was opened; 0 where the manipulator does not inject
 };
 static_assert(std::is_trivially_copyable_v<PipetteState>);
 

@@ -74,7 +74,7 @@ struct ThemeColors {
   Color accent, record, warning, good, plan;
   Color grid, curve, curve_before, curve_other;
   Color cell, glass;
-  Color outer_solid, inner_solid, contact_force, node_mark, model, needle, unsure;  // of the 3-D view
+  Color outer_solid, inner_solid, contact_force, node_mark, model, needle, droplet, unsure;  // of the 3-D view
   bool is_light = false;
 };
 /// The palette above.

@@ -16,7 +16,8 @@ struct GuideOptions : WindowOptions {
   bool repeat = false;         ///< restart the source a moment after its end, if it can
   /// The true force of a frame, where the source is a virtual microscope: to be shown, never recorded. Any thread.
   std::function<std::optional<double>(long frame)> true_force_uN;
-  int hand = -1;  ///< index of the console's hand at the start; -1: none
+  std::shared_ptr<CameraExposure> exposure;  ///< of the source's camera; nullptr where it can't be set
+  int hand = -1;                             ///< index of the console's hand at the start; -1: none
 };
 
 /// Opens the window in Guide mode on `run`, starts the run, and returns the event loop's exit status, or

@@ -1,9 +1,11 @@
 #pragma once
 #include <vtkImageData.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "pellucida/core/CameraExposure.h"
 #include "pellucida/core/SourceInfo.h"
 #include "pellucida/core_vtk/Frozen.h"
 
@@ -49,6 +51,9 @@ class FrameSource {
 
   /// Restarts: `next()` delivers the first frame again. False if this kind of source can't.
   virtual bool restart() { return false; }
+
+  /// The camera's exposure, for any thread, also after the source is gone; nullptr where it can't be set.
+  virtual std::shared_ptr<CameraExposure> exposure() { return nullptr; }
 };
 
 }  // namespace pellucida

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pellucida/core_vtk/StageSource.h"
 #include "pellucida/visualization/NodeForce.h"
@@ -12,13 +13,20 @@
 
 namespace pellucida {
 
+/// A droplet in the cell as the view draws it.
+struct DropletMark {
+  Eigen::Vector3d center_um = Eigen::Vector3d::Zero();  ///< frame W
+  double radius_um = 0.0;
+  std::string text;  ///< beside it, UTF-8
+};
+
 struct BoldArrow;
 struct MembraneActors;
 
 /// The cell in 3-D: outer membrane translucent or in the colours of a quantity, inner one solid (clear once the needle
-/// is in it), needle and holding pipette in glass, an arrow for the force on each of a few hundred nodes (coloured and
-/// sized by it, with a scale in uN; grey where it can't be told from zero), and one bold arrow with its value for the
-/// whole force of the needle, and of the holding pipette where the arrows show that.
+/// or a droplet is in it), needle and holding pipette in glass, an arrow for the force on each of a few hundred nodes
+/// (coloured and sized by it, with a scale in uN; grey where it can't be told from zero), and one bold arrow with its
+/// value for the whole force of the needle, and of the holding pipette where the arrows show that.
 class MembraneView : public View {
  public:
   /// Follows `source`, which must outlive the view.
@@ -61,6 +69,8 @@ class MembraneView : public View {
   void show_model(bool shown);
   /// The injection plan, also where the cell hides it. Nothing: none is drawn.
   void set_plan(const std::optional<PlanMarks>& plan) { plan_ = plan; }
+  /// Droplets in the cell, as balls; the inner membrane is then clear. Empty: none.
+  void set_droplets(std::vector<DropletMark> droplets);
   void show_tools(bool shown);
   /// Most arrows drawn, 1..5000.
   void set_arrow_count(int count);
@@ -96,6 +106,7 @@ class MembraneView : public View {
   void draw_scales(HudCanvas& hud, double width_px, double height_px);
   void draw_arrow_notes(HudCanvas& hud, double x, double y);
   void draw_inside(HudCanvas& hud) const;
+  void draw_droplets(HudCanvas& hud) const;
   void draw_bold_arrow(HudCanvas& hud, const BoldArrow& arrow) const;
   void draw_node_mark(HudCanvas& hud) const;
 
@@ -123,6 +134,7 @@ class MembraneView : public View {
   std::string empty_text_;
   std::optional<long> marked_node_;
   std::optional<PlanMarks> plan_;
+  std::vector<DropletMark> droplets_;
 };
 
 }  // namespace pellucida
