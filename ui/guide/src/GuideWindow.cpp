@@ -41,7 +41,7 @@
 namespace pellucida {
 namespace {
 
-constexpr int kTick_ms = 33;
+constexpr int kTick_ms = 16;
 // After which a tick that found the views still being drawn looks again.
 constexpr int kRetry_ms = 4;
 constexpr double kStatusPeriod_s = 0.1;
