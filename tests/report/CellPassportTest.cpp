@@ -149,6 +149,19 @@ TEST(CellPassport, APunctureNoticedLateKeepsItsForce) {
   EXPECT_NEAR(contact.puncture_depth_um, 40.0, 1e-12);
 }
 
+// While it is in doubt the force stays, and only the membrane has begun to go back.
+TEST(CellPassport, TheWayBackOfTheMembraneIsNoPartOfTheCurve) {
+  SyntheticRows rows;
+  rows.approach();
+  rows.push(0.5, 40.0, linear);
+  rows.seen(CellState::kContact, -40.0, 34.0, 4.05);
+  rows.punctured(10, 40.0);
+  const auto contact = only_contact(rows);
+  EXPECT_NEAR(contact.puncture_force_uN, 4.0, 1e-12);
+  EXPECT_NEAR(contact.puncture_depth_um, 40.0, 1e-12);
+  EXPECT_NEAR(contact.puncture_work_pJ, 0.05 * 40.0 * 40.0, 1e-9);
+}
+
 TEST(CellPassport, ARevokedPunctureIsNone) {
   SyntheticRows rows;
   rows.approach();

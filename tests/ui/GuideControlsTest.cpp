@@ -115,6 +115,7 @@ TEST_F(GuideControlsTest, WhileTheWindowAsksTheRecordingGoesOnAndItEndsWhole) {
   open();
   input_.tap(kRKey);
   ASSERT_TRUE(pass_until([&] { return run_->status().recorded_count > 3; }));
+  EXPECT_TRUE(pass_until([&] { return named<QPushButton>("record")->text() == "End recording"; }));
   const std::string folder = run_->status().recording_folder;
   window_->close();
   ASSERT_TRUE(window_->isVisible());

@@ -58,7 +58,7 @@ QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
-QPushButton#record:checked { border-color: @record; }
+QPushButton#record:checked, QPushButton#record:checked:focus { border-color: @record; color: @record; font-weight: 600; }
 QPushButton#guide:checked { border-color: @plan; color: @plan; font-weight: 600; }
 QPushButton#emergencyStop { background: @record; border-color: @record; color: @window; font-weight: 800; font-size: 17px; letter-spacing: 1px; }
 QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; border-width: 2px; font-size: 15px; }

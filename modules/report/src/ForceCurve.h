@@ -31,7 +31,8 @@ class ForceCurve {
 
   const std::vector<ForcePoint>& points() const noexcept { return points_; }
   bool empty() const noexcept { return points_.empty(); }
-  /// How many points come before the puncture; all of them without one.
+  /// How many points come before the puncture, without those in which the membrane was already on its way back; all of
+  /// them without a puncture.
   std::size_t before_puncture() const noexcept { return before_puncture_; }
 
   /// The point of the largest force from `first` on, and that of the largest depth; before the puncture.
@@ -48,6 +49,7 @@ class ForceCurve {
   std::optional<RobustSlope> stiffness_at(double depth_um) const;
 
  private:
+  void leave_out_the_way_back(double puncture_s);
   WorkInterval work(std::size_t last, bool back_to_rest) const;
 
   std::vector<ForcePoint> points_;

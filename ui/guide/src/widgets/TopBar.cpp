@@ -74,7 +74,8 @@ void TopBar::resizeEvent(QResizeEvent*) {
 }
 
 void TopBar::show_state(bool recording, bool paused) {
-  if (record_->isChecked() == recording && is_paused_ == paused) return;
+  if (is_recording_ == recording && is_paused_ == paused && record_->isChecked() == recording) return;
+  is_recording_ = recording;
   is_paused_ = paused;
   record_->setChecked(recording);
   record_->setText(recording ? words("End recording") : words("Record"));

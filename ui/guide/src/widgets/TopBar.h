@@ -37,7 +37,7 @@ class TopBar : public TitleBar {
   QPushButton* cells_;
   QPushButton* display_;
   QList<QPushButton*> shrinking_;
-  bool is_paused_ = false;
+  bool is_recording_ = false, is_paused_ = false;
 };
 
 }  // namespace pellucida
