@@ -58,7 +58,6 @@ QToolButton:focus, QPushButton:focus { border-color: @accent; }
 QToolButton[flat="true"] { background: transparent; border-color: transparent; color: @dim; padding: 3px 8px; }
 QToolButton[flat="true"]:hover { border-color: @border; color: @text; }
 QToolButton[flat="true"]:checked { background: @raised; border-color: @border; color: @text; }
-QPushButton#record:checked, QPushButton#record:checked:focus { border-color: @record; color: @record; font-weight: 600; }
 QPushButton#guide:checked { border-color: @plan; color: @plan; font-weight: 600; }
 QPushButton#emergencyStop { background: @record; border-color: @record; color: @window; font-weight: 800; font-size: 17px; letter-spacing: 1px; }
 QPushButton#emergencyStop[latched="true"] { background: @panel; color: @record; border-width: 2px; font-size: 15px; }
@@ -74,6 +73,7 @@ QProgressBar::chunk { background: @accent; border-radius: 4px; }
 QToolButton::menu-indicator, QPushButton::menu-indicator { image: none; width: 0px; }
 QPushButton { padding: 0px 12px; }
 #topBar QPushButton:checked { border-color: @accent; color: @accent; }
+#topBar QPushButton#record:checked { border-color: @record; color: @record; }
 QMenu::item { padding: 5px 22px 5px 8px; font-size: 12px; border-radius: 4px; }
 QMenu::item:selected { background: @border; }
 QMenu { background: @raised; border: 1px solid @border; padding: 6px; }
