@@ -54,6 +54,21 @@ TEST_F(ComparisonWindowTest, TheOtherFrameFollowsTheOneShown) {
   EXPECT_NEAR(panel().source().GetScene().measurement.indentation_um, indentation_of(10), 1e-6);
 }
 
+// A node that was picked before had the room.
+TEST_F(ComparisonWindowTest, AComparisonTakesTheRoomOfANode) {
+  open();
+  input_.tap(kEndKey);
+  ASSERT_TRUE(shows(kFrames - 1));
+  click(views().membranes().view(), views().membranes().view().rect().center());
+  ASSERT_TRUE(pass_until([&] { return window_->node().node().has_value(); }));
+  write_touch(*folder_ / "late", true, 4);
+  answer_ = *folder_ / "late";
+  input_.tap(kCKey);
+  ASSERT_TRUE(pass_until([&] { return window_->comparison().comparison() != nullptr; }));
+  EXPECT_TRUE(pass_until([&] { return panel().isVisible(); }));
+  EXPECT_FALSE(window_->node().node());
+}
+
 TEST_F(ComparisonWindowTest, BothCurvesAreInTheChartsAndTheirDifferenceInTheirOwn) {
   compare();
   const CurveChartData& time = views().force_over_time().chart().data();

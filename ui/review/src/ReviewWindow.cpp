@@ -351,6 +351,8 @@ void ReviewWindow::clear_node() {
 
 void ReviewWindow::compare(const std::filesystem::path& folder) {
   if (!session_) return;
+  // The newest choice has the room.
+  clear_node();
   bar_->show_events(true);
   bar_->set_comparing(true);
   comparison_->choose(*session_, folder);
