@@ -10,6 +10,11 @@
 #include "widgets/Icons.h"
 
 namespace pellucida {
+namespace {
+
+constexpr int kShortestName_px = 60;
+
+}  // namespace
 
 TopBar::TopBar(const QString& source, const QString& source_tip, Actions actions, QWidget* parent) : TitleBar(parent) {
   add_start_button();
@@ -66,7 +71,8 @@ void TopBar::fit() {
     shrinking_[k]->setText({});
     layout()->activate();
   }
-  name->setVisible(layout()->minimumSize().width() <= width());
+  // A few letters of a name say nothing.
+  name->setVisible(width() - layout()->minimumSize().width() >= kShortestName_px);
 }
 
 void TopBar::resizeEvent(QResizeEvent*) {
