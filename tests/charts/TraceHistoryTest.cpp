@@ -37,6 +37,23 @@ TEST(TraceHistory, ANewTouchKeepsTheOneBefore) {
   EXPECT_EQ(history.over_time().size(), 12U);
 }
 
+// Until the puncture is seen they show, and after it they are known for what they are.
+TEST(TraceHistory, APunctureLeavesOutTheMembranesWayBack) {
+  TraceHistory history;
+  for (int i = 0; i < 30; ++i) history.append(row(i / 30.0, CellState::kContact, i, 0.1 * i));
+  history.append(row(30 / 30.0, CellState::kContact, 24.0, 2.9));
+  history.append(row(31 / 30.0, CellState::kContact, 20.0, 2.9));
+  EXPECT_EQ(history.current_touch().size(), 32U);
+  history.append(row(32 / 30.0, CellState::kPunctured, 5.0, 0.0));
+  EXPECT_EQ(history.current_touch().size(), 30U);
+  EXPECT_EQ(history.over_time().size(), 33U);
+  // A needle drawn back slowly before is on the curve.
+  TraceHistory slow;
+  for (int i = 0; i < 30; ++i) slow.append(row(i / 3.0, CellState::kContact, 30 - i, 0.1 * (30 - i)));
+  slow.append(row(10.0, CellState::kPunctured, 1.0, 0.0));
+  EXPECT_EQ(slow.current_touch().size(), 30U);
+}
+
 TEST(TraceHistory, APassingLossDoesNotEndATouch) {
   TraceHistory history;
   for (int i = 0; i < 5; ++i) history.append(row(i, CellState::kContact, i, 0.1 * i));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "pellucida/core/GivingWay.h"
+
 namespace pellucida {
 
 void TraceHistory::Trace::append(TracePoint point, long frame) {
@@ -44,6 +46,12 @@ void TraceHistory::append(const Measurement& m, double true_force_uN) {
   if (m.state != state_ && worth_a_mark) {
     if (marks_.size() == kMostMarks) marks_.erase(marks_.begin());
     marks_.push_back({m.time_s, *m.state});
+  }
+  if (m.state == CellState::kPunctured && state_ == CellState::kContact) {
+    std::vector<TracePoint>& points = current_.points;
+    points.resize(count_before_giving_way(
+        points.size(), m.time_s, [&](std::size_t k) { return points[k].time_s; },
+        [&](std::size_t k) { return points[k].indentation_um; }));
   }
   state_ = *m.state;
   if (!std::isfinite(m.contact_force_uN)) return;

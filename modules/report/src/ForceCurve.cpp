@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/core/GivingWay.h"
+
 namespace pellucida {
 namespace {
 
 constexpr double kHalfWindow_um = 2.5;
-/// A puncture is noticed within this time; what has come back by so much until then is the membrane on its way.
-constexpr double kNoticed_s = 0.2, kOnItsWay_um = 1.0;
 
 // Scatter of the force from row to row: second differences are blind to a ramp, and their median to a puncture.
 double row_noise_uN(const std::vector<ForcePoint>& points) {
@@ -40,15 +40,10 @@ ForceCurve::ForceCurve(std::span<const Measurement> rows, const RowRange& range,
                        .upper_uN = or_force(m.contact_force_upper_uN)});
     if (!puncture || i < *puncture) before_puncture_ = points_.size();
   }
-  if (puncture) leave_out_the_way_back(rows[*puncture].time_s);
-}
-
-void ForceCurve::leave_out_the_way_back(double puncture_s) {
-  std::size_t end = before_puncture_;
-  for (std::size_t i = end; i-- > 0 && points_[i].time_s >= puncture_s - kNoticed_s;) {
-    if (points_[i].depth_um > points_[end - 1].depth_um + kOnItsWay_um) end = i + 1;
-  }
-  before_puncture_ = end;
+  if (!puncture) return;
+  before_puncture_ = count_before_giving_way(
+      before_puncture_, rows[*puncture].time_s, [this](std::size_t k) { return points_[k].time_s; },
+      [this](std::size_t k) { return points_[k].depth_um; });
 }
 
 std::size_t ForceCurve::strongest(std::size_t first) const noexcept {

@@ -49,7 +49,6 @@ class ForceCurve {
   std::optional<RobustSlope> stiffness_at(double depth_um) const;
 
  private:
-  void leave_out_the_way_back(double puncture_s);
   WorkInterval work(std::size_t last, bool back_to_rest) const;
 
   std::vector<ForcePoint> points_;

@@ -44,7 +44,8 @@ class TraceHistory {
   const std::vector<TracePoint>& over_time() const noexcept { return all_.points; }
   /// When the cell came into contact, was punctured or lost; the newest `kMostMarks`.
   const std::vector<TraceMark>& marks() const noexcept { return marks_; }
-  /// Rows in contact since the needle last touched the cell; a passing loss does not end a touch.
+  /// Rows in contact since the needle last touched the cell; a passing loss does not end a touch. Once a puncture is
+  /// seen, without those in which the membrane was on its way back already.
   const std::vector<TracePoint>& current_touch() const noexcept { return current_.points; }
   /// Whether the newest row belongs to it.
   bool in_touch() const noexcept { return state_ == CellState::kContact && !current_.points.empty(); }
