@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "Theme.h"
@@ -81,6 +82,21 @@ void NodeForceTable::show_hint() {
   title_->setText(words("Click a node of the cell: each term of the equations becomes an arrow."));
   table_->hide();
   head_to_tail_->hide();
+}
+
+void NodeForceTable::resizeEvent(QResizeEvent*) {
+  constexpr int kPadding_px = 8;
+  const QFontMetrics letters = table_->fontMetrics();
+  int name_px = 0;
+  for (const char* term : kTermTexts) {
+    name_px = std::max(name_px, letters.horizontalAdvance(QString::fromUtf8("\u25cf ") + words(term)));
+  }
+  const int number_px = letters.horizontalAdvance("-0.000") + kPadding_px;
+  const QMargins around = layout()->contentsMargins();
+  const int room_px = width() - around.left() - around.right();
+  // The longest name may lose its last letters.
+  const bool is_narrow = room_px < 3 * name_px / 4 + kPadding_px + kNumberColumns * number_px;
+  for (const int column : {1, 2}) table_->setColumnHidden(column, is_narrow);
 }
 
 void NodeForceTable::show_forces(const NodeForces& forces, const ThemeColors& theme) {

@@ -21,6 +21,10 @@ class NodeForceTable : public QWidget {
   /// Arrows one behind the other.
   QCheckBox& head_to_tail() noexcept { return *head_to_tail_; }
 
+ protected:
+  /// Where there is no room for all columns, x and y go: z and the size say most.
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QLabel* title_;
   QTableWidget* table_;
