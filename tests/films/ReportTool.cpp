@@ -1,7 +1,7 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation|wide|unseen [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--family NAME] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--detection
+//               [--family NAME] [--punctures] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--detection
 //               auto|lines|scene] [--quality live|high]
 //               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
@@ -10,8 +10,8 @@
 // then says how the profile's own thickness, tip and holder would have done, and a table goes by what the specimens
 // are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --relaxing: the
 // force relaxes by a law of three arms, under a profile of two.
-// --drawing: plain
-// bright field. --film: that one film alone. --family: films of that family alone. --widest: no wider pictures. --csv:
+// --drawing: plain bright field. --film: that one film alone. --family: films of that family alone. --punctures: films
+// whose membrane gives way alone, to say how soon that is told. --widest: no wider pictures. --csv:
 // a row a film. "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the
 // true force (with --specimens) or the one that the true contours and tip give. --sights: a row a frame, of what the
 // verdict on a puncture saw and of the force. --worst: pictures of the ten worst films, truth green, found red.
@@ -42,7 +42,7 @@ struct Choice {
   int jobs = 1, widest_px = 2048;
   std::string csv, sights, worst, sheets, family;
   std::vector<std::string> specimens;
-  bool frames = false, drawing = false, each_once = false, relaxing = false;
+  bool frames = false, drawing = false, each_once = false, relaxing = false, punctures = false;
   TrackerOptions tracker;
 };
 
@@ -94,6 +94,8 @@ Choice read_arguments(int count, char** arguments) {
       choice.each_once = true;
     } else if (word == "--relaxing") {
       choice.relaxing = true;
+    } else if (word == "--punctures") {
+      choice.punctures = true;
     } else if (word == "--drawing") {
       choice.drawing = true;
     } else if (word == "--frames") {
@@ -298,10 +300,12 @@ std::vector<std::uint64_t> seeds_of(const Choice& choice) {
     const std::vector<std::string> any = choice.each_once ? std::vector{choice.specimens.front()} : choice.specimens;
     const test::RandomFilm film = test::draw_film(choice.split, seed, choice.widest_px, any);
     const bool touches = film.scenario.cell.in_view && film.scenario.motion.indentation_um > 0.0;
-    if ((choice.family.empty() || film.family == choice.family) && (touches || !choice.each_once))
+    const bool punctures = touches && film.scenario.puncture.enabled;
+    if ((choice.family.empty() || film.family == choice.family) && (touches || !choice.each_once) &&
+        (punctures || !choice.punctures))
       seeds.push_back(seed);
     if (seed - choice.first > kMostPerFilm * choice.count)
-      throw UsageError("--family: there is no family \"" + choice.family + "\" in this split");
+      throw UsageError("--family, --punctures: this split has no such film of \"" + choice.family + '"');
   }
   return seeds;
 }
