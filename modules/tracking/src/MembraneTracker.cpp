@@ -10,6 +10,8 @@
 #include "Deinterlacer.h"
 #include "HintedNeedle.h"
 #include "ObservationReport.h"
+#include "PersonHints.h"
+#include "PictureOrientation.h"
 #include "SceneReader.h"
 #include "SceneVerdict.h"
 #include "TrackerChecks.h"
@@ -23,10 +25,13 @@ class MembraneTracker::Impl {
     check(view);
     check(hints);
     timings_ = {};
-    const double noise = noise_level(FrameSampler(view));
-    const ImageView whole = fields_.process(view, noise);
-    FrameInput frame{whole, FrameSampler(whole), noise, {}, &timings_};
-    if (hints.needle_motion_um) frame.needle_motion_px = *hints.needle_motion_um / view.pixel_size_um;
+    const ImageView whole = fields_.process(view, noise_level(FrameSampler(view)));
+    if (!laid_.is_chosen()) laid_.choose(whole);
+    const ImageView laid = laid_.lay(whole);
+    const FrameSampler image(laid);
+    FrameInput frame{laid, image, noise_level(image), {}, &timings_};
+    if (hints.needle_motion_um)
+      frame.needle_motion_px = laid_.laid_direction(*hints.needle_motion_um) / view.pixel_size_um;
     if (options_.detection != Detection::kLines) frame.networks = &reader_;
     if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
@@ -39,7 +44,7 @@ class MembraneTracker::Impl {
       frames_since_detection_ = options_.redetect_interval_frames;
     }
     hint_outcome_.clear();
-    if (hint_) {
+    if (hints_.has_cell()) {
       has_cell_ = false;
       detect(frame);
       hint_outcome_ = has_cell_ ? "found" : "nothing like a cell was found there";
@@ -53,12 +58,8 @@ class MembraneTracker::Impl {
 
     has_cell_ ? lone_needle_.reset() : follow_lone_needle(frame);
 
-    if (tip_hint_um_) {
-      hint_outcome_ = start_hinted_needle(frame, *tip_hint_um_ / view.pixel_size_um)
-                          ? "followed"
-                          : "no straight shaft was found that ends there";
-      tip_hint_um_.reset();
-    }
+    if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
+      hint_outcome_ = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
 
     const PartTimer timer(timings_.report_us);
     Observation out;
@@ -68,6 +69,7 @@ class MembraneTracker::Impl {
       out.state = ever_ ? CellState::kLost : CellState::kNoCell;
       if (lone_needle_.valid()) out.needle = needle_pose(lone_needle_.estimate(), view.pixel_size_um);
     }
+    laid_.take_back(out);
     out.time_s = time_s;
     out.frame_index = frame_index;
     return out;
@@ -75,32 +77,24 @@ class MembraneTracker::Impl {
 
   void expect_cell(const CellHint& hint) {
     check(hint);
-    hint_ = hint;
-    in_force_.push_back({Pointed::kCell, {0.0, 0.0}});
+    hints_.add_cell(hint);
   }
   void expect_needle(const Eigen::Vector2d& tip_um) {
     check_place(tip_um);
-    tip_hint_um_ = tip_um;
-    in_force_.push_back({Pointed::kTip, tip_um});
+    hints_.add_tip(tip_um);
   }
   void exclude_cell(const Eigen::Vector2d& place_um) {
     check_place(place_um);
-    in_force_.push_back({Pointed::kNoCell, place_um});
+    hints_.add_no_cell(place_um);
     search_again();
     ever_ = false;
   }
   void take_back_hint() {
-    if (in_force_.empty()) return;
-    const Pointed kind = in_force_.back().kind;
-    in_force_.pop_back();
-    if (kind == Pointed::kTip) {
-      tip_hint_um_.reset();
-      cell_.forget_needle();
-      lone_needle_.reset();
-    } else {
-      hint_.reset();
-      search_again();
-    }
+    const std::optional<PersonHints::Kind> kind = hints_.take_back();
+    if (!kind) return;
+    if (*kind != PersonHints::Kind::kTip) return search_again();
+    cell_.forget_needle();
+    lone_needle_.reset();
   }
 
   const std::string& hint_outcome() const noexcept { return hint_outcome_; }
@@ -109,11 +103,6 @@ class MembraneTracker::Impl {
 
  private:
   using Detection = TrackerOptions::Detection;
-  enum class Pointed { kCell, kTip, kNoCell };
-  struct HintInForce {
-    Pointed kind;
-    Eigen::Vector2d place_um;
-  };
 
   void search_again() {
     has_cell_ = false;
@@ -123,10 +112,7 @@ class MembraneTracker::Impl {
 
   // What a person called no cell.
   bool is_excluded(const FrameInput& frame, const contour::Circle& circle) const {
-    return std::any_of(in_force_.begin(), in_force_.end(), [&](const HintInForce& hint) {
-      return hint.kind == Pointed::kNoCell &&
-             (hint.place_um / frame.view.pixel_size_um - circle.center).norm() < circle.radius;
-    });
+    return hints_.is_no_cell(laid_, frame.view.pixel_size_um, circle);
   }
   bool is_excluded(const FrameInput& frame, const SceneCell& seen) const {
     return is_excluded(frame, contour::Circle{seen.center, seen.radius_px, 1.0, 0.0});
@@ -173,17 +159,10 @@ class MembraneTracker::Impl {
     look(frame);
     const PartTimer timer(timings_.detection_us);
     frames_since_detection_ = 0;
-    const std::optional<DetectionHint> hint = hint_px(frame.view.pixel_size_um);
-    hint_.reset();
+    const std::optional<DetectionHint> hint = hints_.take_cell(laid_, frame.view.pixel_size_um);
     has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
-    if (hint && has_cell_) {
-      // Two hints about one place: the later one counts.
-      const contour::Circle cell{cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0};
-      std::erase_if(in_force_, [&](const HintInForce& other) {
-        return other.kind == Pointed::kNoCell &&
-               (other.place_um / frame.view.pixel_size_um - cell.center).norm() < cell.radius;
-      });
-    }
+    if (hint && has_cell_)
+      hints_.forget_no_cell(laid_, frame.view.pixel_size_um, {cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0});
     ever_ = ever_ || has_cell_;
   }
 
@@ -329,29 +308,17 @@ class MembraneTracker::Impl {
     });
   }
 
-  std::optional<DetectionHint> hint_px(double pixel_size_um) const {
-    if (!hint_) return std::nullopt;
-    DetectionHint hint;
-    if (hint_->outline_um) {
-      hint.outline = *hint_->outline_um / pixel_size_um;
-      hint.inside = hint.outline.rowwise().mean();
-    }
-    if (hint_->inside_um) hint.inside = *hint_->inside_um / pixel_size_um;
-    return hint;
-  }
-
   TrackerOptions options_;
   TrackerTimings timings_;
   Deinterlacer fields_;
+  PictureOrientation laid_;
   CellFollower cell_;
   NeedleTracker lone_needle_;
   GrayImage whole_;
   SceneReader reader_;
   SceneReading scene_;
   NeedleSearch needle_search_;
-  std::optional<CellHint> hint_;
-  std::optional<Eigen::Vector2d> tip_hint_um_;  // for the next frame
-  std::vector<HintInForce> in_force_;           // by a person, in the order given
+  PersonHints hints_;
   std::string hint_outcome_;
   bool has_cell_ = false, ever_ = false;
   bool scene_chosen_ = false;        // by kAuto
