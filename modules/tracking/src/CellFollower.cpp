@@ -29,18 +29,9 @@ constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
-// Rounds of reading a frame, live and where time does not count; quality of a reading that may have begun in the wrong
-// place.
-constexpr int kRoundsLive = 1, kRoundsHigh = 2;
-constexpr double kPoorReading = 0.6;
-// Of the radius: a dimple from which on a membrane may be seen to have sprung back, and from which on a contour may cut
-// across it. By how much that must be surer than the contour held to the tip, unless the dimple's flanks are back.
-constexpr double kSprungDepth_ratio = 0.1, kCutDepth_ratio = 0.3, kSurerSprung = 0.25;
 // A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
 // of films 27025 and 28025 less.
 constexpr double kPoorStart = 0.25;
-// Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
-constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
 
 contour::Circle fit(const Eigen::Matrix2Xd& points) {
   return contour::fit_circle(points, kCircleTolerance_px);
@@ -150,7 +141,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
   least_dent_ = dent_;
-  deepest_flank_ = 0.0;
+  deepest_flank_ = untied_depth_ = 0.0;
   return true;
 }
 
@@ -193,65 +184,6 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     attempt(known, true, options_.wide_search_px);
   }
   snakes_.restore(best_outer, best_inner);
-}
-
-// Both boundaries as the network sees them, from where they are expected; or, should the cell not have moved as was
-// thought, from where they were.
-void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift) {
-  BoundaryNetwork& network = frame.reader->boundaries();
-  const int rounds = options_.quality == TrackerOptions::Quality::kHigh ? kRoundsHigh : kRoundsLive;
-  snakes_.predict(shift, needle_.motion(), needle);
-  snakes_.read(frame.image, network, needle, rounds);
-  quality_ = quality_now();
-  if (needle && touching_ && needle_.is_sharp()) read_sprung_back(frame, *needle);
-  if (needle == nullptr || measure_membrane_depth() - tip_depth() > kBeyondTip_ratio * rest_.outer_radius)
-    read_unpushed(frame, needle);
-  if (quality_ >= kPoorReading) return;
-  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
-  const double quality = quality_;
-  snakes_.restore(outer_before_, inner_before_);
-  snakes_.read(frame.image, network, needle, kRoundsHigh);
-  quality_ = quality_now();
-  if (quality_ > quality) return;
-  snakes_.restore(outer, inner);
-  quality_ = quality;
-}
-
-// A contour that is held to the tip stays there when the membrane gives way: the same boundaries once more, from the
-// resting outline and with nothing that wraps the tip.
-void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
-  const double depth = measure_membrane_depth();
-  if (depth < kSprungDepth_ratio * rest_.outer_radius) return;
-  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
-  const double held = local_score();
-  const bool flanks_back = are_flanks_back();
-  NeedleZone loose = needle;
-  loose.touching = false;
-  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
-  snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
-  // One that only cuts across a deep dimple leaves the flanks where they are.
-  const bool is_cut = depth > kCutDepth_ratio * rest_.outer_radius && has_deep_flanks();
-  const bool is_back = !is_cut && measure_membrane_depth() < (1.0 - options_.puncture_drop_ratio) * depth;
-  if (is_back && local_score() > held + (flanks_back ? 0.0 : kSurerSprung)) {
-    quality_ = quality_now();
-    return;
-  }
-  snakes_.restore(outer, inner);
-}
-
-// A dimple that no tip is at the bottom of may be one that the contour has stayed in: once more from the resting
-// outline.
-void CellFollower::read_unpushed(const FrameInput& frame, const NeedleZone* needle) {
-  measure_dent();
-  if (new_dent_ratio() < kUnpushedDent_ratio) return;
-  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
-  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
-  snakes_.read(frame.image, frame.reader->boundaries(), needle, kRoundsHigh);
-  if (quality_now() > quality_) {
-    quality_ = quality_now();
-  } else {
-    snakes_.restore(outer, inner);
-  }
 }
 
 std::optional<Eigen::Vector2d> CellFollower::notice_jump(const FrameInput& frame) {

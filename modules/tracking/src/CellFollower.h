@@ -139,6 +139,7 @@ class CellFollower {
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   double deepest_flank_ = 0.0, tip_at_deepest_flank_ = 0.0;  // px, of late
+  double untied_depth_ = 0.0, tip_at_untied_depth_ = 0.0;    // likewise, of the contour that nothing ties to the tip
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   bool touching_ = false;
   bool is_doubtful_ = false;

@@ -61,7 +61,7 @@ double CellFollower::flank_depth() const {
 
 void CellFollower::follow_flanks() {
   if (contact_.state() == CellState::kFree || !needle_.valid()) {
-    deepest_flank_ = 0.0;
+    deepest_flank_ = untied_depth_ = 0.0;
     return;
   }
   const double flank = flank_depth();

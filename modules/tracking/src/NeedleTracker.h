@@ -108,8 +108,8 @@ class NeedleTracker {
   bool is_read() const noexcept { return read_half_width_ > 0.0; }
 
   const NeedleEstimate& estimate() const noexcept { return now_; }
-  /// Seen well, with its tip where it is due: one lifted out of focus fades, and lets a membrane go slowly.
-  bool is_sharp() const noexcept { return now_.confidence >= 0.5 && now_.tip_sigma < 1.5; }
+  /// Seen well: one lifted out of focus fades, and lets a membrane go slowly.
+  bool is_clear() const noexcept { return now_.confidence >= 0.5; }
   bool valid() const noexcept { return valid_; }
   void reset() noexcept { *this = NeedleTracker(); }
   /// How far the tip moved with the last frame.

@@ -1,0 +1,90 @@
+// The boundaries of a cell that networks read, in a frame: from where they are expected, from where they were, and from
+// the resting outline, should the membrane have sprung back or nothing push it.
+#include <algorithm>
+
+#include "CellFollower.h"
+
+namespace pellucida {
+namespace {
+
+// Rounds of reading a frame, live and where time does not count; quality of a reading that may have begun in the wrong
+// place.
+constexpr int kRoundsLive = 1, kRoundsHigh = 2;
+constexpr double kPoorReading = 0.6;
+// Of the radius: a dimple from which on a membrane may be seen to have sprung back.
+constexpr double kSprungDepth_ratio = 0.06;
+// By how much of its depth of late, and px, a reading that nothing ties to the tip must have come back, with the tip at
+// this share of its own depth at least. In 200 frames of contact of 23 tuning and wide films (170001 to 170105) it came
+// back by less than 0.1, in the frame after 22 punctures by more than 0.2 in all but one. How that depth fades, per
+// frame.
+constexpr double kSprungFall_ratio = 0.22, kLeastFall_px = 1.2, kTipKept_ratio = 0.8, kUntiedFade = 0.95;
+// Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
+constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
+
+}  // namespace
+
+// Both boundaries as the network sees them, from where they are expected; or, should the cell not have moved as was
+// thought, from where they were.
+void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift) {
+  BoundaryNetwork& network = frame.reader->boundaries();
+  const int rounds = options_.quality == TrackerOptions::Quality::kHigh ? kRoundsHigh : kRoundsLive;
+  snakes_.predict(shift, needle_.motion(), needle);
+  snakes_.read(frame.image, network, needle, rounds);
+  quality_ = quality_now();
+  if (needle && touching_ && needle_.is_clear()) read_sprung_back(frame, *needle);
+  if (needle == nullptr || measure_membrane_depth() - tip_depth() > kBeyondTip_ratio * rest_.outer_radius)
+    read_unpushed(frame, needle);
+  if (quality_ >= kPoorReading) return;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  const double quality = quality_;
+  snakes_.restore(outer_before_, inner_before_);
+  snakes_.read(frame.image, network, needle, kRoundsHigh);
+  quality_ = quality_now();
+  if (quality_ > quality) return;
+  snakes_.restore(outer, inner);
+  quality_ = quality;
+}
+
+// A contour that is held to the tip stays there when the membrane gives way: the same boundaries once more, from the
+// resting outline and with nothing that wraps the tip. In a steep dimple such a reading is too shallow, but alike from
+// frame to frame: it goes deeper with the needle, and only a membrane that springs back lets it fall while the tip
+// stays.
+void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
+  if (measure_membrane_depth() < kSprungDepth_ratio * rest_.outer_radius) return;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  const double tied_score = local_score();
+  NeedleZone loose = needle;
+  loose.touching = false;
+  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
+  snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
+  const double depth = measure_membrane_depth();
+  const double least_fall = std::max(kLeastFall_px, kSprungFall_ratio * untied_depth_);
+  const bool has_sprung = untied_depth_ - depth > least_fall && tip_depth() > kTipKept_ratio * tip_at_untied_depth_;
+  if (has_sprung && local_score() > tied_score) {
+    quality_ = quality_now();
+    return;
+  }
+  if (!has_sprung) untied_depth_ *= kUntiedFade;
+  if (depth > untied_depth_) {
+    untied_depth_ = depth;
+    tip_at_untied_depth_ = tip_depth();
+  }
+  snakes_.restore(outer, inner);
+}
+
+// A dimple that no tip is at the bottom of may be one that the contour has stayed in: once more from the resting
+// outline.
+void CellFollower::read_unpushed(const FrameInput& frame, const NeedleZone* needle) {
+  measure_dent();
+  if (new_dent_ratio() < kUnpushedDent_ratio) return;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
+  snakes_.read(frame.image, frame.reader->boundaries(), needle, kRoundsHigh);
+  if (quality_now() > quality_) {
+    quality_ = quality_now();
+  } else {
+    snakes_.restore(outer, inner);
+  }
+}
+
+}  // namespace pellucida
