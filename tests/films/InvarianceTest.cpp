@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "films/RandomFilm.h"
+#include "pellucida/core/Observation.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
@@ -22,6 +23,7 @@ constexpr double kSameDepth_um = 0.14;
 struct Change {
   const char* name;
   cv::Mat (*image)(const cv::Mat&);
+  bool is_laid_back;  ///< the tracker lays it the way the film itself lies: nothing at all may differ
 };
 
 cv::Mat mirrored(const cv::Mat& image) {
@@ -51,11 +53,19 @@ cv::Mat shifted(const cv::Mat& image) {
   return out;
 }
 
-constexpr Change kChanges[] = {{"mirrored", mirrored},
-                               {"upside down", upside_down},
-                               {"turned by 90 degrees", turned},
-                               {"darker by a tenth", darker},
-                               {"shifted by 0.4 px", shifted}};
+cv::Mat turned_back(const cv::Mat& image) {
+  cv::Mat out;
+  cv::rotate(image, out, cv::ROTATE_90_COUNTERCLOCKWISE);
+  return out;
+}
+cv::Mat transposed(const cv::Mat& image) {
+  return image.t();
+}
+
+constexpr Change kChanges[] = {{"mirrored", mirrored, true},           {"upside down", upside_down, true},
+                               {"turned by 90 degrees", turned, true}, {"turned back by 90 degrees", turned_back, true},
+                               {"transposed", transposed, true},       {"darker by a tenth", darker, false},
+                               {"shifted by 0.4 px", shifted, false}};
 
 // A shipped scenario by its name, or a random film of tuning by its seed.
 VirtualMicroscope microscope_of(const std::string& film) {
@@ -77,14 +87,10 @@ std::vector<cv::Mat> film_of(const std::string& name, double& pixel_size_um) {
   return film;
 }
 
-struct Seen {
-  CellState state = CellState::kNoCell;
-  double indentation_um = 0.0;
-};
-
-std::vector<Seen> track(const std::vector<cv::Mat>& film, double pixel_size_um, cv::Mat (*change)(const cv::Mat&)) {
+std::vector<Observation> track(const std::vector<cv::Mat>& film, double pixel_size_um,
+                               cv::Mat (*change)(const cv::Mat&)) {
   MembraneTracker tracker;
-  std::vector<Seen> seen;
+  std::vector<Observation> seen;
   for (std::size_t k = 0; k < film.size(); ++k) {
     const cv::Mat image = change ? change(film[k]) : film[k];
     ImageView view;
@@ -93,38 +99,69 @@ std::vector<Seen> track(const std::vector<cv::Mat>& film, double pixel_size_um, 
     view.height_px = image.rows;
     view.row_bytes = static_cast<std::ptrdiff_t>(image.step);
     view.pixel_size_um = pixel_size_um;
-    const Observation o = tracker.process(view, static_cast<double>(k) / 30.0, static_cast<long>(k));
-    seen.push_back({o.state, o.indentation_um});
+    seen.push_back(tracker.process(view, static_cast<double>(k) / 30.0, static_cast<long>(k)));
   }
   return seen;
 }
 
-class InvarianceTest : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(InvarianceTest, WhatIsDecidedStaysTheSame) {
-  double pixel_size_um = 0.0;
-  const std::vector<cv::Mat> film = film_of(GetParam(), pixel_size_um);
-  const std::vector<Seen> as_it_is = track(film, pixel_size_um, nullptr);
-  for (const Change& change : kChanges) {
-    SCOPED_TRACE(change.name);
-    const std::vector<Seen> changed = track(film, pixel_size_um, change.image);
-    int other_states = 0;
-    double squares = 0.0;
-    for (std::size_t k = 0; k < film.size(); ++k) {
-      other_states += changed[k].state != as_it_is[k].state;
-      squares += std::pow(changed[k].indentation_um - as_it_is[k].indentation_um, 2);
-    }
-    const double rms_um = std::sqrt(squares / static_cast<double>(film.size()));
-    EXPECT_EQ(other_states, 0);
-    EXPECT_LT(rms_um, kSameDepth_um);
-    std::printf("%s %s: %d of %zu states differ, indentation %.3f um RMS\n", GetParam(), change.name, other_states,
-                film.size(), rms_um);
+// What two versions of a film say differently.
+struct Difference {
+  int states = 0;
+  double rms_um = 0.0;
+};
+Difference difference(const std::vector<Observation>& one, const std::vector<Observation>& other) {
+  Difference found;
+  double squares = 0.0;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    found.states += other[k].state != one[k].state;
+    squares += std::pow(other[k].indentation_um - one[k].indentation_um, 2);
   }
+  found.rms_um = std::sqrt(squares / static_cast<double>(one.size()));
+  return found;
 }
 
-// Random films of looks are no part of the promise (docs/method.md, 1.9); to see how they fare, add seeds here.
+class InvarianceTest : public ::testing::TestWithParam<const char*> {
+ protected:
+  // Tracks the film and its versions, and holds `check` against what each says differently.
+  template <class Check>
+  void compare(const Check& check) {
+    double pixel_size_um = 0.0;
+    const std::vector<cv::Mat> film = film_of(GetParam(), pixel_size_um);
+    const std::vector<Observation> as_it_is = track(film, pixel_size_um, nullptr);
+    for (const Change& change : kChanges) {
+      SCOPED_TRACE(change.name);
+      const Difference found = difference(as_it_is, track(film, pixel_size_um, change.image));
+      check(change, found);
+      std::printf("%s %s: %d of %zu states differ, indentation %.3f um RMS\n", GetParam(), change.name, found.states,
+                  film.size(), found.rms_um);
+    }
+  }
+};
+
+// Mirrored and turned films give the same numbers to the last digit; darker and shifted ones are other pictures.
+TEST_P(InvarianceTest, WhatIsDecidedStaysTheSame) {
+  compare([](const Change& change, const Difference& found) {
+    EXPECT_EQ(found.states, 0);
+    EXPECT_LE(found.rms_um, change.is_laid_back ? 0.0 : kSameDepth_um);
+  });
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenarios, InvarianceTest,
                          ::testing::Values("default", "puncture", "needle-from-left-above", "embryo"));
+
+using InvarianceInOtherLooksTest = InvarianceTest;
+
+// What darker and shifted films of other looks decide differently is printed, not promised (docs/method.md, 1.9).
+TEST_P(InvarianceInOtherLooksTest, NothingDependsOnHowThePictureLies) {
+  compare([](const Change& change, const Difference& found) {
+    if (!change.is_laid_back) return;
+    EXPECT_EQ(found.states, 0);
+    EXPECT_EQ(found.rms_um, 0.0);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomFilms, InvarianceInOtherLooksTest,
+                         ::testing::Values("61003", "61004", "61005", "61006"));
 
 }  // namespace
 }  // namespace pellucida

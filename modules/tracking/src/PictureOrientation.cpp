@@ -39,8 +39,8 @@ void PictureOrientation::choose(const ImageView& view) {
   const cv::Mat image = mat_of(view);
   const Balance sum =
       view.format == PixelFormat::kGray8 ? balance_of<std::uint8_t>(image) : balance_of<std::uint16_t>(image);
-  flips_x_ = sum.x < 0;
-  flips_y_ = sum.y < 0;
+  flips_x_ = sum.x > 0;
+  flips_y_ = sum.y > 0;
   swaps_ = view.width_px == view.height_px ? std::abs(sum.y) > std::abs(sum.x) : view.height_px > view.width_px;
   is_chosen_ = true;
 }
