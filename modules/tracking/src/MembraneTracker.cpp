@@ -25,11 +25,12 @@ class MembraneTracker::Impl {
     check(view);
     check(hints);
     timings_ = {};
-    const ImageView whole = fields_.process(view, noise_level(FrameSampler(view)));
+    const double noise = noise_level(FrameSampler(view));
+    const ImageView whole = fields_.process(view, noise);
     if (!laid_.is_chosen()) laid_.choose(whole);
     const ImageView laid = laid_.lay(whole);
     const FrameSampler image(laid);
-    FrameInput frame{laid, image, noise_level(image), {}, &timings_};
+    FrameInput frame{laid, image, laid.data == view.data ? noise : noise_level(image), {}, &timings_};
     if (hints.needle_motion_um)
       frame.needle_motion_px = laid_.laid_direction(*hints.needle_motion_um) / view.pixel_size_um;
     if (options_.detection != Detection::kLines) frame.networks = &reader_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 namespace pellucida {
@@ -28,9 +29,18 @@ Balance balance_of(const cv::Mat& image) {
   return sum;
 }
 
+// The pixels, where they are; copied where rows begin between two pixels, as OpenCV has none of that.
 cv::Mat mat_of(const ImageView& view) {
-  return {view.height_px, view.width_px, view.format == PixelFormat::kGray8 ? CV_8U : CV_16U,
-          const_cast<void*>(view.data), static_cast<std::size_t>(view.row_bytes)};
+  const int type = view.format == PixelFormat::kGray8 ? CV_8U : CV_16U;
+  const auto* bytes = static_cast<const unsigned char*>(view.data);
+  const auto row_bytes = static_cast<std::size_t>(view.row_bytes),
+             pixel_bytes = static_cast<std::size_t>(CV_ELEM_SIZE(type));
+  if (row_bytes % pixel_bytes == 0)
+    return {view.height_px, view.width_px, type, const_cast<unsigned char*>(bytes), row_bytes};
+  cv::Mat copy(view.height_px, view.width_px, type);
+  for (int y = 0; y < view.height_px; ++y)
+    std::memcpy(copy.ptr(y), bytes + y * view.row_bytes, pixel_bytes * static_cast<std::size_t>(view.width_px));
+  return copy;
 }
 
 }  // namespace
@@ -41,7 +51,7 @@ void PictureOrientation::choose(const ImageView& view) {
       view.format == PixelFormat::kGray8 ? balance_of<std::uint8_t>(image) : balance_of<std::uint16_t>(image);
   flips_x_ = sum.x > 0;
   flips_y_ = sum.y > 0;
-  swaps_ = view.width_px == view.height_px ? std::abs(sum.y) > std::abs(sum.x) : view.height_px > view.width_px;
+  swaps_ = view.width_px == view.height_px ? std::abs(sum.x) > std::abs(sum.y) : view.height_px > view.width_px;
   is_chosen_ = true;
 }
 

@@ -11,7 +11,7 @@ namespace pellucida {
 /// of that may decide anything. The networks know no mirror image and a grid of pixels has a first row; so the first
 /// picture says which of its eight mirrored and turned versions is taken, by where its edges are, and all later ones
 /// follow: wide pictures stay wide, and most of what changes in grey lies left of the middle and above it (in square
-/// pictures more so to the left). All eight versions of a film are thus the same film to what follows, pixel by pixel.
+/// pictures more so above). All eight versions of a film are thus the same film to what follows, pixel by pixel.
 class PictureOrientation {
  public:
   /// By its first picture, of any size and format. Sums of whole numbers: two versions of it never differ by rounding.
