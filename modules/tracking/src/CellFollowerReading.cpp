@@ -14,9 +14,8 @@ constexpr double kPoorReading = 0.6;
 // Of the radius: a dimple from which on a membrane may be seen to have sprung back.
 constexpr double kSprungDepth_ratio = 0.06;
 // By how much of its depth of late, and px, a reading that nothing ties to the tip must have come back, with the tip at
-// this share of its own depth at least. In 200 frames of contact of 23 tuning and wide films (170001 to 170105) it came
-// back by less than 0.1, in the frame after 22 punctures by more than 0.2 in all but one. How that depth fades, per
-// frame.
+// this share of its own depth at least. In some 200 frames of contact of 23 tuning and wide films (170001 to 170105) it
+// came back by less than 0.1, in the frame after 19 punctures by 0.19 and more. How that depth fades, per frame.
 constexpr double kSprungFall_ratio = 0.22, kLeastFall_px = 1.2, kTipKept_ratio = 0.8, kUntiedFade = 0.95;
 // Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
 constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
