@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <utility>
 
 #include "pellucida/core/ImageView.h"
+#include "pellucida/core/Observation.h"
 
 namespace pellucida {
 namespace {

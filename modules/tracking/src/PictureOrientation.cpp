@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <opencv2/core.hpp>
 #include <utility>
 
 namespace pellucida {
