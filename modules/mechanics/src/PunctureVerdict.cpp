@@ -50,7 +50,7 @@ bool PunctureVerdict::is_apart(const Sight& now) noexcept {
 }
 
 bool PunctureVerdict::judge(const Sight& now) noexcept {
-  is_doubted_ = is_revoked_ = false;
+  is_doubted_ = is_revoked_ = is_pushed_ = false;
   confidence_ = now.confidence;
   is_apart_ = now.has_depths && is_apart(now);
   if (through_ && !(now.has_depths && may_end(now))) return true;
@@ -70,10 +70,11 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     odds_.weigh(evidence);
     if (!std::isnan(evidence.flank_ratio))
       depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
+    is_pushed_ = evidence.flank_ratio < kFlankLeaving_ratio;  // false where none are seen
   }
   flank_before_um_ = now.flank_um;
   through_ = odds_.probability() > kSure;
-  is_doubted_ = !through_ && (now.is_tracked_punctured || odds_.doubt() > kInDoubt);
+  is_doubted_ = !through_ && ((now.is_tracked_punctured && !is_pushed_) || odds_.doubt() > kInDoubt);
   if (now.has_depths && !through_) follow_deepest(now);
   return through_;
 }
