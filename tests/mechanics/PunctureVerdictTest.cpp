@@ -329,7 +329,9 @@ TEST(PunctureVerdict, ARevokedPunctureIsAContactWhateverTheTrackerSays) {
   verdict.add(30.4, 3.0);
   EXPECT_FALSE(verdict.judge(together));
   EXPECT_FALSE(verdict.is_revoked());
-  EXPECT_TRUE(verdict.is_doubted());
+  // The flanks are seen, and as deep as they were.
+  EXPECT_TRUE(verdict.is_pushed());
+  EXPECT_FALSE(verdict.is_doubted());
   // And the next one is reported again.
   for (int k = 0; k < 3; ++k) verdict.judge(seen(31.0, 31.0, 15.5, 0.9));
   EXPECT_TRUE(verdict.judge(seen(31.5, 6.0, 2.0, 0.9)));

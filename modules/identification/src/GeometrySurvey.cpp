@@ -203,9 +203,9 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   profile.geometry_terms = fit(forces, profile.geometry_range.spread_ratio);
   profile.geometry_pressure_terms = fit(pressures, profile.geometry_range.pressure_spread_ratio);
 
-  // The modulus was set at the puncture's depth: there the force's factor is 1, and the pressure's what it is at that
-  // modulus.
-  const double anchor_ratio = profile.puncture_indentation_um / radius_um;
+  // The modulus was set at the puncture's depth: there, or as deep as the terms reach, the force's factor is 1, and the
+  // pressure's what it is at that modulus.
+  const double anchor_ratio = std::min(profile.puncture_indentation_um / radius_um, kDeepest_ratio);
   const double anchor_log = value_at(base.force, anchor_ratio);
   std::vector<GeometryTerm> of_force = depth_terms(base.force, anchor_log);
   anchor(of_force, anchor_ratio);
