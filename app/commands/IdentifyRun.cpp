@@ -151,10 +151,22 @@ void survey(const IdentifyArguments& arguments, CellProfile& profile) {
   set_source(profile, "geometry_terms",
              "least squares to the solid of revolution (modules/fem) on " + std::to_string(arguments.geometry_cells) +
                  " geometries, over the springs there");
+  set_source(profile, "geometry_terms of the depth alone",
+             "least squares to the same solid at the profile's own geometry, over the springs there; 1 at the "
+             "puncture's depth");
   const GeometryRange& range = profile.geometry_range;
   std::printf(
       "other geometries: %d cells; force and pressure of those left out of the fit within %.1f and %.1f %% (RMS)\n",
       range.cell_count, 100.0 * range.spread_ratio, 100.0 * range.pressure_spread_ratio);
+}
+
+/// Takes the profile's curve through what was measured.
+void set_scale(const IdentificationRequest& request, Identification& result) {
+  CellProfile& profile = result.profile;
+  result.scale = request.measured ? scale_to_curve(profile, *request.measured)
+                                  : scale_to_point(profile, profile.puncture_force_uN, profile.puncture_indentation_um,
+                                                   request.assumed_scale_sigma_ratio);
+  apply(result.scale, profile);
 }
 
 void write_profile(const CellProfile& profile, const fs::path& file) {
@@ -195,11 +207,7 @@ void run_identify(const IdentifyArguments& arguments) {
   Identification result;
   if (arguments.keep_constants) {
     result.profile = request.cell;
-    result.scale = request.measured
-                       ? scale_to_curve(request.cell, *request.measured)
-                       : scale_to_point(request.cell, request.cell.puncture_force_uN,
-                                        request.cell.puncture_indentation_um, request.assumed_scale_sigma_ratio);
-    apply(result.scale, result.profile);
+    set_scale(request, result);
   } else {
     Progress progress("identify: %");
     result = identify(request, [&](std::string_view stage, double share) {
@@ -209,7 +217,10 @@ void run_identify(const IdentifyArguments& arguments) {
     });
   }
   set_relaxation(arguments, arms, result.profile);
-  if (arguments.geometry_cells > 0) survey(arguments, result.profile);
+  if (arguments.geometry_cells > 0) {
+    survey(arguments, result.profile);
+    set_scale(request, result);  // by the curve that is measured by
+  }
   name_sources(arguments, result.profile);
   write_profile(result.profile, output);
 

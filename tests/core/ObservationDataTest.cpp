@@ -43,12 +43,14 @@ Observation full_observation() {
   o.indentation_um = 7.1 / 3.0;
   o.indentation_sigma_um = 0.1 / 3.0;
   o.dimple_radius_um = 9.1;
+  o.rest_beyond_um = -1.1 / 3.0;
   o.needle.emplace();
   o.needle->tip_um << 351.1, 200.7;
   o.needle->direction << -std::cos(0.1), -std::sin(0.1);
   o.needle->tip_radius_um = 2.1;
   o.needle->confidence = 0.7;
   o.needle->tip_sigma_um = 0.3;
+  o.needle->tip_radius_sigma = 0.2;
   o.needle->evidence = kShaftEdges | kDimple;
   o.needle->outline_um.resize(2, 3);
   o.needle->outline_um << 351.1, 360.1, 370.1, 200.7, 201.7, 202.7;
@@ -57,6 +59,7 @@ Observation full_observation() {
   o.holder->direction << -1.0, 0.1;
   o.holder->outer_radius_um = 30.1;
   o.holder->confidence = 0.9;
+  o.holder->outer_radius_sigma = 0.35;
   o.holder->outline_um.resize(2, 2);
   o.holder->outline_um << 250.1, 240.1, 190.1, 180.1;
   return o;

@@ -16,6 +16,15 @@ TEST(GeometrySurvey, ASmallOneFindsTheShippedCorrection) {
   EXPECT_GT(profile.geometry_range.spread_ratio, 0.01);
   EXPECT_LT(profile.geometry_range.spread_ratio, 0.5);
   ASSERT_EQ(profile.geometry_terms.size(), shipped.geometry_terms.size());
+  // The depth's own terms come from the profile's own geometry alone.
+  for (const double depth_um : {2.0, 10.0, 25.0, 44.0}) {
+    const MembraneGeometry own = geometry_of(profile);
+    EXPECT_NEAR(geometry_factor(profile, own, depth_um).ratio, geometry_factor(shipped, own, depth_um).ratio, 1e-3);
+    EXPECT_NEAR(pressure_factor(profile, own, depth_um), pressure_factor(shipped, own, depth_um), 1e-3);
+  }
+  ASSERT_EQ(profile.errors.size(), shipped.errors.size());
+  EXPECT_NEAR(profile.errors.back().largest_ratio, shipped.errors.back().largest_ratio, 1e-4);
+  EXPECT_LT(profile.errors.back().largest_ratio, 0.02);
   for (const MembraneGeometry& geometry :
        {MembraneGeometry{50, 8, 3, 25}, {50, 4, 6, 18}, {45, 6, 2, 20}, {58, 10, 5, 30}})
     for (const double depth_um : {10.0, 25.0, 40.0}) {

@@ -63,10 +63,11 @@ TEST(ShippedOocyte, MeetsTheFiniteElementsInAllFourConfigurations) {
   }
 }
 
-TEST(ShippedCurves, AreThoseOfOurFiniteElements) {
+// An independent thin shell's.
+TEST(ThinShellCurves, AreThoseOfOurFiniteElements) {
   for (int c = 1; c <= 3; ++c) {
     const Table table =
-        Table::read(resource_folder() / "reference" / ("mouse-oocyte-" + std::to_string(c) + "-force.csv"));
+        Table::read(resource_folder() / "reference" / ("thin-shell-oocyte-" + std::to_string(c) + "-force.csv"));
     const Eigen::VectorXd depth_um = table.column("indentation_um"), force_uN = table.column("force_uN");
     const ReferenceCurve& ours = oocyte_curves()[static_cast<std::size_t>(c) - 1];
     for (Eigen::Index k = 0; k < ours.depth_um.size(); ++k) {

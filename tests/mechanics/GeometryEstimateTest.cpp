@@ -36,6 +36,23 @@ TEST(GeometryEstimate, AssumesTheProfilesWhereNoneIsSeen) {
   }
 }
 
+// Two pixels of something are no holding pipette; a narrow one is.
+TEST(GeometryEstimate, AHolderOfNoLikelyWidthIsNone) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  GeometryEstimate unseen(profile);
+  unseen.update(at_rest(48.0, 43.0));
+  for (const double holder_um : {0.8, 7.5, 40.0, 90.0}) {
+    GeometryEstimate estimate(profile);
+    Observation o = at_rest(48.0, 43.0);
+    o.holder.emplace();
+    o.holder->outer_radius_um = holder_um;
+    estimate.update(o);
+    const bool is_one = holder_um > 5.0 && holder_um < 60.0;
+    EXPECT_NEAR(estimate.geometry().holder_radius_um, is_one ? holder_um : unseen.geometry().holder_radius_um, 1e-9);
+    EXPECT_EQ(estimate.force_sigma_ratio() < 0.9 * unseen.force_sigma_ratio(), is_one) << holder_um;
+  }
+}
+
 // A tip read surely counts as it is; the less surely, the nearer to the bench's usual one, and the wider the interval.
 TEST(GeometryEstimate, ATipSeenPoorlyIsDrawnTowardsTheUsualOne) {
   const CellProfile profile = load_profile("mouse-oocyte");

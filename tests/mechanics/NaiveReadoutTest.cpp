@@ -1,4 +1,5 @@
-// The read-out that prescribes every node, against the finite-element shapes that are the truth: why it isn't used.
+// The read-out that prescribes every node, against the finite elements of a thin shell, which the springs are: why it
+// isn't used.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ using Profile = std::map<double, Eigen::Vector2d>;
 
 /// All depths of the shipped section. Both sides are the same there; the right one is taken.
 std::map<double, Profile> read_sections() {
-  std::ifstream file(resource_folder() / "reference" / "mouse-oocyte-1-profile.csv");
+  std::ifstream file(resource_folder() / "reference" / "thin-shell-oocyte-1-profile.csv");
   std::map<double, Profile> sections;
   std::string line;
   std::getline(file, line);
@@ -52,7 +53,7 @@ TEST(NaiveReadout, IsBiasedEvenWithAPerfectShape) {
   const CellProfile profile = load_profile("mouse-oocyte");
   Indenter indenter(profile, setup_for_configuration(profile, 1));
   const MembraneModel& model = indenter.model();
-  const ForceTables truth("mouse-oocyte");
+  const ForceTables truth("thin-shell-oocyte");
   int count = 0;
   for (const auto& [depth, section] : read_sections()) {
     if (depth < 6.0) continue;

@@ -265,6 +265,37 @@ TEST(PunctureVerdict, FlanksThatAreBackTellAPunctureWhereTheContourIsTiedToTheTi
   EXPECT_TRUE(verdict.take_puncture(1.0));
 }
 
+// A fine needle in a narrow dimple: the contour cuts across it, lags by half and comes out of the model's shape, while
+// the flanks go ever deeper.
+TEST(PunctureVerdict, FlanksThatGoOnDeeperAreStillPushedWhateverTheContourDoes) {
+  PunctureVerdict verdict;
+  const auto seen = [](double tip_um, double membrane_um, double flank_um) {
+    Sight now = sight(tip_um, 0.2, membrane_um, 0.2);
+    now.flank_um = flank_um;
+    return now;
+  };
+  for (double tip = 1.0; tip <= 10.0; tip += 1.0) {
+    EXPECT_FALSE(verdict.judge(seen(tip, tip, 0.25 * tip)));
+    EXPECT_FALSE(verdict.judge(Shape{.residual_um = 0.5, .dimple_residual_um = 1.0, .usual_um = 0.3}));
+    verdict.add(tip, 0.1 * tip);
+  }
+  for (double tip = 11.0; tip <= 20.0; tip += 1.0) {
+    Sight now = seen(tip, 0.7 * tip, 0.25 * tip);
+    now.is_tracked_punctured = true;
+    EXPECT_FALSE(verdict.judge(now)) << tip;
+    EXPECT_TRUE(verdict.is_pushed()) << tip;
+    EXPECT_FALSE(verdict.is_doubted()) << tip;
+    EXPECT_FALSE(verdict.judge(
+        Shape{.residual_um = tip < 14.0 ? 0.5 : 3.0, .dimple_residual_um = tip < 14.0 ? 1.0 : 5.0, .usual_um = 0.3}))
+        << tip;
+    verdict.add(tip, 0.1 * tip);
+  }
+  // When it does give way the flanks go, and with them the membrane.
+  Sight now = seen(21.0, 6.0, 1.0);
+  now.is_tracked_punctured = true;
+  EXPECT_TRUE(verdict.judge(now));
+}
+
 TEST(PunctureVerdict, FlanksThatGoBackWithTheTipOrBeyondTheRestAreNone) {
   PunctureVerdict drawn_back = pushed_with_flanks(30.0, 0.75);
   for (double depth = 28.0; depth > 0.0; depth -= 2.0) {
@@ -298,7 +329,9 @@ TEST(PunctureVerdict, ARevokedPunctureIsAContactWhateverTheTrackerSays) {
   verdict.add(30.4, 3.0);
   EXPECT_FALSE(verdict.judge(together));
   EXPECT_FALSE(verdict.is_revoked());
-  EXPECT_TRUE(verdict.is_doubted());
+  // The flanks are seen, and as deep as they were.
+  EXPECT_TRUE(verdict.is_pushed());
+  EXPECT_FALSE(verdict.is_doubted());
   // And the next one is reported again.
   for (int k = 0; k < 3; ++k) verdict.judge(seen(31.0, 31.0, 15.5, 0.9));
   EXPECT_TRUE(verdict.judge(seen(31.5, 6.0, 2.0, 0.9)));

@@ -30,7 +30,7 @@ class ReadoutTest : public testing::Test {
     return p;
   }
 
-  CellReference reference_ = CellReference::load("mouse-oocyte", 1);
+  CellReference reference_ = CellReference::load("thin-shell-oocyte", 1);
   ReadoutComparison comparison_{9};
 };
 

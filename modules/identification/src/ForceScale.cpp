@@ -16,7 +16,8 @@ Eigen::VectorXd model_forces_uN(const CellProfile& profile, const Eigen::VectorX
     throw UsageError("force scale: an indentation of " + std::to_string(deepest_um) +
                      " um is beyond 1.4 radii of the cell; check the unit, or give the cell's radius");
   }
-  Indenter indenter(profile, setup_for_configuration(profile, 1));
+  const MembraneSetup setup = setup_for_configuration(profile, 1);
+  Indenter indenter(profile, geometry_of(profile), setup.push, setup.holder);
   Eigen::VectorXd forces(depths_um.size());
   for (Eigen::Index k = 0; k < depths_um.size(); ++k) {
     const IndentationState state = indenter.advance_to(depths_um[k]);

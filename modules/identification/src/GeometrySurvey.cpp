@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ProfileSpecimen.h"
+#include "SolidComparison.h"
 #include "Workers.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/fem/SolidReference.h"
@@ -21,7 +22,8 @@ constexpr double kThickness_ratio[] = {0.045, 0.40}, kTip_ratio[] = {0.008, 0.25
 constexpr double kDepthStep_ratio = 0.04, kDeepest_ratio = 1.0;
 /// Longer elements than the default: at finer ones the surface beside a fine tip creases and no equilibrium is found.
 constexpr double kEdgeLength_ratio = 1.6;
-constexpr int kHighestSum = 3, kHighestDepthPower = 3, kFolds = 8, kFewest = 60;
+/// Highest sum of the sizes' powers, and power of the depth beside them.
+constexpr int kHighestSum = 3, kSizesDepthPower = 3, kFolds = 8, kFewest = 60;
 
 /// Member `index` of Halton's sequence in a base, 0 to 1.
 double halton(int index, int base) {
@@ -84,8 +86,40 @@ std::vector<GeometryTerm> all_terms() {
   for (int h = 0; h <= kHighestSum; ++h)
     for (int a = 0; a + h <= kHighestSum; ++a)
       for (int o = 0; o + a + h <= kHighestSum; ++o)
-        for (int d = 0; h + a + o > 0 && d <= kHighestDepthPower; ++d) terms.push_back({h, a, o, d, 0.0});
+        for (int d = 0; h + a + o > 0 && d <= kSizesDepthPower; ++d) terms.push_back({h, a, o, d, 0.0});
   return terms;
+}
+
+/// Between the depth steps, linear.
+double value_at(const std::vector<double>& logs, double depth_ratio) {
+  const double place = std::clamp(depth_ratio / kDepthStep_ratio - 1.0, 0.0, static_cast<double>(logs.size() - 1));
+  const auto k = std::min(static_cast<std::size_t>(place), logs.size() - 2);
+  return logs[k] + (place - static_cast<double>(k)) * (logs[k + 1] - logs[k]);
+}
+
+/// Terms of the depth alone: `logs` of the profile's own geometry, which begin at the first depth step and are taken as
+/// the same above it, less `anchor_log`.
+std::vector<GeometryTerm> depth_terms(const std::vector<double>& logs, double anchor_log) {
+  const auto count = static_cast<Eigen::Index>(logs.size());
+  if (count < 2 * kHighestDepthPower)
+    throw NothingMeasuredError("survey of geometries: the profile's own has too few equilibria");
+  Eigen::MatrixXd rows(count + 1, kHighestDepthPower + 1);
+  Eigen::VectorXd values(count + 1);
+  for (Eigen::Index k = 0; k <= count; ++k) {
+    for (int p = 0; p <= kHighestDepthPower; ++p) rows(k, p) = std::pow(kDepthStep_ratio * static_cast<double>(k), p);
+    values[k] = logs[static_cast<std::size_t>(std::max<Eigen::Index>(k - 1, 0))] - anchor_log;
+  }
+  const Eigen::VectorXd fitted = rows.colPivHouseholderQr().solve(values);
+  std::vector<GeometryTerm> terms;
+  for (int p = 0; p <= kHighestDepthPower; ++p) terms.push_back({0, 0, 0, p, fitted[p]});
+  return terms;
+}
+
+/// Moves the constant one so that their sum is 0 at a depth.
+void anchor(std::vector<GeometryTerm>& terms, double depth_ratio) {
+  double sum = 0.0;
+  for (const GeometryTerm& term : terms) sum += term.coefficient * std::pow(depth_ratio, term.depth);
+  terms.front().coefficient -= sum;
 }
 
 Eigen::VectorXd solve(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values) {
@@ -168,6 +202,18 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
                             kHolder_ratio[0],    kHolder_ratio[1],    kDeepest_ratio, options.cell_count};
   profile.geometry_terms = fit(forces, profile.geometry_range.spread_ratio);
   profile.geometry_pressure_terms = fit(pressures, profile.geometry_range.pressure_spread_ratio);
+
+  // The modulus was set at the puncture's depth: there, or as deep as the terms reach, the force's factor is 1, and the
+  // pressure's what it is at that modulus.
+  const double anchor_ratio = std::min(profile.puncture_indentation_um / radius_um, kDeepest_ratio);
+  const double anchor_log = value_at(base.force, anchor_ratio);
+  std::vector<GeometryTerm> of_force = depth_terms(base.force, anchor_log);
+  anchor(of_force, anchor_ratio);
+  const std::vector<GeometryTerm> of_pressure = depth_terms(base.pressure, anchor_log);
+  profile.geometry_terms.insert(profile.geometry_terms.begin(), of_force.begin(), of_force.end());
+  profile.geometry_pressure_terms.insert(profile.geometry_pressure_terms.begin(), of_pressure.begin(),
+                                         of_pressure.end());
+  record_solid_error(profile, cancel);
 }
 
 }  // namespace pellucida

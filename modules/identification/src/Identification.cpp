@@ -7,18 +7,15 @@
 
 #include "CurveSensitivity.h"
 #include "MotionConstants.h"
-#include "ProfileSpecimen.h"
+#include "SolidComparison.h"
 #include "Workers.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/fem/SolidReference.h"
 #include "pellucida/membrane/MembraneGeometry.h"
 
 namespace pellucida {
 namespace {
 
-/// Depths compared begin here: below, the noise of any depth hides the model's error.
-constexpr double kCompareFrom_um = 4.0;
 /// Curves reach at least this share of the radius, so that constants hold somewhat beyond the puncture.
 constexpr double kLeastReach = 1.06;
 /// Connectors must bear strains beyond the largest of the reference's middle surface, and never less than these.
@@ -59,28 +56,9 @@ double reach_um(const IdentificationRequest& request) {
   throw Error(ExitCode::kOurFault, "identify: cancelled; nothing was written");
 }
 
-/// The solid's curve in the form of the shells'; nothing where it couldn't be solved down to `to_um`.
-std::optional<ReferenceCurve> solid_curve(const CellProfile& cell, double to_um, double step_um,
-                                          const std::stop_token& cancel) {
-  SolidReference solid(specimen_of(cell), contact_of(cell));
-  const SolidCurve curve = solid.run(to_um, std::min(step_um, to_um), {}, cancel);
-  if (curve.outcome != CurveOutcome::kComplete) return std::nullopt;
-  ReferenceCurve reference;
-  reference.configuration = 1;
-  const auto count = static_cast<Eigen::Index>(curve.steps.size());
-  reference.depth_um.resize(count);
-  reference.force_uN.resize(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    reference.depth_um[k] = curve.steps[static_cast<std::size_t>(k)].indentation_um;
-    reference.force_uN[k] = curve.steps[static_cast<std::size_t>(k)].force_uN;
-  }
-  return reference;
-}
-
 void record_error(CellProfile& profile, const IdentifiedCurve& curve, const char* what) {
-  profile.errors.push_back({curve.reference.configuration, std::string(what) + " finite elements, scaled to the anchor",
-                            curve.error.largest_ratio, curve.error.largest_of_peak_ratio, curve.error.from_um,
-                            curve.error.to_um});
+  profile.errors.push_back({curve.reference.configuration, what, curve.error.largest_ratio,
+                            curve.error.largest_of_peak_ratio, curve.error.from_um, curve.error.to_um});
 }
 
 }  // namespace
@@ -193,14 +171,15 @@ Identification identify(const IdentificationRequest& request,
     compare_with_reference(profile, curve.reference, kCompareFrom_um, deepest_um, &curve.model_force_uN);
   });
   if (cancel.stop_requested()) cancelled();
-  for (const IdentifiedCurve& curve : result.curves) record_error(profile, curve, "thin-shell");
+  for (const IdentifiedCurve& curve : result.curves)
+    record_error(profile, curve, "thin-shell finite elements, scaled to the anchor");
   if (solid) {
     solid->force_uN *= anchor_force_uN / solid->force_uN[solid->force_uN.size() - 1];
     result.solid.emplace();
     result.solid->reference = *solid;
     result.solid->error =
         compare_with_reference(profile, *solid, kCompareFrom_um, anchor_um, &result.solid->model_force_uN);
-    record_error(profile, *result.solid, "axisymmetric solid");
+    record_error(profile, *result.solid, kSolidReference);
   }
 
   const MotionConstants motion = motion_constants(profile);

@@ -176,8 +176,9 @@ class ForceObserver::Impl {
     if (PunctureVerdict::is_apart(sight)) deep_um += sight.tip_um - sight.membrane_um;
     if (verdict_.is_doubted()) shallow_um = std::min(shallow_um, verdict_.depth_by_flanks_um());
     const double half_gap_um = 0.5 * (deep_um - shallow_um);
-    const auto filtered =
-        filter_.update(o.time_s, shallow_um + half_gap_um, std::hypot(sight.membrane_sigma_um, half_gap_um));
+    // A needle that pushes flanks as deep as ever has the membrane on its tip.
+    const double middle_um = verdict_.is_pushed() ? deep_um : shallow_um + half_gap_um;
+    const auto filtered = filter_.update(o.time_s, middle_um, std::hypot(sight.membrane_sigma_um, half_gap_um));
     estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um, half_gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";

@@ -12,9 +12,12 @@ namespace {
 constexpr double kRadiusSigma_um = 0.2;
 /// Where in its blurred edge a membrane begins is a matter of definition: both together, um.
 constexpr double kEdgeSigma_um = 0.4;
-/// What is known of a length that isn't seen: how zonae of one kind differ, standard deviation over mean; how the tools
-/// of different benches do, of their logarithms. Beside a length that is seen none of them would count.
-constexpr double kKindThickness_ratio = 0.25, kBenchTip_ratio = 0.7, kBenchHolder_ratio = 0.4;
+/// What is known of a length that isn't seen. A zona whose inner edge isn't: it is a thin one, or its outline was taken
+/// from something else, standard deviation over the profile's; how the tools of different benches differ, of their
+/// logarithms. Beside a length that is seen none of them would count.
+constexpr double kUnseenThickness_ratio = 0.5, kBenchTip_ratio = 0.7, kBenchHolder_ratio = 0.4;
+/// A holder so many of those deviations from the usual one is none: something else was seen, or a part of it.
+constexpr double kFarthestHolder_sigmas = 3.0;
 /// How well a tool's radius is seen: of its logarithm.
 constexpr double kSeenTip_ratio = 0.15, kSeenHolder_ratio = 0.08;
 /// No zona is thinner, over the cell's outer radius: two contours that near lie on one edge.
@@ -33,19 +36,24 @@ void GeometryEstimate::Seen::add(double length_um, double log_sigma) {
   sigma += (log_sigma - sigma) / count;
 }
 
+bool GeometryEstimate::is_likely_holder(double radius_um) const noexcept {
+  const double usual_um = profile_->holder_ring_um + profile_->holder_half_width_um;
+  return radius_um > 0.0 && std::abs(std::log(radius_um / usual_um)) < kFarthestHolder_sigmas * kBenchHolder_ratio;
+}
+
 void GeometryEstimate::update(const Observation& o) {
   const bool clear = o.state == CellState::kFree;
   const auto sigma_or = [](double sigma, double usual) { return sigma > 0.0 ? sigma : usual; };
   if (o.needle && (clear || tip_.count == 0))
     tip_.add(o.needle->tip_radius_um, sigma_or(o.needle->tip_radius_sigma, kSeenTip_ratio));
-  if (o.holder && (clear || holder_.count == 0))
+  if (o.holder && is_likely_holder(o.holder->outer_radius_um) && (clear || holder_.count == 0))
     holder_.add(o.holder->outer_radius_um, sigma_or(o.holder->outer_radius_sigma, kSeenHolder_ratio));
 
   seen_thickness_um_ = o.rest_outer_radius_um - o.rest_inner_radius_um;
   thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um &&
                          seen_thickness_um_ > kThinnestZona_ratio * o.rest_outer_radius_um);
   if (thickness_assumed_) seen_thickness_um_ = profile_->thickness_um;
-  thickness_sigma_um_ = thickness_assumed_ ? kKindThickness_ratio * profile_->thickness_um : kEdgeSigma_um;
+  thickness_sigma_um_ = thickness_assumed_ ? kUnseenThickness_ratio * profile_->thickness_um : kEdgeSigma_um;
   geometry_.thickness_um = seen_thickness_um_;
   geometry_.mid_radius_um = o.rest_outer_radius_um - 0.5 * geometry_.thickness_um;
 

@@ -33,6 +33,7 @@ class GeometryEstimate {
   struct Length {
     double length_um = 0.0, sigma = 0.0;
   };
+  bool is_likely_holder(double radius_um) const noexcept;
   static Length known(const Seen& seen, const Length& usual, double surest);
 
   const CellProfile* profile_;

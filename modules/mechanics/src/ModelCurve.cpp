@@ -47,7 +47,8 @@ ModelCurve model_curve(const CellProfile& profile, const SeenCell& cell, double 
 
 ModelCurve model_curve(const CellProfile& profile, double deepest_um, double step_um, double force_ratio,
                        const std::function<bool()>& go_on) {
-  Indenter indenter(profile, setup_for_configuration(profile, 1));
+  const MembraneSetup setup = setup_for_configuration(profile, 1);
+  Indenter indenter(profile, geometry_of(profile), setup.push, setup.holder);
   return curve_of(indenter, deepest_um, step_um, force_ratio, go_on);
 }
 

@@ -65,12 +65,22 @@ Eigen::VectorXd tension_sigmas(const MembraneModel& model, const Eigen::VectorXd
   return sigma;
 }
 
+/// What the liquid's push on the springs' nodes is multiplied by. A solid's pressure acts on the wall's inner face, the
+/// springs carry it on the middle surface. Where the profile has no terms for the pressure it is the springs' own.
+double push_ratio(const Indenter& indenter) {
+  const double of_pressure = indenter.pressure_ratio();
+  if (of_pressure == indenter.force_ratio()) return of_pressure;
+  const MembraneSetup& cell = indenter.model().setup();
+  const double inner = 1.0 - 0.5 * cell.thickness_um / cell.mid_radius_um;
+  return of_pressure * inner * inner;
+}
+
 }  // namespace
 
 void fill_nodes(const Indenter& indenter, double scale, bool contact, ForceEstimate& estimate) {
   const MembraneModel& model = indenter.model();
   const Eigen::Matrix3Xd& x = indenter.positions_um();
-  const double of_tools = scale * indenter.force_ratio(), of_liquid = scale * indenter.pressure_ratio();
+  const double of_tools = scale * indenter.force_ratio(), of_liquid = scale * push_ratio(indenter);
   // In equilibrium a node's elastic force balances the liquid's push, P grad V, and the tools'.
   const double pressure_uN_per_um2 = model.setup().keeps_volume ? model.volume().pressure_uN_per_um2(x) : 0.0;
   const Eigen::Matrix3Xd liquid_uN = pressure_uN_per_um2 * model.volume().gradient_of_volume(x);

@@ -21,7 +21,8 @@ bool has_cell(const Observation& o) noexcept {
 
 std::string why_not_measured(const Observation& o, const CellProfile& profile) {
   if (!has_cell(o)) return "no cell to measure";
-  if (!o.center_um.allFinite() || !std::isfinite(o.rest_outer_radius_um) || o.rest_outer_radius_um <= 0.0) {
+  if (!o.center_um.allFinite() || !std::isfinite(o.rest_beyond_um) || !std::isfinite(o.rest_outer_radius_um) ||
+      o.rest_outer_radius_um <= 0.0) {
     return "the cell's rest shape is not known";
   }
   const double ratio = o.rest_outer_radius_um / (profile.mid_radius_um + 0.5 * profile.thickness_um);

@@ -28,6 +28,8 @@ constexpr double kNewest_ratio = 0.2;
 constexpr double kSameRest_ratio = 0.002;
 /// Of the tip's depth, what the membrane may have kept where no contact came before.
 constexpr double kAtRest_ratio = 0.5;
+/// From this share of their depth on they are on their way back.
+constexpr double kFlankLeaving_ratio = 0.15;
 /// What a sprung shape counts as: most of the depth.
 constexpr double kSprungBack_ratio = 0.8, kSprungSigma_ratio = 0.1;
 /// How the depth of late fades, per frame: a pipette drawn back slowly punctures nothing.
@@ -48,7 +50,7 @@ bool PunctureVerdict::is_apart(const Sight& now) noexcept {
 }
 
 bool PunctureVerdict::judge(const Sight& now) noexcept {
-  is_doubted_ = is_revoked_ = false;
+  is_doubted_ = is_revoked_ = is_pushed_ = false;
   confidence_ = now.confidence;
   is_apart_ = now.has_depths && is_apart(now);
   if (through_ && !(now.has_depths && may_end(now))) return true;
@@ -68,10 +70,11 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     odds_.weigh(evidence);
     if (!std::isnan(evidence.flank_ratio))
       depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
+    is_pushed_ = evidence.flank_ratio < kFlankLeaving_ratio;  // false where none are seen
   }
   flank_before_um_ = now.flank_um;
   through_ = odds_.probability() > kSure;
-  is_doubted_ = !through_ && (now.is_tracked_punctured || odds_.doubt() > kInDoubt);
+  is_doubted_ = !through_ && ((now.is_tracked_punctured && !is_pushed_) || odds_.doubt() > kInDoubt);
   if (now.has_depths && !through_) follow_deepest(now);
   return through_;
 }
@@ -156,8 +159,10 @@ bool PunctureVerdict::judge(const Shape& now) noexcept {
   const bool sprang = now.residual_um - last_residual_um_ > kSpring_um &&
                       now.dimple_residual_um - last_dimple_um_ > kSpring_um &&
                       now.residual_um > kUnusual * now.usual_um;
-  // Where the flanks are seen they say so themselves, but for a tip that lies beyond the membrane already.
-  const bool may_show = is_apart_ || std::isinf(depth_by_flanks_um_);
+  // Where the flanks are seen they say so themselves; for a tip that lies beyond the membrane already they need not be
+  // back, but on their way. As deep as ever they are pushed, and it is the contour that cuts across a narrow dimple.
+  const bool are_leaving = depth_by_flanks_um_ < (1.0 - kFlankLeaving_ratio) * deepest_um_;
+  const bool may_show = std::isinf(depth_by_flanks_um_) || (is_apart_ && are_leaving);
   if (has_contact_ && !through_ && last_depth_um_ > kShallowest_um && sprang && may_show) {
     odds_.weigh({.back_ratio = kSprungBack_ratio,
                  .back_sigma_ratio = kSprungSigma_ratio,

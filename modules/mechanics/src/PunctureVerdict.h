@@ -41,6 +41,8 @@ class PunctureVerdict {
   bool is_doubted() const noexcept { return is_doubted_; }
   /// After that: what was taken for a puncture was none; the contact goes on.
   bool is_revoked() const noexcept { return is_revoked_; }
+  /// After that: the dimple's flanks are seen and as deep as ever, so that the membrane lies on the tip.
+  bool is_pushed() const noexcept { return is_pushed_; }
 
   /// Where the dimple's flanks say that the membrane is in this frame, um past rest; infinity where they say nothing.
   double depth_by_flanks_um() const noexcept { return depth_by_flanks_um_; }
@@ -81,7 +83,7 @@ class PunctureVerdict {
   PunctureOdds odds_;
   bool has_contact_ = false;
   bool through_ = false;
-  bool is_doubted_ = false, is_revoked_ = false;
+  bool is_doubted_ = false, is_revoked_ = false, is_pushed_ = false;
   bool reported_ = false;
   double confidence_ = 1.0;  // of this frame
   bool is_apart_ = false;    // likewise

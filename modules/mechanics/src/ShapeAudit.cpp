@@ -64,7 +64,7 @@ NeedleContact needle_contact(const Observation& observation) {
   const Eigen::Vector2d along = observation.needle->direction;
   const Eigen::Vector2d left(-along.y(), along.x());
   const Eigen::Vector2d to_center = observation.center_um - observation.needle->tip_um;
-  const double radius_um = observation.rest_outer_radius_um;
+  const double radius_um = observation.rest_outer_radius_um + observation.rest_beyond_um;
   NeedleContact contact;
   contact.offset_um = left.dot(to_center);
   const double across_um = std::clamp(contact.offset_um, -radius_um, radius_um);

@@ -134,12 +134,12 @@ constexpr Field<Range> kGeometryRange[] = {
 };
 
 using Term = GeometryTerm;
-constexpr FieldRange kPower{0, 3};
+constexpr FieldRange kPower{0, kHighestSizePower}, kDepthPower{0, kHighestDepthPower};
 constexpr Field<Term> kGeometryTerm[] = {
     {"thickness", "", &Term::thickness, kPower, "power of ln (h/R over the profile's)", kRequired},
     {"tip", "", &Term::tip, kPower, "power of ln (a/R over the profile's)", kRequired},
     {"holder", "", &Term::holder, kPower, "power of ln (holder's radius/R over the profile's)", kRequired},
-    {"depth", "", &Term::depth, kPower, "power of depth/R", kRequired},
+    {"depth", "", &Term::depth, kDepthPower, "power of depth/R", kRequired},
     {"coefficient", "", &Term::coefficient, {-1e3, 1e3}, "in ln of the factor on the springs' force", kRequired},
 };
 

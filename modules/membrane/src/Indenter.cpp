@@ -221,7 +221,8 @@ IndentationState Indenter::read_out(const SolveReport& report) const {
 
 std::vector<IndentationState> force_curve(const CellProfile& profile, int configuration, double max_indentation_um,
                                           double step_um) {
-  return force_curve(profile, setup_for_configuration(profile, configuration), max_indentation_um, step_um);
+  return force_curve(profile, geometry_of(profile), setup_for_configuration(profile, configuration), max_indentation_um,
+                     step_um);
 }
 
 namespace {

@@ -14,11 +14,11 @@ namespace {
 /// mesh there is a coarser one at the holder.
 constexpr double kEvenRadius_ratio = 0.1, kSteepestGrading = 1.8;
 
-constexpr int kHighestPower = 3;
-using Powers = std::array<double, kHighestPower + 1>;
-
-Powers powers_of(double value) noexcept {
-  return {1.0, value, value * value, value * value * value};
+template <int kHighest>
+std::array<double, kHighest + 1> powers_of(double value) noexcept {
+  std::array<double, kHighest + 1> powers{1.0};
+  for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = powers[k - 1] * value;
+  return powers;
 }
 
 std::array<double, 3> ratios_of(const MembraneGeometry& g) noexcept {
@@ -76,15 +76,15 @@ GeometryFactor factor_of(std::span<const GeometryTerm> terms, const CellProfile&
   if (terms.empty()) return {};
   const auto own = ratios_of(geometry_of(profile)), other = ratios_of(geometry);
   const auto ranges = ranges_of(profile.geometry_range);
-  std::array<Powers, 3> log_power;
+  std::array<std::array<double, kHighestSizePower + 1>, 3> log_power;
   for (std::size_t i = 0; i < 3; ++i)
-    log_power[i] = powers_of(std::log(std::clamp(other[i], ranges[i].low, ranges[i].high) / own[i]));
+    log_power[i] = powers_of<kHighestSizePower>(std::log(std::clamp(other[i], ranges[i].low, ranges[i].high) / own[i]));
   const double radius_um = geometry.mid_radius_um, deepest = profile.geometry_range.depth_to_ratio;
   const double depth = std::clamp(depth_um / radius_um, 0.0, deepest);
-  const Powers depth_power = powers_of(depth);
+  const auto depth_power = powers_of<kHighestDepthPower>(depth);
   double sum = 0.0, slope = 0.0;
   for (const GeometryTerm& term : terms) {
-    const auto at = [](const Powers& powers, int power) { return powers[static_cast<std::size_t>(power)]; };
+    const auto at = [](const auto& powers, int power) { return powers[static_cast<std::size_t>(power)]; };
     const double value = term.coefficient * at(log_power[0], term.thickness) * at(log_power[1], term.tip) *
                          at(log_power[2], term.holder);
     sum += value * at(depth_power, term.depth);

@@ -58,11 +58,13 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
 }
 
 void CellFollower::learn_rest() {
-  const contour::Circle outer = fit(snakes_.outer().points);
-  const double inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
+  const OutOfRound shape = OutOfRound::of(snakes_.outer().points, fit(snakes_.outer().points));
+  const auto round = [&](const SnakeContour& snake) { return fit(shape.rounded(snake.points, center_now())); };
+  const contour::Circle outer = round(snakes_.outer());
+  const double inner_radius = snakes_.has_inner() ? round(snakes_.inner()).radius : 0.0;
   const bool elsewhere = (outer.center - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
   if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
-  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius);
+  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, shape.turned_back(motion_.angle_rad));
 }
 
 // Mean confidence of a contour on the needle's side, where a dimple is or is not.
@@ -285,7 +287,8 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) c
   const Eigen::Index n = like.points.cols();
   for (Eigen::Index i = 0; i < n; ++i) {
     const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(n);
-    result.points.col(i) = center_now() + radius_px * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d outward(std::cos(angle), std::sin(angle));
+    result.points.col(i) = center_now() + (radius_px + rest_.shape.at(outward, motion_.angle_rad)) * outward;
   }
   return result;
 }
@@ -308,7 +311,7 @@ Eigen::Vector2d CellFollower::seat_center() const {
       const Eigen::Vector2d d = points.col(i) - center;
       const Eigen::Vector2d n = d.normalized();
       if (n.dot(seat) < least) continue;
-      const double off = d.norm() - rest_.outer_radius, share = off / scale_px;
+      const double off = d.norm() - rest_.outer_at(n, motion_.angle_rad), share = off / scale_px;
       const double w = 1.0 / (1.0 + share * share);
       normal += w * n * n.transpose();
       right += w * off * n;

@@ -28,13 +28,13 @@ constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45, kNoHolderSigma_ra
 // How far the tip is past the resting membrane, px.
 double CellFollower::tip_depth() const {
   const NeedleEstimate& n = needle_.estimate();
-  return (n.tip - rest_.entry_point(center_now(), n.tip, n.direction)).dot(n.direction);
+  return (n.tip - rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad)).dot(n.direction);
 }
 
 double CellFollower::measure_membrane_depth() const {
   if (!needle_.valid()) return 0.0;
   const NeedleEstimate& n = needle_.estimate();
-  const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction);
+  const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad);
   return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
 }
 
@@ -53,7 +53,7 @@ double CellFollower::flank_depth() const {
     const Eigen::Vector2d d = points.col(i) - center_now();
     const double across = std::abs(toward.x() * d.y() - toward.y() * d.x()) / rest_.outer_radius;
     if (d.dot(toward) < 0.0 || across < kFlankFrom_ratio || across > kFlankTo_ratio) continue;
-    sum += rest_.outer_radius - d.norm();
+    sum += rest_.outer_at(d.normalized(), motion_.angle_rad) - d.norm();
     ++count;
   }
   return count > 0 ? sum / count : 0.0;

@@ -215,7 +215,7 @@ void CellFollower::take_dimple() {
 
 Eigen::Vector2d CellFollower::apex() const {
   const NeedleEstimate& n = needle_.estimate();
-  return rest_.entry_point(center_now(), n.tip, n.direction) + membrane_depth_ * n.direction;
+  return rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad) + membrane_depth_ * n.direction;
 }
 
 double CellFollower::apex_sigma() const {

@@ -64,8 +64,9 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
   const Depth depth = depth_of(cell);
   out.indentation_um = cell.state() == CellState::kFree ? 0.0 : std::max(0.0, depth.value_px) * pixel_size_um;
   out.indentation_sigma_um = depth.sigma_px * pixel_size_um;
+  const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction, cell.motion().angle_rad);
+  out.rest_beyond_um = ((entry - cell.center_now()).norm() - cell.rest().outer_radius) * pixel_size_um;
   if (!contact) return;
-  const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction);
   out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
                                                        entry + cell.membrane_depth() * n.direction, -n.direction);
 }

@@ -3,36 +3,53 @@
 #include <cmath>
 
 #include "ContourMath.h"
+#include "OutOfRound.h"
 
 namespace pellucida {
 
 /// The cell at rest, in the frame that moves with the holder (px): learnt while nothing touches it.
 struct RestGeometry {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  OutOfRound shape;  ///< of the outer membrane about its circle
   double outer_radius = 0.0;
   double inner_radius = 0.0;
   int frame_count = 0;     ///< undisturbed frames that went in
   bool seen_free = false;  ///< false while only the undeformed side was seen
 
-  /// Takes in one frame's circle; the mean of the last `memory` frames is kept.
-  void learn(const Eigen::Vector2d& center_now, double outer_now, double inner_now, int memory = 60) {
+  /// Takes in one frame's circle and what is beyond it; the mean of the last `memory` frames is kept.
+  void learn(const Eigen::Vector2d& center_now, double outer_now, double inner_now, const OutOfRound& shape_now,
+             int memory = 60) {
     frame_count = std::min(frame_count + 1, memory);
     const double part = 1.0 / frame_count;
     center += part * (center_now - center);
     outer_radius += part * (outer_now - outer_radius);
     inner_radius += part * (inner_now - inner_radius);
+    shape.mix(shape_now, part);
     seen_free = true;
   }
 
-  /// Where the line through `tip` along `direction` first meets the resting outer membrane; the closest point of the
-  /// circle when the line passes beside it. `center_now` is the rest centre in the image.
+  /// Distance of the resting outer membrane from its centre along `outward` (unit, image); the cell has turned by
+  /// `angle_rad`.
+  double outer_at(const Eigen::Vector2d& outward, double angle_rad) const {
+    return outer_radius + shape.at(outward, angle_rad);
+  }
+
+  /// Where the line through `tip` along `direction` first meets the resting outer membrane; the closest point of a
+  /// circle when the line passes beside it. `center_now` is the rest centre in the image, `angle_rad` as above.
   Eigen::Vector2d entry_point(const Eigen::Vector2d& center_now, const Eigen::Vector2d& tip,
-                              const Eigen::Vector2d& direction) const {
+                              const Eigen::Vector2d& direction, double angle_rad) const {
+    constexpr int kRounds = 4;
     const Eigen::Vector2d from_center = tip - center_now;
     const Eigen::Vector2d across = from_center - from_center.dot(direction) * direction;
-    const double inside = outer_radius * outer_radius - across.squaredNorm();
-    if (inside <= 0.0) return center_now + outer_radius * across.normalized();
-    return center_now + across - std::sqrt(inside) * direction;
+    double radius = outer_radius;
+    Eigen::Vector2d entry = -direction;
+    for (int round = 0; round < kRounds; ++round) {
+      const double inside = radius * radius - across.squaredNorm();
+      entry = inside <= 0.0 ? Eigen::Vector2d(radius * across.normalized())
+                            : Eigen::Vector2d(across - std::sqrt(inside) * direction);
+      radius = outer_at(entry.normalized(), angle_rad);
+    }
+    return center_now + entry;
   }
 };
 

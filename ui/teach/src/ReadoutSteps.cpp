@@ -19,7 +19,7 @@ expected<ReadoutPair, StepFailure> ContourReader::read(const ReadoutParameters& 
     mesh_frequency_ = p.mesh_frequency;
   }
   if (!is_of_finite_elements(p)) return comparison_->read(p, comparison_->own_section(p.depth_um), node);
-  if (!reference_) reference_ = CellReference::load("mouse-oocyte", 1);
+  if (!reference_) reference_ = CellReference::load("thin-shell-oocyte", 1);
   const CellReference::Section section = reference_->section(p.depth_um);
   return comparison_->read(
       p, {section.outer_um, section.inner_um, reference_->angle_rad(), reference_->force_uN(p.depth_um)}, node);

@@ -41,6 +41,12 @@ std::optional<std::array<double, N>> numbers_of(vtkPolyData* data, const char* n
   return values;
 }
 
+/// A component that sessions of earlier versions lack; 0 there.
+double later_number_of(vtkPolyData* data, const char* name, int component) {
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfComponents() > component ? array->GetComponent(0, component) : 0.0;
+}
+
 /// The points of a polyline; the first is not repeated.
 Contour_um points_of(vtkPolyData* data, const vtkIdList* ids, vtkIdType count) {
   Contour_um points_um(2, count);
@@ -119,6 +125,7 @@ void read_tools(vtkPolyData* tools, Observation& o) {
     o.needle->confidence = p[5];
     o.needle->tip_sigma_um = p[6];
     o.needle->evidence = static_cast<NeedleEvidence>(static_cast<unsigned>(p[7]));
+    o.needle->tip_radius_sigma = later_number_of(tools, array_name::kNeedlePose, 8);
     o.needle->outline_um = outline_of(tools, 0);
   }
   if (const auto pose = numbers_of<6>(tools, array_name::kHolderPose)) {
@@ -128,6 +135,7 @@ void read_tools(vtkPolyData* tools, Observation& o) {
     o.holder->direction << p[2], p[3];
     o.holder->outer_radius_um = p[4];
     o.holder->confidence = p[5];
+    o.holder->outer_radius_sigma = later_number_of(tools, array_name::kHolderPose, 6);
     o.holder->outline_um = outline_of(tools, 1);
   }
 }
@@ -149,7 +157,8 @@ void add_observation(const Observation& o, vtkPolyData* membranes) {
                {"rotation_rad", o.rotation_rad},
                {"indentation_um", o.indentation_um},
                {"indentation_sigma_um", o.indentation_sigma_um},
-               {"dimple_radius_um", o.dimple_radius_um}});
+               {"dimple_radius_um", o.dimple_radius_um},
+               {"rest_beyond_um", o.rest_beyond_um}});
 }
 
 void add_poses(const Observation& o, vtkPolyData* tools) {
@@ -163,7 +172,8 @@ void add_poses(const Observation& o, vtkPolyData* tools) {
                  {"tip_radius_um", n.tip_radius_um},
                  {"confidence", n.confidence},
                  {"tip_sigma_um", n.tip_sigma_um},
-                 {"evidence", static_cast<double>(n.evidence)}});
+                 {"evidence", static_cast<double>(n.evidence)},
+                 {"tip_radius_sigma", n.tip_radius_sigma}});
   }
   if (o.holder) {
     const HolderPose& h = *o.holder;
@@ -173,7 +183,8 @@ void add_poses(const Observation& o, vtkPolyData* tools) {
                  {"direction_x", h.direction.x()},
                  {"direction_y", h.direction.y()},
                  {"outer_radius_um", h.outer_radius_um},
-                 {"confidence", h.confidence}});
+                 {"confidence", h.confidence},
+                 {"outer_radius_sigma", h.outer_radius_sigma}});
   }
 }
 
@@ -198,6 +209,7 @@ std::optional<Observation> read_observation(const vtkPolyData* membranes, const 
   o.indentation_um = numbers->at(3);
   o.indentation_sigma_um = numbers->at(4);
   o.dimple_radius_um = numbers->at(5);
+  o.rest_beyond_um = later_number_of(contours, array_name::kObservation, 6);
   o.center_um << center_um->at(0), center_um->at(1);
   o.axis << axis->at(0), axis->at(1);
   o.rest_outer_radius_um = rest_radius_um->at(0);

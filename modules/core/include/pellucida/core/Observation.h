@@ -92,6 +92,9 @@ struct Observation {
   double indentation_um = 0.0;        ///< contact point's displacement along the axis, rigid motion removed; >= 0
   double indentation_sigma_um = 0.0;  ///< its standard deviation; 0 when not estimated
   double dimple_radius_um = 0.0;      ///< radius of the dimple's mouth, across the axis; 0 without contact
+  /// How far beyond the circle of `rest_outer_radius_um` the resting outer membrane lies where the needle's line enters
+  /// it; 0 where the cell is round.
+  double rest_beyond_um = 0.0;
 };
 
 }  // namespace pellucida

@@ -37,8 +37,11 @@ struct ProfileReference {
   double to_um = 0.0;
 };
 
-/// One term of the correction for another geometry, see `geometry_factor`: powers of the logarithms of thickness, tip
-/// and holder over the profile's (each over the radius) and of the depth over the radius; 0 to 3.
+/// The highest powers in a `GeometryTerm`.
+inline constexpr int kHighestSizePower = 3, kHighestDepthPower = 6;
+
+/// One term of the springs' correction, see `geometry_factor`: powers of the logarithms of thickness, tip and holder
+/// over the profile's (each over the radius), 0 to 3, and of the depth over the radius, 0 to 6.
 struct GeometryTerm {
   int thickness = 0;
   int tip = 0;

@@ -50,10 +50,11 @@ struct SolvedShape {
 /// along the tangent and its curvature; long distances in steps).
 class Indenter {
  public:
-  /// The profile's own geometry: thickness and radius aside, which `setup` gives, its tools, its regions, its mesh.
+  /// The springs alone, without `geometry_factor`, of the profile's own geometry: thickness and radius aside, which
+  /// `setup` gives, its tools, its regions, its mesh. What is measured has the factor: the constructor below.
   Indenter(const CellProfile& profile, const MembraneSetup& setup);
   /// A cell of the profile's kind and of `geometry`, pushed and held as given: forces carry the factor of that geometry
-  /// (`geometry_factor`), also at the profile's own, where it is 1.
+  /// and of the depth (`geometry_factor`), also at the profile's own.
   Indenter(const CellProfile& profile, const MembraneGeometry& geometry, const Eigen::Vector3d& push,
            const Eigen::Vector3d& holder);
 

@@ -32,7 +32,8 @@ void set_regions(CellProfile& profile);
 
 inline constexpr double kFinestTip_ratio = 0.08;
 
-/// What the springs' force is multiplied by at a geometry that isn't the profile's own: 1 there, and 1 without terms.
+/// What the springs' force is multiplied by to be the solid's: at the profile's own geometry a function of the depth, 1
+/// at the puncture's, where the modulus was set; 1 everywhere without terms.
 struct GeometryFactor {
   double ratio = 1.0;         ///< on the force
   double slope_per_um = 0.0;  ///< its derivative by depth: stiffness = ratio k + slope F

@@ -1,0 +1,33 @@
+#pragma once
+#include <Eigen/Core>
+
+#include "ContourMath.h"
+
+namespace pellucida {
+
+/// How far an outline at rest lies beyond its circle, by the direction from the centre: the second to fourth harmonics,
+/// px. An oval cell's is the second; one drawn into its holder has all three.
+class OutOfRound {
+ public:
+  /// Of an outline (2 x n, n >= 24) about a circle near it, by least squares whose weights fall off with the distance
+  /// from the fit. Nothing where the outline is farther from round than a cell is (`kMost_ratio` of the radius).
+  static OutOfRound of(const Eigen::Matrix2Xd& outline, const contour::Circle& circle);
+
+  /// Beyond the circle along `outward` (unit), px, in a cell that has turned by `angle_rad` since it was learnt.
+  double at(const Eigen::Vector2d& outward, double angle_rad = 0.0) const;
+  /// Those points moved along their rays by what lies beyond the circle, about `center`: a round cell's outline.
+  Eigen::Matrix2Xd rounded(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center) const;
+  /// As it was before the cell turned by `angle_rad`.
+  OutOfRound turned_back(double angle_rad) const;
+  /// Moves towards another by a share.
+  void mix(const OutOfRound& other, double share) { terms_ += share * (other.terms_ - terms_); }
+
+  static constexpr double kMost_ratio = 0.15;
+
+ private:
+  static constexpr int kLowest = 2, kHighest = 4;
+  // Cosine and sine of each.
+  Eigen::Matrix<double, 2, kHighest - kLowest + 1> terms_ = Eigen::Matrix<double, 2, kHighest - kLowest + 1>::Zero();
+};
+
+}  // namespace pellucida

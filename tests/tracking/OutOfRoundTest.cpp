@@ -1,0 +1,90 @@
+// The outline of a cell at rest that is no circle, and where a needle meets it.
+#include "OutOfRound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "RestGeometry.h"
+
+namespace pellucida {
+namespace {
+
+const Eigen::Vector2d kCenter(150.0, 130.0);
+constexpr double kRadius = 60.0;
+constexpr int kCount = 192;
+
+Eigen::Vector2d toward(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// Of an ellipse with its long axis along x, of the area of the circle of `kRadius`.
+double ellipse_at(double aspect, double angle) {
+  const double root = std::sqrt(aspect);
+  return kRadius / std::hypot(std::cos(angle) / root, std::sin(angle) * root);
+}
+
+/// That ellipse, turned, with noise and, over a tenth of it, something else that was taken for the outline.
+Eigen::Matrix2Xd outline(double aspect, double turned_rad, double noise_px = 0.0, double elsewhere_px = 0.0) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  Eigen::Matrix2Xd points(2, kCount);
+  for (int i = 0; i < kCount; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kCount;
+    const double off = i < kCount / 10 ? elsewhere_px : 0.0;
+    points.col(i) = kCenter + (ellipse_at(aspect, angle - turned_rad) + noise_px * noise(random) + off) * toward(angle);
+  }
+  return points;
+}
+
+const contour::Circle kCircle{kCenter, kRadius, 1.0, 0.0};
+
+TEST(OutOfRound, AnOvalIsFoundWithinAThousandthOfItsRadius) {
+  for (const double aspect : {1.0, 1.08, 1.15, 1.0 / 1.15}) {
+    const Eigen::Matrix2Xd points = outline(aspect, 0.4);
+    const OutOfRound shape = OutOfRound::of(points, kCircle);
+    for (double angle = 0.0; angle < 6.2; angle += 0.3) {
+      EXPECT_NEAR(kRadius + shape.at(toward(angle)), ellipse_at(aspect, angle - 0.4), 0.003 * kRadius) << aspect;
+      // As it was before the cell turned, and after it has.
+      EXPECT_NEAR(shape.turned_back(0.4).at(toward(angle), 0.4), shape.at(toward(angle)), 1e-9);
+    }
+    const Eigen::Matrix2Xd round = shape.rounded(points, kCenter);
+    for (int i = 0; i < kCount; ++i) EXPECT_NEAR((round.col(i) - kCenter).norm(), kRadius, 0.003 * kRadius);
+  }
+}
+
+TEST(OutOfRound, NoiseAndALimbElsewhereAreNotTheShape) {
+  const OutOfRound round = OutOfRound::of(outline(1.0, 0.0, 0.3), kCircle);
+  const OutOfRound oval = OutOfRound::of(outline(1.1, 0.0, 0.3, 12.0), kCircle);
+  for (double angle = 0.0; angle < 6.2; angle += 0.3) {
+    EXPECT_NEAR(round.at(toward(angle)), 0.0, 0.2);
+    EXPECT_NEAR(kRadius + oval.at(toward(angle)), ellipse_at(1.1, angle), 0.6) << angle;
+  }
+}
+
+TEST(OutOfRound, WhatNoCellIsCountsAsRound) {
+  const OutOfRound shape = OutOfRound::of(outline(1.8, 0.0), kCircle);
+  EXPECT_EQ(shape.at(toward(0.0)), 0.0);
+  EXPECT_EQ(OutOfRound::of(outline(1.1, 0.0).leftCols(10), kCircle).at(toward(0.0)), 0.0);
+}
+
+TEST(RestGeometry, ANeedleEntersAnOvalWhereItsOutlineIs) {
+  RestGeometry rest;
+  rest.learn(kCenter, kRadius, 0.0, OutOfRound::of(outline(1.12, 0.0), kCircle));
+  // Turned by 0.5 since, and pushed along its long axis.
+  const Eigen::Vector2d direction = -toward(0.5);
+  const Eigen::Vector2d entry = rest.entry_point(kCenter, kCenter + 100.0 * toward(0.5), direction, 0.5);
+  EXPECT_NEAR((entry - kCenter).norm(), ellipse_at(1.12, 0.0), 0.1);
+  EXPECT_NEAR((entry - kCenter).normalized().dot(toward(0.5)), 1.0, 1e-9);
+  // Beside the centre the point lies on the needle's line and on the outline.
+  const Eigen::Vector2d side(-direction.y(), direction.x());
+  const Eigen::Vector2d beside =
+      rest.entry_point(kCenter, kCenter + 100.0 * toward(0.5) + 20.0 * side, direction, 0.5) - kCenter;
+  EXPECT_NEAR(beside.dot(side), 20.0, 1e-9);
+  EXPECT_NEAR(beside.norm(), ellipse_at(1.12, std::atan2(beside.y(), beside.x()) - 0.5), 0.15);
+}
+
+}  // namespace
+}  // namespace pellucida
