@@ -21,7 +21,7 @@ TEST(VirtualSpecimen, FreeContactFree) {
   EXPECT_EQ(away.membrane_depth_um, 0);
   const auto pushed = specimen.advance(20, 1);
   EXPECT_EQ(pushed.state, CellState::kContact);
-  EXPECT_NEAR(pushed.contact_force_uN, 2.02036, 1e-6);
+  EXPECT_NEAR(pushed.contact_force_uN, 2.05307, 1e-6);
   EXPECT_EQ(pushed.membrane_depth_um, 20);
   const auto back = specimen.advance(-1, 2);
   EXPECT_EQ(back.state, CellState::kFree);

@@ -14,7 +14,7 @@ namespace {
 
 const Eigen::Vector2d kCenter(150.0, 130.0);
 constexpr double kRadius = 60.0;
-constexpr int kCount = 192;
+constexpr int kOutlinePoints = 192;
 
 Eigen::Vector2d toward(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -30,10 +30,10 @@ double ellipse_at(double aspect, double angle) {
 Eigen::Matrix2Xd outline(double aspect, double turned_rad, double noise_px = 0.0, double elsewhere_px = 0.0) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0.0, 1.0);
-  Eigen::Matrix2Xd points(2, kCount);
-  for (int i = 0; i < kCount; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kCount;
-    const double off = i < kCount / 10 ? elsewhere_px : 0.0;
+  Eigen::Matrix2Xd points(2, kOutlinePoints);
+  for (int i = 0; i < kOutlinePoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kOutlinePoints;
+    const double off = i < kOutlinePoints / 10 ? elsewhere_px : 0.0;
     points.col(i) = kCenter + (ellipse_at(aspect, angle - turned_rad) + noise_px * noise(random) + off) * toward(angle);
   }
   return points;
@@ -51,7 +51,7 @@ TEST(OutOfRound, AnOvalIsFoundWithinAThousandthOfItsRadius) {
       EXPECT_NEAR(shape.turned_back(0.4).at(toward(angle), 0.4), shape.at(toward(angle)), 1e-9);
     }
     const Eigen::Matrix2Xd round = shape.rounded(points, kCenter);
-    for (int i = 0; i < kCount; ++i) EXPECT_NEAR((round.col(i) - kCenter).norm(), kRadius, 0.003 * kRadius);
+    for (int i = 0; i < kOutlinePoints; ++i) EXPECT_NEAR((round.col(i) - kCenter).norm(), kRadius, 0.003 * kRadius);
   }
 }
 
