@@ -10,7 +10,8 @@ namespace pellucida {
 class OutOfRound {
  public:
   /// Of an outline (2 x n, n >= 24) about a circle near it, by least squares whose weights fall off with the distance
-  /// from the fit (a tenth of the outline that lies elsewhere still moves it by a quarter of that). Nothing where the outline is farther from round than a cell is (`kMost_ratio` of the radius).
+  /// from the fit (a tenth of the outline that lies elsewhere still moves it by a quarter of that). Nothing where the
+  /// outline is farther from round than a cell is (`kMost_ratio` of the radius).
   static OutOfRound of(const Eigen::Matrix2Xd& outline, const contour::Circle& circle);
 
   /// Beyond the circle along `outward` (unit), px, in a cell that has turned by `angle_rad` since it was learnt.
