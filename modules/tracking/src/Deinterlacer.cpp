@@ -16,9 +16,10 @@ constexpr double kDifference_sigma = 5.0, kLeastDifference = 0.016;
 constexpr int kSampled = 8;
 // The sampled pixels that moved that a verdict needs, and what a frame leaves of those counted before.
 constexpr double kEnoughMoved = 300.0, kKept = 0.9;
-// By how much the rows of one field are nearer to the frame before than those of the other, of the sum of both. Frames
-// taken at once: 0, whatever moves; fields half a frame apart: 0.5.
-constexpr double kInterlaced = 0.2;
+// By how much the rows of one field are nearer to the frame before than those of the other, of the sum of both, for an
+// interlaced source, and for one that was so far. Frames taken at once: 0 in the mean (0.2 where a needle's tip has
+// begun to move, and little else); fields half a frame apart: 0.5.
+constexpr double kBecomesInterlaced = 0.3, kStaysInterlaced = 0.2;
 
 // Between a row above and one below, along the direction in which they agree best (edge-based line averaging).
 template <class Pixel>
@@ -77,7 +78,7 @@ void Deinterlacer::compare_fields(int threshold) {
   }
   if (moved_ < kEnoughMoved) return;
   const double nearer = (even_off_ - odd_off_) / std::max(1.0, even_off_ + odd_off_);
-  interlaced_ = std::abs(nearer) > kInterlaced;
+  interlaced_ = std::abs(nearer) > (interlaced_ ? kStaysInterlaced : kBecomesInterlaced);
   odd_is_older_ = nearer > 0.0;
 }
 
