@@ -5,11 +5,14 @@
 #include <QComboBox>
 
 #include "ComparisonReview.h"
+#include "NodeReview.h"
 #include "ReviewViews.h"
 #include "review/ReviewWindowFixture.h"
 #include "support/Files.h"
 #include "widgets/ComparePanel.h"
 #include "widgets/CurvePanel.h"
+#include "widgets/MembranePanel.h"
+#include "widgets/ViewWidget.h"
 
 namespace pellucida {
 namespace {
