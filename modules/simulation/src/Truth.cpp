@@ -185,8 +185,8 @@ Truth make_truth(const Scenario& scenario, const VirtualSpecimen& specimen, cons
   seen.rotation_rad = stage.rotation_rad;
   seen.rest_outer_radius_um = specimen.outer_radius_um();
   seen.rest_inner_radius_um = specimen.inner_radius_um();
-  const double entry_z_um = specimen.rest_z_um(state.tip_offset_um);
-  seen.rest_beyond_um = std::hypot(state.tip_offset_um, entry_z_um) - seen.rest_outer_radius_um;
+  seen.rest_beyond_um =
+      std::hypot(state.tip_offset_um, specimen.rest_z_um(state.tip_offset_um)) - seen.rest_outer_radius_um;
   seen.axis = pose.axis;
   seen.indentation_um = state.membrane_depth_um;
   seen.dimple_radius_um = state.membrane_depth_um > 0 ? dimple_radius_um(state.section.outer_um) : 0.0;

@@ -12,8 +12,7 @@ namespace pellucida {
 
 /// The truth of a frame. `observation` holds everything a tracker may measure, with confidence 1:
 /// - contours: the centre lines of the dark edges, 400 points each, the same material points in every frame, denser
-/// under
-///   the tip (positive signed area in (x, y));
+///   under the tip (positive signed area in (x, y));
 /// - `center_um`: rest centre, moved with the stage; `rotation_rad`: the stage's since the first frame; `axis`: towards
 ///   the needle; `indentation_um`: the outer apex's way from rest;
 /// - `needle.outline_um`: tip first, then one side, then the other back to the tip's rear; the holder's outline

@@ -22,8 +22,7 @@ enum class Pace {
 class VirtualMicroscope : public FrameSource {
  public:
   /// The scenario's own motion moves the needle, as fast as possible. Throws UsageError (values that don't go together,
-  /// a depth beyond the reference), InputError (a damaged resource).
-  /// The look is the one the scenario names.
+  /// a depth beyond the reference), InputError (a damaged resource). The look is the scenario's.
   explicit VirtualMicroscope(const Scenario& scenario);
   /// The same under another look than the scenario's.
   VirtualMicroscope(const Scenario& scenario, const Look& look);
