@@ -191,7 +191,7 @@ TEST_P(MechanicsStepMesh, TheToolsForcesAddUpToTheRowsAndPressurePushesOutwards)
   const Eigen::Vector3d pressure_uN = -(sum_of(force) + needle_uN + sum_of(holder));
   EXPECT_LT(pressure_uN.norm(), 5e-3 * row.contact_force_uN);
 
-  // P times the area: of the middle surface, which is a little smaller than the outer one.
+  // P times the area that the liquid pushes: the wall's inner face. 3 % off on the coarsest mesh.
   const Observation& o = *scene.observation;
   double pressed_uN = 0.0;
   int outward_count = 0, pressed_count = 0;
@@ -207,9 +207,9 @@ TEST_P(MechanicsStepMesh, TheToolsForcesAddUpToTheRowsAndPressurePushesOutwards)
     ++pressed_count;
     outward_count += pressure.dot(place - Eigen::Vector3d(o.center_um.x(), o.center_um.y(), 0.0)) > 0.0;
   }
-  const double radius_um = 0.5 * (o.rest_outer_radius_um + o.rest_inner_radius_um);
+  const double radius_um = o.rest_inner_radius_um;
   const double whole_uN = 1e-6 * row.pressure_Pa * 4.0 * EIGEN_PI * radius_um * radius_um;
-  EXPECT_NEAR(pressed_uN, whole_uN, 0.1 * whole_uN);
+  EXPECT_NEAR(pressed_uN, whole_uN, 0.07 * whole_uN);
   // On the dimple's far flank it points to the centre's side.
   EXPECT_GT(outward_count, 0.9 * pressed_count);
 

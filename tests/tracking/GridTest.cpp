@@ -28,6 +28,7 @@ struct Exception {
 };
 constexpr std::array kExceptions{
     Exception{"diameter 64 px", {.coverage_low = 0.3}},
+    Exception{"debris touching", {.coverage_low = 0.5}},
     Exception{"defocus 1 um", {.coverage_high = 0.9}},
 };
 

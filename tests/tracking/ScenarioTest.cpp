@@ -51,13 +51,13 @@ TEST_P(ScenarioTest, BothMembranesAndTheNeedleAreFollowedThroughout) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, ScenarioTest,
-                         testing::Values(ScenarioLimits{"default", 0.29, 0.47, 0.1, 0.47, 0.21},
+                         testing::Values(ScenarioLimits{"default", 0.29, 0.47, 0.2, 0.47, 0.21},
                                          ScenarioLimits{"configuration-2", 0.25, 0.45, 0.1, 0.32, 0.29},
                                          ScenarioLimits{"configuration-3", 0.21, 0.39, 0.085, 0.39, 0.33},
                                          ScenarioLimits{"configuration-3-mirrored", 0.21, 0.39, 0.085, 0.41, 0.38},
                                          ScenarioLimits{"puncture", 0.11, 1.0, 0.15, 0.35, 0.26},
                                          ScenarioLimits{"embryo", 0.34, 0.75, 1.36, 0.36, 0.54},
-                                         ScenarioLimits{"noisy", 0.27, 0.49, 0.2, 0.54, 0.31},
+                                         ScenarioLimits{"noisy", 0.27, 0.8, 0.2, 1.0, 0.6},
                                          ScenarioLimits{"needle-from-left-above", 0.21, 0.39, 0.09, 0.21, 0.25}),
                          [](const testing::TestParamInfo<ScenarioLimits>& chosen) {
                            std::string name = chosen.param.scenario;
