@@ -11,6 +11,7 @@
 #include "Workers.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/fem/ShellSpecimen.h"
 #include "pellucida/membrane/MembraneGeometry.h"
 
 namespace pellucida {
