@@ -3282,6 +3282,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Diese Sitzung</translation>
     </message>
     <message>
+        <source>This session has no images: choose the forces in 3-D</source>
+        <translation>Diese Sitzung hat keine Bilder: Wählen Sie die Kräfte in 3-D</translation>
+    </message>
+    <message>
         <source>This session's annotations can't be read: mend or remove annotations.csv first</source>
         <translation>Die Anmerkungen dieser Sitzung sind nicht lesbar: berichtigen oder entfernen Sie zuerst annotations.csv</translation>
     </message>

@@ -64,7 +64,7 @@ TEST_F(ComparisonWindowTest, AComparisonTakesTheRoomOfANode) {
   ASSERT_TRUE(shows(kFrames - 1));
   click(views().membranes().view(), views().membranes().view().rect().center());
   ASSERT_TRUE(pass_until([&] { return window_->node().node().has_value(); }));
-  write_touch(*folder_ / "late", true, 4);
+  if (!std::filesystem::exists(*folder_ / "late")) write_touch(*folder_ / "late", true, 4);
   answer_ = *folder_ / "late";
   input_.tap(kCKey);
   ASSERT_TRUE(pass_until([&] { return window_->comparison().comparison() != nullptr; }));

@@ -142,6 +142,10 @@ void ComparePanel::show_text(const QString& text) {
 }
 
 void ComparePanel::show_scene(const Scene& scene) {
+  // What was computed again from recorded contours has no images of its own.
+  const bool lacks_image = scene.measurement.state && !scene.frame;
+  feed_.set_empty_text(lacks_image ? words("This session has no images: choose the forces in 3-D")
+                                   : words("No frame at the same place"));
   source_->SetScene(scene);
   refresh_view();
 }
