@@ -91,6 +91,16 @@ TEST(V4l2Exposure, StepsOfTheDriverAreKept) {
   EXPECT_NEAR(exposure->state().time_ms, 5.0, 1.25);
 }
 
+TEST(V4l2Exposure, ADriverThatBeginsAtNoneOffersTheShortestTime) {
+  EmulatedDriver driver;
+  driver.least = 0;
+  const auto exposure = find_v4l2_exposure(driver.port(), "v4l2:0", 30.0);
+  ASSERT_TRUE(exposure);
+  EXPECT_NEAR(exposure->state().least_ms, 0.1, 1e-9);
+  exposure->set_time_ms(0.0);
+  EXPECT_NEAR(exposure->state().time_ms, 0.1, 1e-9);
+}
+
 TEST(V4l2Exposure, EitherKindOfAutomaticIsFound) {
   EmulatedDriver driver;
   driver.automatic_value = V4L2_EXPOSURE_AUTO;

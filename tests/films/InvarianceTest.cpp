@@ -12,6 +12,7 @@
 #include "pellucida/simulation/Scenario.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 #include "pellucida/tracking/MembraneTracker.h"
+#include "support/MatView.h"
 
 namespace pellucida {
 namespace {
@@ -93,13 +94,8 @@ std::vector<Observation> track(const std::vector<cv::Mat>& film, double pixel_si
   std::vector<Observation> seen;
   for (std::size_t k = 0; k < film.size(); ++k) {
     const cv::Mat image = change ? change(film[k]) : film[k];
-    ImageView view;
-    view.data = image.data;
-    view.width_px = image.cols;
-    view.height_px = image.rows;
-    view.row_bytes = static_cast<std::ptrdiff_t>(image.step);
-    view.pixel_size_um = pixel_size_um;
-    seen.push_back(tracker.process(view, static_cast<double>(k) / 30.0, static_cast<long>(k)));
+    seen.push_back(
+        tracker.process(test::mat_view(image, pixel_size_um), static_cast<double>(k) / 30.0, static_cast<long>(k)));
   }
   return seen;
 }

@@ -11,21 +11,11 @@
 #include "GrayImage.h"
 #include "HolderFinder.h"
 #include "NeedleTracker.h"
+#include "support/MatView.h"
 #include "support/SharedFolder.h"
 
 namespace pellucida {
 namespace {
-
-ImageView view_of(const cv::Mat& grey) {
-  ImageView view;
-  view.data = grey.data;
-  view.format = grey.depth() == CV_16U ? PixelFormat::kGray16 : PixelFormat::kGray8;
-  view.width_px = grey.cols;
-  view.height_px = grey.rows;
-  view.row_bytes = static_cast<std::ptrdiff_t>(grey.step);
-  view.pixel_size_um = 1.0;
-  return view;
-}
 
 TEST(RealNeedle, ALarvasNeedleIsFoundAndFollowedWithNoCellToGoBy) {
   cv::VideoCapture video((test::shared_folder() / "real" / "needle" / "zebrafish_larva_poke.mkv").string());
@@ -46,11 +36,11 @@ TEST(RealNeedle, ALarvasNeedleIsFoundAndFollowedWithNoCellToGoBy) {
     if (frame < 66) continue;
     ++frames;
     cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
-    const FrameSampler image(view_of(grey));
+    const FrameSampler image(test::mat_view(grey, 1.0));
     const double noise = noise_level(image);
     if (!needle.valid()) {
       GrayImage gray;
-      load(view_of(grey), gray);
+      load(test::mat_view(grey, 1.0), gray);
       needle.start_anywhere(image, gray, noise);
       ASSERT_TRUE(needle.valid()) << "frame " << frame;
     } else {
@@ -77,9 +67,9 @@ TEST(RealNeedle, AVesiclesPipetteEndsWhereItsGlassDoes) {
       cv::imread((test::shared_folder() / "real" / "oocyte_stills" / "vesicle_on_pipette_16bit.png").string(),
                  cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
   if (grey.empty()) GTEST_SKIP() << "the real picture is not at hand";
-  const FrameSampler image(view_of(grey));
+  const FrameSampler image(test::mat_view(grey, 1.0));
   GrayImage gray;
-  load(view_of(grey), gray);
+  load(test::mat_view(grey, 1.0), gray);
   const contour::Circle vesicle{{122.0, 230.0}, 102.0, 1.0, 0.0};
   const std::optional<HolderFit> holder = find_holder(image, find_tools(gray, vesicle), vesicle, noise_level(image));
   ASSERT_TRUE(holder.has_value());

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "pellucida/core_vtk/SceneData.h"
+#include "support/MatView.h"
 #include "tracking/ScenarioRun.h"
 
 namespace {
@@ -157,13 +158,7 @@ void run_files(const std::string& file, const Choice& choice) {
     } else if (frame > 0 || grey.empty()) {
       break;
     }
-    ImageView view;
-    view.data = grey.data;
-    view.format = grey.depth() == CV_16U ? PixelFormat::kGray16 : PixelFormat::kGray8;
-    view.width_px = grey.cols;
-    view.height_px = grey.rows;
-    view.row_bytes = static_cast<std::ptrdiff_t>(grey.step);
-    view.pixel_size_um = choice.pixel_size_um;
+    const ImageView view = test::mat_view(grey, choice.pixel_size_um);
     const auto start = std::chrono::steady_clock::now();
     const Observation seen = tracker.process(view, static_cast<double>(frame) / 30.0, frame);
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -10,6 +10,7 @@
 
 #include "pellucida/core/ImageView.h"
 #include "pellucida/core/Observation.h"
+#include "support/MatView.h"
 
 namespace pellucida {
 namespace {
@@ -17,14 +18,7 @@ namespace {
 constexpr double kPixel_um = 0.5;
 
 ImageView view_of(const cv::Mat& image) {
-  ImageView view;
-  view.data = image.data;
-  view.format = image.depth() == CV_8U ? PixelFormat::kGray8 : PixelFormat::kGray16;
-  view.width_px = image.cols;
-  view.height_px = image.rows;
-  view.row_bytes = static_cast<std::ptrdiff_t>(image.step);
-  view.pixel_size_um = kPixel_um;
-  return view;
+  return test::mat_view(image, kPixel_um);
 }
 
 // Noise, with more of it in one corner.

@@ -10,6 +10,7 @@
 
 #include "ContourMath.h"
 #include "pellucida/tracking/MembraneTracker.h"
+#include "support/MatView.h"
 #include "support/SharedFolder.h"
 
 namespace pellucida {
@@ -18,14 +19,7 @@ namespace {
 constexpr double kPixelSize_um = 0.5;  // not stated with the pictures; the tracker works in pixels
 
 Observation track(MembraneTracker& tracker, const cv::Mat& grey, long frame) {
-  ImageView view;
-  view.data = grey.data;
-  view.format = grey.depth() == CV_16U ? PixelFormat::kGray16 : PixelFormat::kGray8;
-  view.width_px = grey.cols;
-  view.height_px = grey.rows;
-  view.row_bytes = static_cast<std::ptrdiff_t>(grey.step);
-  view.pixel_size_um = kPixelSize_um;
-  return tracker.process(view, static_cast<double>(frame) / 30.0, frame);
+  return tracker.process(test::mat_view(grey, kPixelSize_um), static_cast<double>(frame) / 30.0, frame);
 }
 
 cv::Mat filled(const MembraneContour& contour, const cv::Size& size) {

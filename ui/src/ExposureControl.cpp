@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QWidgetAction>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -27,7 +28,9 @@ double time_ms_at(int step, const CameraExposure::State& state) {
 }
 
 int step_of(const CameraExposure::State& state) {
-  const double share = std::log(state.time_ms / state.least_ms) / std::log(state.most_ms / state.least_ms);
+  // An automatic may be anywhere.
+  const double time_ms = std::clamp(state.time_ms, state.least_ms, state.most_ms);
+  const double share = std::log(time_ms / state.least_ms) / std::log(state.most_ms / state.least_ms);
   return static_cast<int>(std::lround(kStepCount * share));
 }
 

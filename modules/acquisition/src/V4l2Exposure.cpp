@@ -98,8 +98,10 @@ std::optional<int> find_automatic(const V4l2Port& port) {
 }  // namespace
 
 std::shared_ptr<CameraExposure> find_v4l2_exposure(V4l2Port port, std::string name, double frame_rate_hz) {
-  const auto range = query(port, V4L2_CID_EXPOSURE_ABSOLUTE);
+  auto range = query(port, V4L2_CID_EXPOSURE_ABSOLUTE);
   if (!range) return nullptr;
+  // Some drivers begin at 0, which is no exposure.
+  range->minimum = std::max(range->minimum, 1);
   const auto period = static_cast<int>(std::floor(1e3 * kSteps_per_ms / frame_rate_hz));
   const int most = std::min(range->maximum, period);
   if (most <= range->minimum) return nullptr;

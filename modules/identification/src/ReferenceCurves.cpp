@@ -71,6 +71,12 @@ std::vector<ReferenceCurve> compute_reference_curves(const CellProfile& profile,
 
 CurveError compare_with_reference(const CellProfile& profile, const ReferenceCurve& reference, double from_um,
                                   double to_um, Eigen::VectorXd* force_uN) {
+  Indenter indenter(profile, setup_for_needle(profile, reference.holder_angle_rad, reference.offset_um));
+  return compare_with_reference(indenter, reference, from_um, to_um, force_uN);
+}
+
+CurveError compare_with_reference(Indenter& indenter, const ReferenceCurve& reference, double from_um, double to_um,
+                                  Eigen::VectorXd* force_uN) {
   CurveError error;
   error.from_um = from_um;
   error.complete = true;
@@ -80,7 +86,6 @@ CurveError compare_with_reference(const CellProfile& profile, const ReferenceCur
   if (count == 0) return error;
   const double peak_uN = reference.force_uN[count - 1];
 
-  Indenter indenter(profile, setup_for_needle(profile, reference.holder_angle_rad, reference.offset_um));
   double square_sum = 0.0;
   for (Eigen::Index k = 0; k < count; ++k) {
     const IndentationState state = indenter.advance_to(reference.depth_um[k]);

@@ -33,28 +33,16 @@ std::optional<ReferenceCurve> solid_curve(const CellProfile& profile, double to_
 
 void record_solid_error(CellProfile& profile, const std::stop_token& cancel) {
   const double to_um = profile.puncture_indentation_um, step_um = to_um / std::ceil(to_um / kStep_um - 1e-9);
-  const std::optional<ReferenceCurve> solid = solid_curve(profile, to_um, step_um, cancel);
+  std::optional<ReferenceCurve> solid = solid_curve(profile, to_um, step_um, cancel);
   if (!solid) return;
+  solid->force_uN *= profile.puncture_force_uN / solid->force_uN[solid->force_uN.size() - 1];
   const MembraneSetup setup = setup_for_configuration(profile, 1);
   Indenter indenter(profile, geometry_of(profile), setup.push, setup.holder);
-  const Eigen::Index count = solid->depth_um.size();
-  Eigen::VectorXd model_uN(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const IndentationState state = indenter.advance_to(solid->depth_um[k]);
-    if (state.report.status != SolveStatus::kConverged) return;
-    model_uN[k] = state.push_force_uN;
-  }
-  const double peak_uN = model_uN[count - 1];
-  const Eigen::VectorXd solid_uN = solid->force_uN * (peak_uN / solid->force_uN[count - 1]);
-  ProfileError error{1, kSolidReference, 0.0, 0.0, kCompareFrom_um, to_um};
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const double off_uN = std::abs(model_uN[k] - solid_uN[k]);
-    error.largest_of_peak_ratio = std::max(error.largest_of_peak_ratio, off_uN / peak_uN);
-    if (solid->depth_um[k] >= kCompareFrom_um)
-      error.largest_ratio = std::max(error.largest_ratio, off_uN / solid_uN[k]);
-  }
+  const CurveError found = compare_with_reference(indenter, *solid, kCompareFrom_um, to_um);
+  if (!found.complete) return;
   std::erase_if(profile.errors, [](const ProfileError& old) { return old.reference == kSolidReference; });
-  profile.errors.push_back(error);
+  profile.errors.push_back(
+      {1, kSolidReference, found.largest_ratio, found.largest_of_peak_ratio, found.from_um, found.to_um});
 }
 
 }  // namespace pellucida

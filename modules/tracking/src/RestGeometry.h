@@ -41,13 +41,13 @@ struct RestGeometry {
     constexpr int kRounds = 4;
     const Eigen::Vector2d from_center = tip - center_now;
     const Eigen::Vector2d across = from_center - from_center.dot(direction) * direction;
-    double radius = outer_radius;
+    double radius_px = outer_radius;
     Eigen::Vector2d entry = -direction;
     for (int round = 0; round < kRounds; ++round) {
-      const double inside = radius * radius - across.squaredNorm();
-      entry = inside <= 0.0 ? Eigen::Vector2d(radius * across.normalized())
+      const double inside = radius_px * radius_px - across.squaredNorm();
+      entry = inside <= 0.0 ? Eigen::Vector2d(radius_px * across.normalized())
                             : Eigen::Vector2d(across - std::sqrt(inside) * direction);
-      radius = outer_at(entry.normalized(), angle_rad);
+      radius_px = outer_at(entry.normalized(), angle_rad);
     }
     return center_now + entry;
   }

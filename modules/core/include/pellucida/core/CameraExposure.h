@@ -8,7 +8,7 @@ class CameraExposure {
  public:
   struct State {
     double time_ms = 0.0;                  ///< of one image; while automatic, what the camera reports of it
-    double least_ms = 0.0, most_ms = 0.0;  ///< what may be set; at most a period of the frames
+    double least_ms = 0.0, most_ms = 0.0;  ///< what may be set: above 0, at most a period of the frames
     bool automatic = false;                ///< the camera chooses the time itself
     bool has_automatic = false;            ///< it can
   };

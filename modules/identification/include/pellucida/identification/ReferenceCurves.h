@@ -9,6 +9,8 @@
 
 namespace pellucida {
 
+class Indenter;
+
 /// One way to push the needle, and the force it takes at each depth: what the constants are fitted to.
 struct ReferenceCurve {
   int configuration = 0;          ///< 1..4; 0: none of the paper's
@@ -52,8 +54,11 @@ struct CurveError {
   bool complete = false;  ///< the model found its equilibrium at every depth
 };
 
-/// The model's forces at the reference's depths up to `to_um`, and how far they are off. `force_uN` (may be null) takes
-/// the model's forces, as many as it reached.
+/// The forces of `indenter`, which is at rest, at the reference's depths up to `to_um`, and how far they are off.
+/// `force_uN` (may be null) takes its forces, as many as it reached.
+CurveError compare_with_reference(Indenter& indenter, const ReferenceCurve& reference, double from_um, double to_um,
+                                  Eigen::VectorXd* force_uN = nullptr);
+/// The same of the profile's springs alone.
 CurveError compare_with_reference(const CellProfile& profile, const ReferenceCurve& reference, double from_um,
                                   double to_um, Eigen::VectorXd* force_uN = nullptr);
 
