@@ -56,10 +56,6 @@
         <translation>%1 %2 %3, das Gerät hält %4 %5: wählen Sie eine Kraftskala von höchstens %6 N/uN oder eine feinere Bewegungsskala</translation>
     </message>
     <message>
-        <source>%1 %2: give X,Y in um, such as 120.5,88, or X,Y@S</source>
-        <translation>%1 %2: nötig ist X,Y in um, etwa 120.5,88, oder X,Y@S</translation>
-    </message>
-    <message>
         <source>%1 %2: is the input %3, which would be overwritten; name another file</source>
         <translation>%1 %2: ist die Eingabe %3, die überschrieben würde; nennen Sie eine andere Datei</translation>
     </message>
@@ -660,6 +656,14 @@
         <translation>: beschädigt</translation>
     </message>
     <message>
+        <source>: give 3 to 32 corners in um, such as 80,60/140,60/110,120, or with @S behind</source>
+        <translation>: nötig sind 3 bis 32 Ecken in um, etwa 80,60/140,60/110,120, oder mit @S dahinter</translation>
+    </message>
+    <message>
+        <source>: give X,Y in um, such as 120.5,88, or X,Y@S</source>
+        <translation>: nötig ist X,Y in um, etwa 120.5,88, oder X,Y@S</translation>
+    </message>
+    <message>
         <source>: not of the other images' size</source>
         <translation>: nicht von der Größe der anderen Bilder</translation>
     </message>
@@ -1056,6 +1060,10 @@
         <translation>Zelle bei %1 %2 um, Radius %3 um, Sicherheit %4</translation>
     </message>
     <message>
+        <source>cell outlined by %1 places</source>
+        <translation>Zelle umfahren an %1 Stellen</translation>
+    </message>
+    <message>
         <source>cell profiles, scenarios, reference curves and devices</source>
         <translation>Zellprofilen, Szenarien, Referenzkurven und Geräten</translation>
     </message>
@@ -1308,8 +1316,16 @@
         <translation>Hinweis: Ort oder Zeit ist nicht endlich; geben Sie einen Punkt des Bildes an, um</translation>
     </message>
     <message>
+        <source>hint: the cell's outline has %1 corners, or one that is not finite; give 3 to %2</source>
+        <translation>Hinweis: der Umriss der Zelle hat %1 Ecken, oder eine, die nicht endlich ist; nötig sind 3 bis %2</translation>
+    </message>
+    <message>
         <source>hints change the tracking, and only the mechanics would run again; give --rerun tracking</source>
         <translation>Hinweise ändern die Bildverfolgung, und nur die Mechanik liefe erneut; geben Sie --rerun tracking an</translation>
+    </message>
+    <message>
+        <source>holding pipette at %1 %2 um</source>
+        <translation>Haltepipette bei %1 %2 um</translation>
     </message>
     <message>
         <source>in the recording of this session</source>
@@ -1484,6 +1500,10 @@
         <translation>noch war keine Zelle zu sehen; das Ziel lässt sich setzen, sobald es einen Plan gibt</translation>
     </message>
     <message>
+        <source>no cell is followed that it could hold</source>
+        <translation>keine Zelle wird verfolgt, die sie halten könnte</translation>
+    </message>
+    <message>
         <source>no cell of profile %1: its radius is %2 um, the profile's %3 um; check the pixel size, or give another profile</source>
         <translation>keine Zelle des Profils %1: ihr Radius ist %2 um, der des Profils %3 um; prüfen Sie die Pixelgröße, oder wählen Sie ein anderes Profil</translation>
     </message>
@@ -1542,6 +1562,10 @@
     <message>
         <source>no socket to be had (%1)</source>
         <translation>kein Socket zu bekommen (%1)</translation>
+    </message>
+    <message>
+        <source>no straight pipette was found there</source>
+        <translation>keine gerade Pipette wurde dort gefunden</translation>
     </message>
     <message>
         <source>no straight shaft was found that ends there</source>

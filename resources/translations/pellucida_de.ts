@@ -878,6 +878,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
         <translation>Klicken Sie das Ende des anderen Schenkels an</translation>
     </message>
     <message>
+        <source>Click the holding pipette, near the cell</source>
+        <translation>Klicken Sie auf die Haltepipette, nahe der Zelle</translation>
+    </message>
+    <message>
         <source>Click the needle's tip</source>
         <translation>Klicken Sie auf die Nadelspitze</translation>
     </message>
@@ -1144,6 +1148,10 @@ Das Bild kann gleich große Arten nicht unterscheiden: wählen Sie das Profil mi
     <message>
         <source>Drag a ring</source>
         <translation>Ring ziehen</translation>
+    </message>
+    <message>
+        <source>Drag once round the cell</source>
+        <translation>Ziehen Sie einmal um die Zelle</translation>
     </message>
     <message>
         <source>Drag, wheel</source>
@@ -1564,6 +1572,10 @@ Bild: was Tiefe, Maße und Modell offen lassen (Standardabweichung); zwischen zw
     <message>
         <source>Held</source>
         <translation>Gehalten</translation>
+    </message>
+    <message>
+        <source>Here is the holding pipette</source>
+        <translation>Hier ist die Haltepipette</translation>
     </message>
     <message>
         <source>Here is the tip</source>
@@ -3038,6 +3050,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Text</translation>
     </message>
     <message>
+        <source>That was no outline: press the mouse on the cell's edge, and drag once round it</source>
+        <translation>Das war kein Umriss: drücken Sie die Maustaste am Rand der Zelle, und ziehen Sie einmal um sie herum</translation>
+    </message>
+    <message>
         <source>That would be </source>
         <translation>Das wären </translation>
     </message>
@@ -3272,6 +3288,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>This is the cell</source>
         <translation>Das ist die Zelle</translation>
+    </message>
+    <message>
+        <source>This is the cell's outline</source>
+        <translation>Das ist der Umriss der Zelle</translation>
     </message>
     <message>
         <source>This needs OpenGL 3.2: install a driver of the graphics card, or Mesa</source>
@@ -3654,6 +3674,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>Zelle</translation>
     </message>
     <message>
+        <source>cell's outline</source>
+        <translation>Umriss der Zelle</translation>
+    </message>
+    <message>
         <source>complete</source>
         <translation>vollständig</translation>
     </message>
@@ -3732,6 +3756,10 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
     <message>
         <source>hand</source>
         <translation>Hand</translation>
+    </message>
+    <message>
+        <source>holding pipette</source>
+        <translation>Haltepipette</translation>
     </message>
     <message>
         <source>image</source>

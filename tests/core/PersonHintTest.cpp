@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace {
 using Kind = PersonHint::Kind;
 
 TEST(PersonHint, AnEventHoldsItWhole) {
-  for (const Kind kind : {Kind::kCell, Kind::kNeedleTip, Kind::kNoCell}) {
+  for (const Kind kind : {Kind::kCell, Kind::kNeedleTip, Kind::kNoCell, Kind::kHolder}) {
     const PersonHint hint{.kind = kind, .x_um = 101.25, .y_um = -88.003, .since_s = 4.5};
     EXPECT_EQ(hint_of({4.5, event_kind::kHint, describe(hint) + ": followed"}), hint) << describe(hint);
   }
@@ -45,9 +46,55 @@ TEST(PersonHint, TheCommandLineGivesOneInUm) {
   EXPECT_EQ(hints[3].x_um, 3.0);
 }
 
+// A square of 40 um drawn once round, its last side left to be closed.
+std::vector<PersonHint::Place_um> square() {
+  std::vector<PersonHint::Place_um> drawn;
+  for (int k = 0; k <= 20; ++k) drawn.push_back({2.0 * k, 0.0});
+  for (int k = 1; k <= 10; ++k) drawn.push_back({40.0, 4.0 * k});
+  for (int k = 1; k <= 5; ++k) drawn.push_back({40.0 - 8.0 * k, 40.0});
+  return drawn;
+}
+
+TEST(PersonHint, AnOutlineIsKeptByCornersAtEqualDistances) {
+  const auto hint = outline_hint(square());
+  ASSERT_TRUE(hint);
+  ASSERT_EQ(hint->outline_um.size(), kMostOutlinePlaces);
+  EXPECT_NEAR(hint->x_um, 20.0, 1e-9);
+  EXPECT_NEAR(hint->y_um, 20.0, 1e-9);
+  for (std::size_t k = 0; k < kMostOutlinePlaces; ++k) {
+    const auto &from = hint->outline_um[k], &to = hint->outline_um[(k + 1) % kMostOutlinePlaces];
+    EXPECT_NEAR(std::hypot(to[0] - from[0], to[1] - from[1]), 5.0, 1e-9) << k;
+  }
+  PersonHint later = *hint;
+  later.since_s = 4.5;
+  EXPECT_EQ(hint_of({4.5, event_kind::kHint, describe(later) + ": found"}), later) << describe(later);
+}
+
+TEST(PersonHint, ALineThatEnclosesNothingIsNoOutline) {
+  EXPECT_FALSE(outline_hint(std::vector<PersonHint::Place_um>{{0.0, 0.0}, {10.0, 0.0}}));
+  EXPECT_FALSE(outline_hint(std::vector<PersonHint::Place_um>{{0.0, 0.0}, {10.0, 0.0}, {5.0, 0.0}}));
+  EXPECT_FALSE(outline_hint(std::vector<PersonHint::Place_um>(9, {3.0, 3.0})));
+  EXPECT_FALSE(outline_hint(std::vector<PersonHint::Place_um>{{0.0, 0.0}, {10.0, NAN}, {5.0, 5.0}}));
+}
+
+TEST(PersonHint, TheCommandLineGivesAnOutlineByItsCorners) {
+  const HintOption& outline = hint_options().back();
+  ASSERT_EQ(outline.kind, Kind::kCellOutline);
+  const PersonHint hint = parse_hint(outline, "80,60/140,60/110,120@2.5");
+  EXPECT_EQ(hint.outline_um, (std::vector<PersonHint::Place_um>{{80.0, 60.0}, {140.0, 60.0}, {110.0, 120.0}}));
+  EXPECT_EQ(hint.since_s, 2.5);
+  EXPECT_NEAR(hint.x_um, 110.0, 1e-9);
+  for (const char* text : {"", "80,60", "80,60/140,60", "80,60/140,60/110", "80,60/140,60/200,60", "80,60/140,60/nan,1",
+                           "80,60/140,60/110,120@", "80,60;140,60;110,120"}) {
+    EXPECT_THROW(parse_hint(outline, text), UsageError) << text;
+  }
+}
+
 TEST(PersonHint, OtherEventsAndBrokenWordsAreNone) {
   EXPECT_FALSE(hint_of({0.0, event_kind::kNote, "cell at 1 2 um"}));
-  for (const char* words : {"", "cell", "cell at", "cell at 1 um", "cell at nan 2 um", "needle at 1 2 um"}) {
+  for (const char* words : {"", "cell", "cell at", "cell at 1 um", "cell at nan 2 um", "needle at 1 2 um",
+                            "cell outlined by 3 places: 1 2 3 4 5 um", "cell outlined by 2 places: 1 2 3 4 um",
+                            "cell outlined by 3 places: 1 2 3 4 5 nan um", "cell outlined by 99 places: 1 2 um"}) {
     EXPECT_FALSE(hint_of({0.0, event_kind::kHint, words})) << words;
   }
 }

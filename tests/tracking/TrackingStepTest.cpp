@@ -171,6 +171,61 @@ TEST_F(Hints, TheTipIsWhereOnePoints) {
   EXPECT_LT((scene.observation->needle->tip_um - microscope_.truth().observation.needle->tip_um).norm(), 2.0);
 }
 
+TEST_F(Hints, AnOutlineDrawnRoundlyChoosesTheCell) {
+  next();
+  std::vector<PersonHint::Place_um> drawn;
+  for (int k = 0; k < 14; ++k) {
+    const double angle_rad = 0.44 * k, radius_um = 45.0 * (1.05 + 0.06 * std::cos(2.0 * angle_rad));
+    drawn.push_back(
+        {kOther_um.x() + 3.0 + radius_um * std::cos(angle_rad), kOther_um.y() - 2.0 - radius_um * std::sin(angle_rad)});
+  }
+  step_.add_hint(*outline_hint(drawn));
+  const Scene hinted = next();
+  ASSERT_EQ(hints_in(hinted).size(), 1U);
+  EXPECT_TRUE(hints_in(hinted)[0].ends_with(" um: found")) << hints_in(hinted)[0];
+  EXPECT_LT((held_um_ - kOther_um).norm(), 2.0);
+  EXPECT_NEAR(hinted.observation->rest_outer_radius_um, 45.0, 2.5);
+
+  PersonHint two_corners{.kind = PersonHint::Kind::kCellOutline};
+  two_corners.outline_um = {{1.0, 1.0}, {2.0, 2.0}};
+  EXPECT_THROW(step_.add_hint(two_corners), UsageError);
+}
+
+TEST_F(Hints, TheHolderIsWhereOnePoints) {
+  const Scene first = next();
+  ASSERT_TRUE(first.observation->holder);
+  const Eigen::Vector2d mouth_um = first.observation->holder->mouth_um, center_um = held_um_;
+  const Eigen::Vector2d along = (mouth_um - center_um).normalized();
+  point(PersonHint::Kind::kHolder, mouth_um + 15.0 * along);
+  const Scene pointed = next();
+  EXPECT_TRUE(hints_in(pointed).at(0).ends_with("um: followed")) << hints_in(pointed)[0];
+  ASSERT_TRUE(pointed.observation->holder);
+  EXPECT_LT((pointed.observation->holder->mouth_um - mouth_um).norm(), 1.0);
+  EXPECT_LT((held_um_ - center_um).norm(), 0.3);
+
+  // Where there is none, or inside the cell, the holder stays what it was.
+  for (const Eigen::Vector2d& place : {Eigen::Vector2d(60.0, 370.0), center_um}) {
+    point(PersonHint::Kind::kHolder, place);
+    const Scene scene = next();
+    EXPECT_NE(hints_in(scene).at(0).find("no straight pipette"), std::string::npos) << hints_in(scene)[0];
+    ASSERT_TRUE(scene.observation->holder);
+    EXPECT_LT((scene.observation->holder->mouth_um - mouth_um).norm(), 1.0);
+  }
+}
+
+// The depth goes on from the cell at rest, which is what it was.
+TEST_F(Hints, AHolderPointedAtInContactLeavesTheDepthAsItIs) {
+  Scene scene = next();
+  for (int k = 0; k < 80; ++k) scene = next();
+  ASSERT_EQ(scene.observation->state, CellState::kContact);
+  const Eigen::Vector2d mouth_um = scene.observation->holder->mouth_um;
+  point(PersonHint::Kind::kHolder, mouth_um + 15.0 * (mouth_um - held_um_).normalized());
+  for (int k = 0; k < 20; ++k) {
+    scene = next();
+    EXPECT_NEAR(scene.observation->indentation_um, microscope_.truth().observation.indentation_um, 1.0) << k;
+  }
+}
+
 TEST_F(Hints, AHintWaitsForItsFrame) {
   next();
   const double rate_hz = microscope_.info().frame_rate_hz;

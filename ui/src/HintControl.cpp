@@ -27,34 +27,27 @@ struct HintEntry {
 constexpr HintEntry kEntries[] = {
     {Kind::kCell, "hintCell", PELLUCIDA_WORDS("This is the cell"), "O", PELLUCIDA_WORDS("Click inside the cell")},
     {Kind::kNeedleTip, "hintTip", PELLUCIDA_WORDS("Here is the tip"), "T", PELLUCIDA_WORDS("Click the needle's tip")},
+    {Kind::kCellOutline, "hintOutline", PELLUCIDA_WORDS("This is the cell's outline"), "K",
+     PELLUCIDA_WORDS("Drag once round the cell")},
+    {Kind::kHolder, "hintHolder", PELLUCIDA_WORDS("Here is the holding pipette"), "Shift+H",
+     PELLUCIDA_WORDS("Click the holding pipette, near the cell")},
     {Kind::kNoCell, "hintNoCell", PELLUCIDA_WORDS("This is no cell"), "Shift+O",
      PELLUCIDA_WORDS("Click what is no cell")},
 };
 
+// A mouse that has gone less, px of the widget, has not moved.
+constexpr double kStep_px = 3.0;
+
 }  // namespace
 
-std::string hint_words(Kind kind) {
-  switch (kind) {
-    case Kind::kCell:
-      return words("cell");
-    case Kind::kNeedleTip:
-      return words("tip");
-    case Kind::kNoCell:
-      return words("no cell");
-    case Kind::kTakeBack:
-      break;
-  }
-  return words("taken back");
-}
-
-HintControl::HintControl(FeedView& feed, FeedPanel& panel, Given given, std::function<void()> take_back)
-    : QObject(&panel), feed_(feed), panel_(panel), given_(std::move(given)) {
-  add_menu(std::move(take_back));
+HintControl::HintControl(FeedView& feed, FeedPanel& panel, Actions actions)
+    : QObject(&panel), feed_(feed), panel_(panel), actions_(std::move(actions)) {
+  add_menu();
   // The newest filter sees an event first: a click that is waited for moves no needle.
   qApp->installEventFilter(this);
 }
 
-void HintControl::add_menu(std::function<void()> take_back) {
+void HintControl::add_menu() {
   QToolButton* button = panel_.add_button(
       words("Hint \u25BE"), words("Point at what the tracking took for something else: it goes on from there"));
   button->setObjectName("hints");
@@ -73,15 +66,16 @@ void HintControl::add_menu(std::function<void()> take_back) {
         [this, kind = entry.kind] { wait_for(waiting_ == kind ? std::nullopt : std::optional(kind)); });
   }
   menu->addSeparator();
-  add("hintTakeBack", words("Take back the last hint"), QKeySequence(Qt::Key_Backspace), [this, take_back] {
+  add("hintTakeBack", words("Take back the last hint"), QKeySequence(Qt::Key_Backspace), [this] {
     wait_for(std::nullopt);
-    take_back();
+    actions_.take_back();
   });
   button->setMenu(menu);
 }
 
 void HintControl::wait_for(std::optional<Kind> kind) {
   waiting_ = kind;
+  const bool was_drawing = !std::exchange(drawn_um_, {}).empty();
   std::string& prompt = prompt_;
   prompt.clear();
   for (const HintEntry& entry : kEntries) {
@@ -93,7 +87,15 @@ void HintControl::wait_for(std::optional<Kind> kind) {
   } else {
     panel_.view().unsetCursor();
   }
+  if (was_drawing) actions_.drawn();
   panel_.view().render();
+}
+
+std::vector<HintMark> HintControl::marks() const {
+  if (drawn_um_.size() < 2) return {};
+  HintMark mark{{drawn_um_.front()[0], drawn_um_.front()[1]}, {}, {}};
+  for (std::size_t k = 1; k < drawn_um_.size(); ++k) mark.further_um.emplace_back(drawn_um_[k][0], drawn_um_[k][1]);
+  return {mark};
 }
 
 bool HintControl::eventFilter(QObject* target, QEvent* event) {
@@ -102,11 +104,17 @@ bool HintControl::eventFilter(QObject* target, QEvent* event) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
       return take_press(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseMove:
+      return take_move(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseButtonRelease:
-      return std::exchange(swallows_release_, false);
+      return take_release();
     default:
       return false;
   }
+}
+
+Eigen::Vector2d HintControl::place_um(const QMouseEvent& event) const {
+  return feed_.place_um(event.localPos().x(), event.localPos().y(), panel_.view().height());
 }
 
 bool HintControl::take_press(const QMouseEvent& event) {
@@ -115,10 +123,40 @@ bool HintControl::take_press(const QMouseEvent& event) {
   if (!waiting_) return false;
   swallows_release_ = true;
   const Kind kind = *waiting_;
-  const Eigen::Vector2d place_um = feed_.place_um(event.localPos().x(), event.localPos().y(), panel_.view().height());
+  const Eigen::Vector2d place = place_um(event);
+  const bool is_left = event.button() == Qt::LeftButton;
+  if (is_left && kind == Kind::kCellOutline) {
+    drawn_um_ = {{place.x(), place.y()}};
+    return true;
+  }
   wait_for(std::nullopt);
-  if (event.button() == Qt::LeftButton) given_(kind, place_um);
+  if (is_left) actions_.given({.kind = kind, .x_um = place.x(), .y_um = place.y()});
   return true;
+}
+
+bool HintControl::take_move(const QMouseEvent& event) {
+  if (drawn_um_.empty()) return false;
+  const Eigen::Vector2d place = place_um(event), last(drawn_um_.back()[0], drawn_um_.back()[1]);
+  const Eigen::Vector2d step_um =
+      feed_.place_um(kStep_px, 0.0, panel_.view().height()) - feed_.place_um(0.0, 0.0, panel_.view().height());
+  if ((place - last).norm() < step_um.norm()) return true;
+  drawn_um_.push_back({place.x(), place.y()});
+  actions_.drawn();
+  panel_.view().render();
+  return true;
+}
+
+bool HintControl::take_release() {
+  if (!drawn_um_.empty()) {
+    const std::optional<PersonHint> hint = outline_hint(drawn_um_);
+    wait_for(std::nullopt);
+    if (hint) {
+      actions_.given(*hint);
+    } else {
+      actions_.notify(words("That was no outline: press the mouse on the cell's edge, and drag once round it"), true);
+    }
+  }
+  return std::exchange(swallows_release_, false);
 }
 
 }  // namespace pellucida

@@ -18,20 +18,103 @@ using Kind = PersonHint::Kind;
 // As they are printed; what is read ends at the first number.
 constexpr std::array kHintFormats{std::pair{Kind::kCell, PELLUCIDA_WORDS("cell at %.3f %.3f um")},
                                   std::pair{Kind::kNeedleTip, PELLUCIDA_WORDS("needle tip at %.3f %.3f um")},
-                                  std::pair{Kind::kNoCell, PELLUCIDA_WORDS("no cell at %.3f %.3f um")}};
+                                  std::pair{Kind::kNoCell, PELLUCIDA_WORDS("no cell at %.3f %.3f um")},
+                                  std::pair{Kind::kHolder, PELLUCIDA_WORDS("holding pipette at %.3f %.3f um")}};
+constexpr const char* kOutlineFormat = PELLUCIDA_WORDS("cell outlined by %u places");
 constexpr const char* kTakenBack = PELLUCIDA_WORDS("taken back");
 constexpr double kDigit_um = 1e-3;
+constexpr std::size_t kLeastOutlinePlaces = 3;
+
+using Place_um = PersonHint::Place_um;
+
+double rounded(double place_um) {
+  return kDigit_um * std::round(place_um / kDigit_um);
+}
+
+template <class... Numbers>
+std::string printed(const char* format, Numbers... numbers) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), format, numbers...);
+  return text.data();
+}
+
+void put_in_the_middle(PersonHint& hint) {
+  hint.x_um = hint.y_um = 0.0;
+  for (const Place_um& place : hint.outline_um) {
+    hint.x_um += place[0] / static_cast<double>(hint.outline_um.size());
+    hint.y_um += place[1] / static_cast<double>(hint.outline_um.size());
+  }
+}
+
+double length(const Place_um& from, const Place_um& to) {
+  return std::hypot(to[0] - from[0], to[1] - from[1]);
+}
+
+double enclosed_um2(std::span<const Place_um> closed) {
+  double twice = 0.0;
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    const Place_um& here = closed[k];
+    const Place_um& next = closed[(k + 1) % closed.size()];
+    twice += here[0] * next[1] - next[0] * here[1];
+  }
+  return std::abs(0.5 * twice);
+}
+
+// "101.250 88.300 ... um" behind the words of an outline; nothing where it is not as many as it says, or too few.
+std::optional<PersonHint> read_outline(const std::string& detail) {
+  unsigned count = 0;
+  int end = 0;
+  if (std::sscanf(detail.c_str(), "cell outlined by %u places:%n", &count, &end) != 1 || end == 0) return std::nullopt;
+  if (count < kLeastOutlinePlaces || count > kMostOutlinePlaces) return std::nullopt;
+  PersonHint hint{.kind = Kind::kCellOutline};
+  const char* numbers = detail.c_str() + end;
+  for (unsigned k = 0; k < count; ++k) {
+    Place_um place{};
+    int used = 0;
+    if (std::sscanf(numbers, "%lf %lf%n", &place[0], &place[1], &used) != 2) return std::nullopt;
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1])) return std::nullopt;
+    hint.outline_um.push_back(place);
+    numbers += used;
+  }
+  put_in_the_middle(hint);
+  return hint;
+}
 
 }  // namespace
 
+std::optional<PersonHint> outline_hint(std::span<const Place_um> drawn_um) {
+  const auto is_finite = [](const Place_um& place) { return std::isfinite(place[0]) && std::isfinite(place[1]); };
+  if (drawn_um.size() < kLeastOutlinePlaces || !std::all_of(drawn_um.begin(), drawn_um.end(), is_finite)) return {};
+  double whole_um = 0.0;
+  const auto next_of = [&](std::size_t k) { return drawn_um[(k + 1) % drawn_um.size()]; };
+  for (std::size_t k = 0; k < drawn_um.size(); ++k) whole_um += length(drawn_um[k], next_of(k));
+  // A line there and back, or a mere click.
+  if (!(enclosed_um2(drawn_um) > kDigit_um * std::max(1.0, whole_um))) return {};
+  PersonHint hint{.kind = Kind::kCellOutline};
+  const double step_um = whole_um / static_cast<double>(kMostOutlinePlaces);
+  double passed_um = 0.0;
+  for (std::size_t k = 0; k < drawn_um.size(); ++k) {
+    const Place_um &from = drawn_um[k], to = next_of(k);
+    const double side_um = length(from, to);
+    while (hint.outline_um.size() < kMostOutlinePlaces) {
+      const double along_um = step_um * static_cast<double>(hint.outline_um.size()) - passed_um;
+      if (along_um > side_um) break;
+      const double share = side_um > 0.0 ? along_um / side_um : 0.0;
+      hint.outline_um.push_back({from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])});
+    }
+    passed_um += side_um;
+  }
+  return as_stored(hint);
+}
+
 std::string describe(const PersonHint& hint) {
   for (const auto& [kind, format] : kHintFormats) {
-    if (kind != hint.kind) continue;
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), format, hint.x_um, hint.y_um);
-    return text.data();
+    if (kind == hint.kind) return printed(format, hint.x_um, hint.y_um);
   }
-  return kTakenBack;
+  if (hint.kind != Kind::kCellOutline) return kTakenBack;
+  std::string text = printed(kOutlineFormat, static_cast<unsigned>(hint.outline_um.size())) + ':';
+  for (const Place_um& place : hint.outline_um) text += printed(" %.3f %.3f", place[0], place[1]);
+  return text + " um";
 }
 
 std::optional<PersonHint> hint_of(const Event& event) {
@@ -41,6 +124,10 @@ std::optional<PersonHint> hint_of(const Event& event) {
   if (event.detail.starts_with(kTakenBack)) {
     hint.kind = Kind::kTakeBack;
     return hint;
+  }
+  if (std::optional<PersonHint> outline = read_outline(event.detail)) {
+    outline->since_s = event.time_s;
+    return outline;
   }
   for (const auto& [kind, format] : kHintFormats) {
     const std::string_view words(format, std::strcspn(format, "%"));
@@ -59,20 +146,41 @@ std::span<const HintOption> hint_options() noexcept {
       HintOption{"--cell-at", Kind::kCell,
                  "X,Y in um: a point inside the cell, in the first frame; X,Y@S: in the first from S seconds on"},
       HintOption{"--needle-tip", Kind::kNeedleTip, "X,Y or X,Y@S: the needle's tip, likewise"},
-      HintOption{"--no-cell-at", Kind::kNoCell, "X,Y or X,Y@S: what is there is no cell, from then on"}};
+      HintOption{"--no-cell-at", Kind::kNoCell, "X,Y or X,Y@S: what is there is no cell, from then on"},
+      HintOption{"--holder-at", Kind::kHolder, "X,Y or X,Y@S: a point on the holding pipette, near the cell"},
+      HintOption{"--cell-outline", Kind::kCellOutline,
+                 "X,Y/X,Y/X,Y and so on, or with @S behind: the cell's outline, 3 to 32 corners"}};
   return kOptions;
 }
 
 PersonHint parse_hint(const HintOption& option, const std::string& text) {
+  const bool is_outline = option.kind == Kind::kCellOutline;
+  const auto refuse = [&] {
+    throw UsageError(std::string(option.name) + ' ' + text +
+                     (is_outline ? ": give 3 to 32 corners in um, such as 80,60/140,60/110,120, or with @S behind"
+                                 : ": give X,Y in um, such as 120.5,88, or X,Y@S"));
+  };
   PersonHint hint{.kind = option.kind};
-  char rest = 0;
-  const bool has_time = text.find('@') != std::string::npos;
-  const int read = has_time ? std::sscanf(text.c_str(), "%lf,%lf@%lf%c", &hint.x_um, &hint.y_um, &hint.since_s, &rest)
-                            : std::sscanf(text.c_str(), "%lf,%lf%c", &hint.x_um, &hint.y_um, &rest);
-  const bool is_finite = std::isfinite(hint.x_um) && std::isfinite(hint.y_um) && std::isfinite(hint.since_s);
-  if (read != (has_time ? 3 : 2) || !is_finite) {
-    throw UsageError(std::string(option.name) + ' ' + text + ": give X,Y in um, such as 120.5,88, or X,Y@S");
+  const char* left = text.c_str();
+  // Reads numbers, and goes on behind them.
+  const auto take = [&](const char* format, auto*... numbers) {
+    int used = 0;
+    if (std::sscanf(left, format, numbers..., &used) != sizeof...(numbers) || used == 0) refuse();
+    if (!(std::isfinite(*numbers) && ...)) refuse();
+    left += used;
+  };
+  take("%lf,%lf%n", &hint.x_um, &hint.y_um);
+  if (is_outline) {
+    hint.outline_um.push_back({hint.x_um, hint.y_um});
+    while (*left == '/') {
+      Place_um& place = hint.outline_um.emplace_back();
+      take("/%lf,%lf%n", place.data(), place.data() + 1);
+    }
+    const std::size_t count = hint.outline_um.size();
+    if (count < kLeastOutlinePlaces || count > kMostOutlinePlaces || !(enclosed_um2(hint.outline_um) > 0.0)) refuse();
   }
+  if (*left == '@') take("@%lf%n", &hint.since_s);
+  if (*left != 0) refuse();
   return as_stored(hint);
 }
 
@@ -88,8 +196,9 @@ void add_in_time(std::vector<PersonHint>& hints, const PersonHint& hint) {
 
 PersonHint as_stored(PersonHint hint) {
   if (hint.kind == Kind::kTakeBack) hint.x_um = hint.y_um = 0.0;
-  hint.x_um = kDigit_um * std::round(hint.x_um / kDigit_um);
-  hint.y_um = kDigit_um * std::round(hint.y_um / kDigit_um);
+  hint.x_um = rounded(hint.x_um);
+  hint.y_um = rounded(hint.y_um);
+  for (Place_um& place : hint.outline_um) place = {rounded(place[0]), rounded(place[1])};
   return hint_of({hint.since_s, event_kind::kHint, describe(hint)}).value_or(hint);
 }
 

@@ -265,7 +265,7 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
                                         const DetectionHint* hint, const contour::Circle* elsewhere) {
   const Pyramid pyramid(image, options);
-  const bool drawn = hint != nullptr && hint->outline.cols() >= 3;
+  const bool drawn = hint != nullptr && hint->is_drawn();
   if (drawn && !can_be_a_cell(pyramid.levels.front(), hint->outline)) return std::nullopt;
   const std::optional<Eigen::Vector2d> inside = hint != nullptr && !drawn ? std::optional(hint->inside) : std::nullopt;
   // A person has said that there is a cell: less evidence will do.

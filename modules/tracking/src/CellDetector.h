@@ -44,6 +44,7 @@ struct DetectedCell {
 struct DetectionHint {
   Eigen::Vector2d inside = Eigen::Vector2d::Zero();
   Eigen::Matrix2Xd outline;
+  bool is_drawn() const noexcept { return outline.cols() >= 3; }
 };
 
 /// Finds a cell: gradient voting over a pyramid proposes centres, round each the best closed path in the unrolled ring

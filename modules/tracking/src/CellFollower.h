@@ -47,6 +47,9 @@ class CellFollower {
   /// The needle's tip is at `tip`, px, according to a person. False where no needle can be followed there; the needle
   /// is then what it was.
   bool expect_needle(const FrameInput& frame, const Eigen::Vector2d& tip);
+  /// The holding pipette passes at `place`, px, according to a person: from now on it says how the cell moves. False
+  /// where none can be found there; the holder is then what it was.
+  bool expect_holder(const FrameInput& frame, const Eigen::Vector2d& place);
   /// See `NeedleTracker`; false in contact.
   bool take_bevel(const FrameSampler& image, TipNetwork& network);
   void forget_needle() { needle_.reset(); }

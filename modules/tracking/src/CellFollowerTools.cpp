@@ -6,6 +6,7 @@
 
 #include "CellFollower.h"
 #include "ContourMath.h"
+#include "HintedHolder.h"
 #include "HintedNeedle.h"
 
 namespace pellucida {
@@ -152,6 +153,22 @@ bool CellFollower::expect_needle(const FrameInput& frame, const Eigen::Vector2d&
   if (!start_at_hint(found, frame, find_tools(gray(frame.view), circle), tip)) return false;
   if (frame.reader) found.read_tip(frame.reader->tips(), frame.image, 1.0);
   needle_ = std::move(found);
+  return true;
+}
+
+bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d& place) {
+  const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
+  const auto found = find_holder_at(frame, find_tools(gray(frame.view), circle), circle, place);
+  if (!found) return false;
+  holder_ = found;
+  if (frame.seen) check_width(*holder_, *frame.seen);
+  // It was found in this frame, and the cell at rest is where it is now.
+  rest_.center = center_now();
+  rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);
+  motion_ = {};
+  motion_.pivot = rest_.center;
+  walls_slide_ = false;
+  learn_holder_motion(frame);
   return true;
 }
 

@@ -62,6 +62,9 @@ class MembraneTracker::Impl {
     if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
       hint_outcome_ = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
 
+    if (const std::optional<Eigen::Vector2d> place = hints_.take_holder(laid_, view.pixel_size_um))
+      hint_outcome_ = start_hinted_holder(frame, *place);
+
     const PartTimer timer(timings_.report_us);
     Observation out;
     if (has_cell_) {
@@ -83,6 +86,10 @@ class MembraneTracker::Impl {
   void expect_needle(const Eigen::Vector2d& tip_um) {
     check_place(tip_um);
     hints_.add_tip(tip_um);
+  }
+  void expect_holder(const Eigen::Vector2d& place_um) {
+    check_place(place_um);
+    hints_.add_holder(place_um);
   }
   void exclude_cell(const Eigen::Vector2d& place_um) {
     check_place(place_um);
@@ -141,6 +148,11 @@ class MembraneTracker::Impl {
     return true;
   }
 
+  const char* start_hinted_holder(const FrameInput& frame, const Eigen::Vector2d& place) {
+    if (!has_cell_) return "no cell is followed that it could hold";
+    return cell_.expect_holder(frame, place) ? "followed" : "no straight pipette was found there";
+  }
+
   // How the present cell is followed, and the next one looked for.
   bool by_scene() const noexcept {
     return options_.detection == Detection::kScene || (options_.detection == Detection::kAuto && scene_chosen_);
@@ -170,20 +182,21 @@ class MembraneTracker::Impl {
   bool start_at(FrameInput& frame, const DetectionHint& hint) {
     const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
     const auto by_lines = [&] { return found && cell_.start(frame, *found); };
-    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, hint.inside) : by_lines();
+    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, &hint) : by_lines();
   }
 
   bool start_best(FrameInput& frame) {
-    if (options_.detection == Detection::kScene) return start_seen(frame, std::nullopt);
+    if (options_.detection == Detection::kScene) return start_seen(frame, nullptr);
     const std::optional<DetectedCell> found = detect_by_lines(frame);
     const auto by_lines = [&] { return found && start_at_tools(frame, *found); };
-    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, std::nullopt) : by_lines();
+    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, nullptr) : by_lines();
   }
 
-  // A cell of the scene; one that holds the point, if one is given.
-  bool start_seen(const FrameInput& frame, const std::optional<Eigen::Vector2d>& inside) {
+  // A cell of the scene; with a hint the one that was drawn, or else one that holds the point.
+  bool start_seen(const FrameInput& frame, const DetectionHint* hint) {
+    if (hint != nullptr && hint->is_drawn() && cell_.start(frame, detected(hint->outline))) return true;
     return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
-      const bool is_meant = inside ? contour::contains(seen.outer, *inside) : !is_excluded(frame, seen);
+      const bool is_meant = hint ? contour::contains(seen.outer, hint->inside) : !is_excluded(frame, seen);
       return seen.share > kLeastCellShare && is_meant && cell_.start(frame, detected(seen));
     });
   }
@@ -191,7 +204,7 @@ class MembraneTracker::Impl {
   // By the network where it is at home, and where lines and network don't agree: lines follow a halo, the inner
   // boundary or a neighbour as surely as a membrane. Else by lines, in doubt where only they see a cell.
   template <class ByLines>
-  bool start_confirmed(FrameInput& frame, const ByLines& by_lines, const std::optional<Eigen::Vector2d>& inside) {
+  bool start_confirmed(FrameInput& frame, const ByLines& by_lines, const DetectionHint* hint) {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
     const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
@@ -199,14 +212,14 @@ class MembraneTracker::Impl {
     if (has_lines && verdict.is_same() && verdict.is_strange) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
-    const bool has_seen = start_seen(frame, inside);
+    const bool has_seen = start_seen(frame, hint);
     if (has_seen && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_)))) return true;
     // Where the whole picture gives the network no start, the lines may.
     if (!has_seen && has_lines && !verdict.is_same() && cell_.start(frame, detected(lines)) && is_known(cell_))
       return true;
     choose_scene(frame, false);
     cell_ = std::move(lines);
-    return has_lines && (!verdict.is_bubble || inside) && follow_lines(verdict);
+    return has_lines && (!verdict.is_bubble || hint != nullptr) && follow_lines(verdict);
   }
 
   bool follow_lines(const LinesVerdict& verdict) {
@@ -345,6 +358,9 @@ void MembraneTracker::expect_cell(const CellHint& hint) {
 }
 void MembraneTracker::expect_needle(const Eigen::Vector2d& tip_um) {
   impl_->expect_needle(tip_um);
+}
+void MembraneTracker::expect_holder(const Eigen::Vector2d& place_um) {
+  impl_->expect_holder(place_um);
 }
 void MembraneTracker::exclude_cell(const Eigen::Vector2d& place_um) {
   impl_->exclude_cell(place_um);

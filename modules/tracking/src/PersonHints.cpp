@@ -1,8 +1,19 @@
 #include "PersonHints.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pellucida {
+namespace {
+
+// A place that counts once, px of the picture as it is laid.
+std::optional<Eigen::Vector2d> take(std::optional<Eigen::Vector2d>& place_um, const PictureOrientation& laid,
+                                    double pixel_size_um) {
+  if (!place_um) return std::nullopt;
+  return laid.laid_point(*std::exchange(place_um, std::nullopt)) / pixel_size_um;
+}
+
+}  // namespace
 
 void PersonHints::add_cell(const CellHint& hint) {
   cell_ = hint;
@@ -12,6 +23,11 @@ void PersonHints::add_cell(const CellHint& hint) {
 void PersonHints::add_tip(const Eigen::Vector2d& tip_um) {
   tip_um_ = tip_um;
   given_.push_back({Kind::kTip, tip_um});
+}
+
+void PersonHints::add_holder(const Eigen::Vector2d& place_um) {
+  holder_um_ = place_um;
+  given_.push_back({Kind::kHolder, place_um});
 }
 
 void PersonHints::add_no_cell(const Eigen::Vector2d& place_um) {
@@ -24,6 +40,8 @@ std::optional<PersonHints::Kind> PersonHints::take_back() {
   given_.pop_back();
   if (kind == Kind::kTip)
     tip_um_.reset();
+  else if (kind == Kind::kHolder)
+    holder_um_.reset();
   else
     cell_.reset();
   return kind;
@@ -42,10 +60,11 @@ std::optional<DetectionHint> PersonHints::take_cell(const PictureOrientation& la
 }
 
 std::optional<Eigen::Vector2d> PersonHints::take_tip(const PictureOrientation& laid, double pixel_size_um) {
-  if (!tip_um_) return std::nullopt;
-  const Eigen::Vector2d tip = laid.laid_point(*tip_um_) / pixel_size_um;
-  tip_um_.reset();
-  return tip;
+  return take(tip_um_, laid, pixel_size_um);
+}
+
+std::optional<Eigen::Vector2d> PersonHints::take_holder(const PictureOrientation& laid, double pixel_size_um) {
+  return take(holder_um_, laid, pixel_size_um);
 }
 
 bool PersonHints::is_no_cell(const PictureOrientation& laid, double pixel_size_um,

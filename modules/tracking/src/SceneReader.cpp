@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pellucida {
 namespace {
@@ -23,6 +24,7 @@ constexpr double kSameDirection = 0.985, kSameShortDirection = 0.93, kSameAxis =
 // A needle ends within so many map pixels of where the scene has its tip.
 constexpr double kTipError = 2.5;
 // Of the radius: within this of its circle a point of an outline belongs to the undeformed part.
+constexpr Eigen::Index kDrawnPoints = 128;  // of a drawn outline
 constexpr double kCircleTolerance = 0.06;
 
 double close_scale(double radius_px) {
@@ -111,6 +113,14 @@ DetectedCell detected(const SceneCell& cell) {
   result.circle = contour::fit_circle(cell.outer, kCircleTolerance * cell.radius_px);
   result.score = cell.share;
   return result;
+}
+
+DetectedCell detected(const Eigen::Matrix2Xd& outline) {
+  SceneCell cell;
+  cell.outer = contour::resample(contour::positively_oriented(outline), kDrawnPoints);
+  cell.radius_px = std::sqrt(contour::signed_area(cell.outer) / std::numbers::pi);
+  cell.share = 1.0;
+  return detected(cell);
 }
 
 FoundTool found_tool(const SceneTool& needle) {

@@ -35,6 +35,8 @@ class SceneReader {
 
 /// A cell of the scene as a detection of edges of no known kind.
 DetectedCell detected(const SceneCell& cell);
+/// One whose outline (2 x n, n >= 3, px) a person has drawn.
+DetectedCell detected(const Eigen::Matrix2Xd& outline);
 
 /// A needle of the scene as a tool to be followed; offsets count from its tip.
 FoundTool found_tool(const SceneTool& needle);

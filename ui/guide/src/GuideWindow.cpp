@@ -18,6 +18,7 @@
 #include "Words.h"
 #include "pellucida/operation/ProfileStrength.h"
 #include "pellucida/visualization/Readout.h"
+#include "presenters/HintDraft.h"
 #include "presenters/MessageBook.h"
 #include "presenters/ReadoutPresenter.h"
 #include "presenters/ScalePresenter.h"
@@ -151,10 +152,9 @@ void GuideWindow::build_controls() {
     hand_ = std::make_unique<HandControl>(*console_, feed_panel_->view(), *this);
     plan_ = new PlanControl(*console_, feed_, *feed_panel_, say_it);
   }
-  hints_ = new HintControl(
-      feed_, *feed_panel_,
-      [this](PersonHint::Kind kind, const Eigen::Vector2d& place_um) { give_hint(kind, place_um); },
-      [this] { control_->take_back_hint(); });
+  hints_ = new HintControl(feed_, *feed_panel_,
+                           {[this](const PersonHint& hint) { give_hint(hint); }, [this] { control_->take_back_hint(); },
+                            [this] { feed_.set_hints(hints_->marks()); }, say_it});
   if (options_.exposure) {
     new ExposureControl(
         options_.exposure, feed_panel_->image_menu(), [this](const std::string& text) { control_->remark(text); },
@@ -365,9 +365,9 @@ std::vector<Event> GuideWindow::take_events() {
   return events;
 }
 
-void GuideWindow::give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um) {
-  control_->give_hint(kind, place_um);
-  feed_.set_hints({{place_um, hint_words(kind)}});
+void GuideWindow::give_hint(const PersonHint& hint) {
+  control_->give_hint(hint);
+  feed_.set_hints({hint_mark(hint)});
   hint_until_s_ = now_s() + kHintMark_s;
   feed_panel_->view().render();
 }

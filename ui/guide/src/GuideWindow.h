@@ -71,7 +71,7 @@ class GuideWindow : public QMainWindow {
   void show_deposits();
   void show_gauges();
   std::vector<Event> take_events();
-  void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
+  void give_hint(const PersonHint& hint);
   void show_status();
   void notify(const QString& text, bool problem);
   void warn(const QString& text);

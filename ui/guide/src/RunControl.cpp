@@ -91,8 +91,8 @@ void RunControl::ask_for_scale(const Scene* scene) {
   dialog->show();
 }
 
-void RunControl::give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um) {
-  run_.add_hint({.kind = kind, .x_um = place_um.x(), .y_um = place_um.y()});
+void RunControl::give_hint(const PersonHint& hint) {
+  run_.add_hint(hint);
   ++hint_count_;
 }
 

@@ -44,7 +44,7 @@ class RunControl {
   /// Asks for a measurement of this cell's scale, beside the run. `scene`: the one on screen; nullptr: none yet.
   void ask_for_scale(const Scene* scene);
   /// A person's hint about the image, for the next frame; and the latest one taken back.
-  void give_hint(PersonHint::Kind kind, const Eigen::Vector2d& place_um);
+  void give_hint(const PersonHint& hint);
   void take_back_hint();
   void save_picture();
 

@@ -78,12 +78,13 @@ void HintReview::set_session(const RecordedSession* session) {
   show_draft();
 }
 
-void HintReview::add(PersonHint::Kind kind, const Eigen::Vector2d& place_um, double time_s) {
+void HintReview::add(PersonHint hint, double time_s) {
   if (measuring()) {
     actions_.notify(words("Wait: the session is being measured again"), true);
     return;
   }
-  draft_.add({.kind = kind, .x_um = place_um.x(), .y_um = place_um.y(), .since_s = time_s});
+  hint.since_s = time_s;
+  draft_.add(hint);
   show_draft();
 }
 

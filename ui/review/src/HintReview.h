@@ -36,7 +36,8 @@ class HintReview : public QObject {
 
   /// `session` must outlive its showing; hints about another are dropped.
   void set_session(const RecordedSession* session);
-  void add(PersonHint::Kind kind, const Eigen::Vector2d& place_um, double time_s);
+  /// A hint about the frame at `time_s`.
+  void add(PersonHint hint, double time_s);
   void take_back();
   /// Measures the session again; nothing without hints, or while that is being done.
   void measure();

@@ -133,14 +133,17 @@ void ReviewWindow::build_video() {
 
 // A hint belongs to the frame it was given on: the one shown, which stays.
 void ReviewWindow::add_hint_control() {
-  new HintControl(
-      views_->image(), views_->feed(),
-      [this](PersonHint::Kind kind, const Eigen::Vector2d& place_um) {
-        if (!session_ || !shown_step_) return;
-        playback_.play(false, clock_->now_s());
-        hints_->add(kind, place_um, session_->times_s[*shown_step_]);
-      },
-      [this] { hints_->take_back(); });
+  hint_control_ = new HintControl(views_->image(), views_->feed(),
+                                  {[this](const PersonHint& hint) {
+                                     if (!session_ || !shown_step_) return;
+                                     playback_.play(false, clock_->now_s());
+                                     hints_->add(hint, session_->times_s[*shown_step_]);
+                                   },
+                                   [this] { hints_->take_back(); },
+                                   [this] {
+                                     if (session_) show_hint_marks();
+                                   },
+                                   [this](const QString& text, bool problem) { notify(text, problem); }});
 }
 
 void ReviewWindow::show_hint_marks() {
@@ -151,6 +154,10 @@ void ReviewWindow::show_hint_marks() {
   marks.insert(marks.end(), notes.begin(), notes.end());
   const std::vector<HintMark> measured = measures_->marks();
   marks.insert(marks.end(), measured.begin(), measured.end());
+  if (hint_control_) {
+    const std::vector<HintMark> drawn = hint_control_->marks();
+    marks.insert(marks.end(), drawn.begin(), drawn.end());
+  }
   views_->mark_hints(std::move(marks));
 }
 

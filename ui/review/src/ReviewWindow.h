@@ -24,6 +24,7 @@ namespace pellucida {
 class CellsWindow;
 class ComparisonReview;
 class EventPanel;
+class HintControl;
 class HintReview;
 class NodeReview;
 class MeasureControl;
@@ -134,6 +135,7 @@ class ReviewWindow : public QMainWindow {
   CellsWindow* cells_ = nullptr;
   ComparisonReview* comparison_ = nullptr;
   HintReview* hints_ = nullptr;
+  HintControl* hint_control_ = nullptr;
   ReviewExport* export_ = nullptr;
   VideoExport* video_ = nullptr;
 

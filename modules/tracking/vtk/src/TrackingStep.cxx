@@ -23,6 +23,15 @@ std::string format(const char* pattern, Numbers... numbers) {
 // A session's times are those of its frames but for their last digits.
 constexpr double kHintTolerance_s = 5e-4;
 
+Contour_um outline_of(const PersonHint& hint) {
+  Contour_um outline_um(2, static_cast<Eigen::Index>(hint.outline_um.size()));
+  for (Eigen::Index k = 0; k < outline_um.cols(); ++k) {
+    const PersonHint::Place_um& place = hint.outline_um[static_cast<std::size_t>(k)];
+    outline_um.col(k) << place[0], place[1];
+  }
+  return outline_um;
+}
+
 void give(MembraneTracker& tracker, const PersonHint& hint) {
   const Eigen::Vector2d place_um(hint.x_um, hint.y_um);
   switch (hint.kind) {
@@ -32,6 +41,12 @@ void give(MembraneTracker& tracker, const PersonHint& hint) {
     case PersonHint::Kind::kNeedleTip:
       tracker.expect_needle(place_um);
       break;
+    case PersonHint::Kind::kHolder:
+      tracker.expect_holder(place_um);
+      break;
+    case PersonHint::Kind::kCellOutline:
+      tracker.expect_cell({.inside_um = std::nullopt, .outline_um = outline_of(hint)});
+      break;
     case PersonHint::Kind::kNoCell:
       tracker.exclude_cell(place_um);
       break;
@@ -39,6 +54,11 @@ void give(MembraneTracker& tracker, const PersonHint& hint) {
       tracker.take_back_hint();
       break;
   }
+}
+
+// Whether a session's event holds it.
+bool is_kept(const PersonHint& hint) {
+  return hint_of({hint.since_s, event_kind::kHint, describe(hint)}).has_value();
 }
 
 // Where the cell is, and, where only one of the zona's edges was seen, that the other was not.
@@ -105,6 +125,10 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
 void TrackingStep::add_hint(const PersonHint& hint) {
   if (!std::isfinite(hint.x_um) || !std::isfinite(hint.y_um) || !std::isfinite(hint.since_s)) {
     throw UsageError("hint: its place or time is not finite; give a point of the image, um");
+  }
+  if (hint.kind == PersonHint::Kind::kCellOutline && !is_kept(hint)) {
+    throw UsageError("hint: the cell's outline has " + std::to_string(hint.outline_um.size()) +
+                     " corners, or one that is not finite; give 3 to " + std::to_string(kMostOutlinePlaces));
   }
   const std::lock_guard lock(mutex_);
   hints_.push_back(as_stored(hint));

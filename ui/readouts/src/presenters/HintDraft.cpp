@@ -20,6 +20,10 @@ std::string words_of(PersonHint::Kind kind) {
       return say("tip");
     case PersonHint::Kind::kNoCell:
       return say("no cell");
+    case PersonHint::Kind::kHolder:
+      return say("holding pipette");
+    case PersonHint::Kind::kCellOutline:
+      return say("cell's outline");
     case PersonHint::Kind::kTakeBack:
       break;
   }
@@ -31,6 +35,17 @@ bool same_frame(double one_s, double other_s) {
 }
 
 }  // namespace
+
+HintMark hint_mark(const PersonHint& hint) {
+  HintMark mark{{hint.x_um, hint.y_um}, words_of(hint.kind), {}};
+  if (hint.outline_um.empty()) return mark;
+  mark.place_um = {hint.outline_um.front()[0], hint.outline_um.front()[1]};
+  for (std::size_t k = 1; k <= hint.outline_um.size(); ++k) {
+    const PersonHint::Place_um& place = hint.outline_um[k % hint.outline_um.size()];
+    mark.further_um.emplace_back(place[0], place[1]);
+  }
+  return mark;
+}
 
 void HintDraft::add(const PersonHint& hint) {
   std::erase_if(hints_, [&](const PersonHint& other) {
@@ -55,7 +70,7 @@ std::vector<PersonHint> HintDraft::hints() const {
 std::vector<HintMark> HintDraft::marks_at(double time_s) const {
   std::vector<HintMark> marks;
   for (const PersonHint& hint : hints_) {
-    if (same_frame(hint.since_s, time_s)) marks.push_back({{hint.x_um, hint.y_um}, words_of(hint.kind)});
+    if (same_frame(hint.since_s, time_s)) marks.push_back(hint_mark(hint));
   }
   return marks;
 }

@@ -9,6 +9,9 @@
 
 namespace pellucida {
 
+/// A hint as a mark on the image.
+HintMark hint_mark(const PersonHint& hint);
+
 /// The hints that a person has given about a recorded session, before it is measured again with them.
 class HintDraft {
  public:

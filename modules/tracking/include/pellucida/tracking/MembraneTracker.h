@@ -34,8 +34,13 @@ class MembraneTracker {
   void expect_cell(const CellHint& hint);
 
   /// Looks for the needle's tip where the user points, in the next frame. Where no needle can be followed the needle is
-  /// what it was. Throws UsageError for a place that is not finite, as the two below.
+  /// what it was. Throws UsageError for a place that is not finite, as those below.
   void expect_needle(const Eigen::Vector2d& tip_um);
+
+  /// Looks for the cell's holding pipette where the user points, in the next frame: at a place on it outside the cell.
+  /// It is this cell's; one that is found anew has its own looked for as usual. The rotation counts from there. Where
+  /// no straight pipette can be found, or no cell is followed, the holder is what it was.
+  void expect_holder(const Eigen::Vector2d& place_um);
 
   /// What is at that place is no cell: it is given up, and not taken for a cell again until the hint is taken back, a
   /// cell is expected there, or `reset`.

@@ -1,0 +1,69 @@
+#include "HintedHolder.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace pellucida {
+namespace {
+
+// How far beside the pipette's edges a person may point, px.
+constexpr double kBeside_px = 6.0;
+// Where nothing is known of it but the place: directions about the one from the cell's centre, and half widths, of the
+// cell's radius.
+constexpr double kTurns_deg[] = {0.0, -6.0, 6.0, -12.0, 12.0, -18.0, 18.0};
+constexpr double kHalfWidths_ratio[] = {0.25, 0.35, 0.5, 0.7, 0.9};
+// Below this the edges were not followed.
+constexpr double kFollowed = 0.75;
+
+bool passes(const FoundTool& tool, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d from = place - tool.origin, across(-tool.direction.y(), tool.direction.x());
+  const double beside = from.dot(across);
+  return from.dot(tool.direction) > 0.0 && beside > tool.offset_from - kBeside_px &&
+         beside < tool.offset_to + kBeside_px;
+}
+
+bool passes(const HolderFit& holder, const contour::Circle& cell, const Eigen::Vector2d& place) {
+  FoundTool tool;
+  tool.origin = cell.center;
+  tool.direction = holder.direction;
+  tool.offset_from = holder.offset - holder.half_width;
+  tool.offset_to = holder.offset + holder.half_width;
+  return passes(tool, place);
+}
+
+}  // namespace
+
+std::optional<HolderFit> find_holder_at(const FrameInput& frame, const std::vector<FoundTool>& tools,
+                                        const contour::Circle& cell, const Eigen::Vector2d& place) {
+  const Eigen::Vector2d from = place - cell.center;
+  if (from.norm() < cell.radius) return std::nullopt;
+  std::optional<HolderFit> best;
+  const auto attempt = [&](const FoundTool& tool, double least_confidence) {
+    const std::optional<HolderFit> found = find_holder(frame.image, {tool}, cell, frame.noise);
+    if (!found || found->confidence < least_confidence || !passes(*found, cell, place)) return;
+    if (!best || found->confidence > best->confidence) best = found;
+  };
+  for (const FoundTool& tool : tools) {
+    if (passes(tool, place)) attempt(tool, 0.0);
+  }
+  if (frame.seen != nullptr) {
+    for (const SceneTool& seen : frame.seen->holders) attempt(found_tool(seen), 0.0);
+  }
+  if (best) return best;
+  for (const double turn_deg : kTurns_deg) {
+    const double angle_rad = std::atan2(from.y(), from.x()) + turn_deg * std::numbers::pi / 180.0;
+    FoundTool tool;
+    tool.origin = cell.center;
+    tool.direction = {std::cos(angle_rad), std::sin(angle_rad)};
+    tool.strength = 3.0 * cell.radius;
+    const double offset = from.dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x()));
+    for (const double ratio : kHalfWidths_ratio) {
+      tool.offset_from = offset - ratio * cell.radius;
+      tool.offset_to = offset + ratio * cell.radius;
+      attempt(tool, kFollowed);
+    }
+  }
+  return best;
+}
+
+}  // namespace pellucida
