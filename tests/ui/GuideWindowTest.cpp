@@ -11,10 +11,12 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <numbers>
 
 #include "Closing.h"
 #include "GuideFixture.h"
@@ -236,6 +238,55 @@ TEST_F(GuideWindowTest, AHintIsGivenByKeyAndClickAndTakenBackByAKey) {
   pass(300);
   click(cell_um);
   EXPECT_TRUE(notice("found")) << label_text(*window_, "notice");
+}
+
+TEST_F(GuideWindowTest, TheCellsOutlineIsDrawnAndTheHolderPointedAt) {
+  open();
+  ASSERT_TRUE(pass_until([&] { return console_->plan().has_value(); }));
+  const Eigen::Vector2d center_um = console_->plan()->cell.center_um.eigen().head<2>();
+  const auto move_to = [&](double angle_rad, double radius_um) {
+    const QPoint at =
+        on_screen(*window_, center_um + radius_um * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad)));
+    input_.move(at.x(), at.y());
+    pass(20);
+  };
+  const auto notice = [&](const char* words) {
+    return pass_until([&] { return label_text(*window_, "notice").find(words) != std::string::npos; });
+  };
+  // A mere click encloses nothing, and is none.
+  input_.tap(test::kKKey);
+  pass(300);
+  move_to(0.5, 55.0);
+  input_.left_button(true);
+  pass(50);
+  input_.left_button(false);
+  EXPECT_TRUE(notice("That was no outline")) << label_text(*window_, "notice");
+
+  input_.tap(test::kKKey);
+  pass(300);
+  constexpr int kSteps = 40;
+  for (int k = 0; k <= kSteps; ++k) {
+    move_to(0.5 + 6.1 * k / kSteps, 55.0 + 3.0 * std::sin(0.7 * k));
+    if (k == 0) input_.left_button(true);
+    if (k == kSteps) keep_picture(*window_, "guide-hint-outline");
+  }
+  input_.left_button(false);
+  EXPECT_TRUE(notice("Hint: cell outlined by 32 places: found")) << label_text(*window_, "notice");
+  keep_picture(*window_, "guide-hint-outlined");
+  // The drag moved no needle.
+  EXPECT_EQ(state(), kReady);
+
+  input_.key(test::kShiftKey, true);
+  input_.tap(test::kHKey);
+  input_.key(test::kShiftKey, false);
+  pass(300);
+  // The virtual cell's holder lies to its left.
+  move_to(std::numbers::pi, 75.0);
+  input_.left_button(true);
+  pass(50);
+  input_.left_button(false);
+  EXPECT_TRUE(notice("Hint: holding pipette at")) << label_text(*window_, "notice");
+  EXPECT_NE(label_text(*window_, "notice").find("followed"), std::string::npos) << label_text(*window_, "notice");
 }
 
 std::vector<GaugeBox*> gauges(QWidget& window) {

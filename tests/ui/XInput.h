@@ -58,7 +58,7 @@ class XInput {
 inline constexpr std::uint32_t kEscapeKey = 0xff1b, kShiftKey = 0xffe1, kHomeKey = 0xff50, kVKey = 0x76, kPKey = 0x70,
                                kEndKey = 0xff57, kLeftKey = 0xff51, kRightKey = 0xff53, kPageUpKey = 0xff55,
                                kPageDownKey = 0xff56, kSpaceKey = 0x20, kLKey = 0x6c, kBKey = 0x62, kCKey = 0x63,
-                               kMinusKey = 0x2d, kOKey = 0x6f, kTKey = 0x74, kMKey = 0x6d, kBackspaceKey = 0xff08,
-                               k5Key = 0x35, k6Key = 0x36, k7Key = 0x37, k8Key = 0x38;
+                               kMinusKey = 0x2d, kOKey = 0x6f, kHKey = 0x68, kKKey = 0x6b, kTKey = 0x74, kMKey = 0x6d,
+                               kBackspaceKey = 0xff08, k5Key = 0x35, k6Key = 0x36, k7Key = 0x37, k8Key = 0x38;
 
 }  // namespace pellucida::test
