@@ -180,8 +180,11 @@ TEST_F(Hints, AnOutlineDrawnRoundlyChoosesTheCell) {
         {kOther_um.x() + 3.0 + radius_um * std::cos(angle_rad), kOther_um.y() - 2.0 - radius_um * std::sin(angle_rad)});
   }
   step_.add_hint(*outline_hint(drawn));
+  // Each is answered for itself.
+  point(PersonHint::Kind::kHolder, {30.0, 380.0});
   const Scene hinted = next();
-  ASSERT_EQ(hints_in(hinted).size(), 1U);
+  ASSERT_EQ(hints_in(hinted).size(), 2U);
+  EXPECT_TRUE(hints_in(hinted)[1].ends_with("um: no straight pipette was found there")) << hints_in(hinted)[1];
   EXPECT_TRUE(hints_in(hinted)[0].ends_with(" um: found")) << hints_in(hinted)[0];
   EXPECT_LT((held_um_ - kOther_um).norm(), 2.0);
   EXPECT_NEAR(hinted.observation->rest_outer_radius_um, 45.0, 2.5);

@@ -44,11 +44,11 @@ class MembraneTracker::Impl {
       lone_needle_.reset();
       frames_since_detection_ = options_.redetect_interval_frames;
     }
-    hint_outcome_.clear();
+    outcomes_ = {};
     if (hints_.has_cell()) {
       has_cell_ = false;
       detect(frame);
-      hint_outcome_ = has_cell_ ? "found" : "nothing like a cell was found there";
+      outcomes_.cell = has_cell_ ? "found" : "nothing like a cell was found there";
     } else if (has_cell_) {
       if (needle_search_.is_due(cell_.needle().valid(), frames_since_detection_) && is_needle_missed()) look(frame);
       has_cell_ = cell_.follow(frame) && is_confirmed(frame);
@@ -60,10 +60,10 @@ class MembraneTracker::Impl {
     has_cell_ ? lone_needle_.reset() : follow_lone_needle(frame);
 
     if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
-      hint_outcome_ = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
+      outcomes_.needle = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
 
     if (const std::optional<Eigen::Vector2d> place = hints_.take_holder(laid_, view.pixel_size_um))
-      hint_outcome_ = start_hinted_holder(frame, *place);
+      outcomes_.holder = start_hinted_holder(frame, *place);
 
     const PartTimer timer(timings_.report_us);
     Observation out;
@@ -105,7 +105,7 @@ class MembraneTracker::Impl {
     lone_needle_.reset();
   }
 
-  const std::string& hint_outcome() const noexcept { return hint_outcome_; }
+  const HintOutcomes& hint_outcomes() const noexcept { return outcomes_; }
   const TrackerOptions& options() const noexcept { return options_; }
   const TrackerTimings& timings() const noexcept { return timings_; }
 
@@ -333,7 +333,7 @@ class MembraneTracker::Impl {
   SceneReading scene_;
   NeedleSearch needle_search_;
   PersonHints hints_;
-  std::string hint_outcome_;
+  HintOutcomes outcomes_;
   bool has_cell_ = false, ever_ = false;
   bool scene_chosen_ = false;        // by kAuto
   bool is_start_confirmed_ = false;  // the cell that lines follow, by the networks at its first sight
@@ -368,8 +368,8 @@ void MembraneTracker::exclude_cell(const Eigen::Vector2d& place_um) {
 void MembraneTracker::take_back_hint() {
   impl_->take_back_hint();
 }
-const std::string& MembraneTracker::hint_outcome() const noexcept {
-  return impl_->hint_outcome();
+const HintOutcomes& MembraneTracker::hint_outcomes() const noexcept {
+  return impl_->hint_outcomes();
 }
 void MembraneTracker::reset() {
   impl_ = std::make_unique<Impl>(impl_->options());

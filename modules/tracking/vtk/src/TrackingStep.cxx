@@ -56,6 +56,23 @@ void give(MembraneTracker& tracker, const PersonHint& hint) {
   }
 }
 
+const std::string& outcome_of(PersonHint::Kind kind, const HintOutcomes& outcomes) {
+  static const std::string kNone;
+  switch (kind) {
+    case PersonHint::Kind::kCell:
+    case PersonHint::Kind::kCellOutline:
+      return outcomes.cell;
+    case PersonHint::Kind::kNeedleTip:
+      return outcomes.needle;
+    case PersonHint::Kind::kHolder:
+      return outcomes.holder;
+    case PersonHint::Kind::kNoCell:
+    case PersonHint::Kind::kTakeBack:
+      break;
+  }
+  return kNone;
+}
+
 // Whether a session's event holds it.
 bool is_kept(const PersonHint& hint) {
   return hint_of({hint.since_s, event_kind::kHint, describe(hint)}).has_value();
@@ -113,7 +130,8 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
   result.measurement = measurement_from(*observation);
   for (const PersonHint& hint : hints) {
     std::string detail = describe(hint);
-    if (!tracker_.hint_outcome().empty()) detail += ": " + tracker_.hint_outcome();
+    if (const std::string& outcome = outcome_of(hint.kind, tracker_.hint_outcomes()); !outcome.empty())
+      detail += ": " + outcome;
     result.events.push_back({time_s, event_kind::kHint, std::move(detail)});
   }
   if (auto event = event_of_change(state_, *observation)) result.events.push_back(std::move(*event));

@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <memory>
-#include <string>
 
 #include "pellucida/core/ImageView.h"
 #include "pellucida/core/Observation.h"
@@ -49,8 +48,7 @@ class MembraneTracker {
   /// The latest hint in force no longer counts: cell or needle are searched for again without it. Nothing without one.
   void take_back_hint();
 
-  /// What came of the hints before the last frame, in words; empty without any.
-  const std::string& hint_outcome() const noexcept;
+  const HintOutcomes& hint_outcomes() const noexcept;
 
   /// Forgets the cell, the needle, the holder, all hints and everything learnt.
   void reset();

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 
 #include "pellucida/core/Observation.h"
 
@@ -16,6 +17,11 @@ struct FrameHints {
 struct CellHint {
   std::optional<Eigen::Vector2d> inside_um;  ///< a point inside the cell (a click)
   std::optional<Contour_um> outline_um;      ///< a rough closed outline of 3 points or more, in any orientation
+};
+
+/// What came of a person's hints before the last frame, in words; empty where there was none.
+struct HintOutcomes {
+  std::string cell, needle, holder;
 };
 
 }  // namespace pellucida
