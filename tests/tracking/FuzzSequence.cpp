@@ -189,6 +189,7 @@ std::string run_fuzz_sequence(const std::uint8_t* data, std::size_t size) {
         }
         tracker.expect_cell(hint);
       }
+      if (wish % 8 == 5) tracker.expect_holder({hint_number(choices), hint_number(choices)});
       const Observation seen = tracker.process(image.view, k / 30.0, k, hints);
       const std::string wrong = violation_of(seen, image.view);
       const std::string where =

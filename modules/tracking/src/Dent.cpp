@@ -15,10 +15,18 @@ constexpr double kBesideHolder = 0.5;  // cosine of 60 degrees
 constexpr double kUsual_ratio = 0.02;  // of the radius: how far a membrane lies off its ellipse without a needle
 constexpr int kRounds = 8;             // of weighing what lies off less
 
-Harmonics harmonics_at(const Eigen::Vector2d& direction) {
-  const double c = direction.x(), s = direction.y();
-  return {1.0, c, s, c * c - s * s, 2.0 * c * s};
-}
+// A point of the outline as seen from the centre: its distance, as a share of the radius, and its direction's
+// harmonics.
+struct Ray {
+  Ray(const Eigen::Vector2d& from_center, double radius) {
+    const double length = from_center.norm(), c = from_center.x() / length, s = from_center.y() / length;
+    distance_ratio = length / radius;
+    shape << 1.0, c, s, c * c - s * s, 2.0 * c * s;
+  }
+  double off(const Harmonics& fitted) const { return distance_ratio - fitted.dot(shape); }
+  double distance_ratio;
+  Harmonics shape;
+};
 
 }  // namespace
 
@@ -32,31 +40,26 @@ double dent_ratio(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center
   // The distance outside of the fitted ellipse, as a share of the radius.
   Harmonics fitted = Harmonics::Zero();
   fitted[0] = 1.0;
-  const auto off_at = [&](Eigen::Index i) {
-    const Eigen::Vector2d from_center = outline.col(contour::wrap(i, n)) - center;
-    return from_center.norm() / radius - fitted.dot(harmonics_at(from_center.normalized()));
-  };
+  const auto ray = [&](Eigen::Index i) { return Ray(outline.col(contour::wrap(i, n)) - center, radius); };
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Matrix<double, 5, 5> normal = 1e-9 * Eigen::Matrix<double, 5, 5>::Identity();
     Harmonics right = Harmonics::Zero();
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Eigen::Vector2d from_center = outline.col(i) - center;
-      const Harmonics shape = harmonics_at(from_center.normalized());
-      const double off = (from_center.norm() / radius - fitted.dot(shape)) / kUsual_ratio;
-      const double weight = 1.0 / std::pow(1.0 + off * off, 2);
-      normal += weight * shape * shape.transpose();
-      right += weight * from_center.norm() / radius * shape;
+      const Ray point = ray(i);
+      const double off = point.off(fitted) / kUsual_ratio, root = 1.0 / (1.0 + off * off), weight = root * root;
+      normal += weight * point.shape * point.shape.transpose();
+      right += weight * point.distance_ratio * point.shape;
     }
     fitted = normal.ldlt().solve(right);
   }
 
   const Eigen::Index half = std::max<Eigen::Index>(1, n / 60);
-  double deepest = 0.0;
+  double deepest = 0.0, sum = 0.0;  // of a window about point i
+  for (Eigen::Index k = -half; k <= half; ++k) sum += ray(k).off(fitted);
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (holder && (outline.col(i) - center).normalized().dot(*holder) > kBesideHolder) continue;
-    double sum = 0.0;
-    for (Eigen::Index k = -half; k <= half; ++k) sum += off_at(i + k);
-    deepest = std::max(deepest, -sum / static_cast<double>(2 * half + 1));
+    const bool is_held = holder && (outline.col(i) - center).normalized().dot(*holder) > kBesideHolder;
+    if (!is_held) deepest = std::max(deepest, -sum / static_cast<double>(2 * half + 1));
+    sum += ray(i + half + 1).off(fitted) - ray(i - half).off(fitted);
   }
   return deepest;
 }
