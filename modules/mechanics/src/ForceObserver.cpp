@@ -166,6 +166,7 @@ class ForceObserver::Impl {
       return std::nullopt;
     }
     estimate.puncture_doubted = verdict_.is_doubted();
+    estimate.flanks_pushed = verdict_.is_pushed();
     if (!sight.has_depths) {
       estimate.reason = "contact, but the needle was not seen";
       return std::nullopt;
@@ -192,7 +193,7 @@ class ForceObserver::Impl {
   /// The membrane has given way: what it took, once, and nothing on the needle.
   void puncture(const Observation& o, ForceEstimate& estimate) {
     estimate.punctured = true;
-    estimate.puncture_doubted = false;
+    estimate.puncture_doubted = estimate.flanks_pushed = false;
     estimate.puncture = verdict_.take_puncture(o.time_s);
     leave(o, estimate);
   }
