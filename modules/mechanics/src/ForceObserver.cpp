@@ -179,8 +179,12 @@ class ForceObserver::Impl {
     const double half_gap_um = 0.5 * (deep_um - shallow_um);
     // A needle that pushes flanks as deep as ever has the membrane on its tip.
     const double middle_um = verdict_.is_pushed() ? deep_um : shallow_um + half_gap_um;
-    const auto filtered = filter_.update(o.time_s, middle_um, std::hypot(sight.membrane_sigma_um, half_gap_um));
-    estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um, half_gap_um);
+    // What lasts over the frames, such as where the cell is seated, is no noise: a filter that took it for noise would
+    // go on where the needle halts. A membrane on the tip moves as the tip does, and is seen as well.
+    const double noise_um = std::min(sight.membrane_sigma_um, sight.tip_sigma_um);
+    const double lasting_um = std::sqrt(std::pow(sight.membrane_sigma_um, 2) - noise_um * noise_um);
+    const auto filtered = filter_.update(o.time_s, middle_um, std::hypot(noise_um, half_gap_um));
+    estimate.depth_sigma_um = std::hypot(std::hypot(filtered.sigma_um, lasting_um), kEdgeBias_um, half_gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";
     // While a puncture is in doubt a membrane on its way back bears no more than before it went.

@@ -118,8 +118,9 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
     evidence.flank_ratio = std::max(0.0, 1.0 - now.flank_um / expected_um);
     evidence.flank_sigma_ratio = std::hypot(flank_noise_um() / expected_um, kFlankLag_ratio);
     way_um = std::max(way_um, evidence.flank_ratio * deepest_um_);
-    evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flank_noise_um();
   }
+  // Also where they are too shallow to come back, or the resting outline is off.
+  evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flank_noise_um();
   evidence.tip_share = (tip_at_deepest_um_ - now.tip_um) / way_um;
   evidence.tip_share_sigma = now.tip_sigma_um / way_um;
   return evidence;

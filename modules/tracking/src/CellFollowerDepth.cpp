@@ -10,6 +10,8 @@ namespace {
 
 // The most confidence in what one way of seeing has shown: nothing independent confirms where the boundaries lie.
 constexpr double kMostOfOneWay = 0.75;
+// A tip less surely known (standard deviation) may well be 3 px off, which no frame that is sure should be.
+constexpr double kVagueTip_px = 1.0;
 
 // Flanks of a dimple: so far beside the needle's line through the centre, of the radius; shallower ones say nothing,
 // px; how their depth of late fades, per frame; what share of it is back; what the tip must have kept of its depth
@@ -134,7 +136,8 @@ double CellFollower::confidence() const {
   const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
   const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
   const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const bool is_needle_poor = needle_.valid() && needle_.estimate().confidence < kPoorNeedle;
+  const bool is_needle_poor =
+      needle_.valid() && (needle_.estimate().confidence < kPoorNeedle || needle_.estimate().tip_sigma > kVagueTip_px);
   const double most = is_read_ || is_doubtful_ || is_needle_poor ? kMostOfOneWay : 1.0;
   const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
   return bad_frames_ > 0 ? 0.3 * all : all;
