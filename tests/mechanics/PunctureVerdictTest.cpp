@@ -356,14 +356,8 @@ TEST(PunctureVerdict, AShallowDimpleThatGoesIsAPuncture) {
     EXPECT_FALSE(verdict.judge(seen(depth, depth, 0.2 * depth, 0.9)));
     verdict.add(depth, 0.1 * depth);
   }
-  EXPECT_FALSE(verdict.judge(seen(4.5, 4.4, 0.9, 0.9)));
-  verdict.add(4.4, 0.4);
-  int frames = 0;
-  for (const double left : {0.5, 0.3, 0.2}) {
-    ++frames;
-    if (verdict.judge(seen(6.0, 4.5 * left, 0.9 * left, 0.9))) break;
-  }
-  EXPECT_LE(frames, 2);
+  verdict.judge(seen(5.0, 2.0, 0.4, 0.9));
+  EXPECT_TRUE(verdict.judge(seen(6.0, 1.2, 0.2, 0.9)));
 }
 
 TEST(PunctureVerdict, FlanksAsDeepAsBeforeRevokeAPuncture) {
@@ -372,6 +366,12 @@ TEST(PunctureVerdict, FlanksAsDeepAsBeforeRevokeAPuncture) {
   // The contour goes on cutting across the dimple, whose flanks the needle pushes.
   for (int k = 0; k < 2; ++k) EXPECT_TRUE(verdict.judge(seen(31.0, 12.0, 15.5, 0.9)));
   EXPECT_FALSE(verdict.judge(seen(31.5, 12.0, 16.0, 0.9)));
+  EXPECT_TRUE(verdict.is_revoked());
+  // Nor need they be that deep: what goes deeper from there, flanks and all, is pushed.
+  verdict = pushed_with_flanks(30.0, 0.9);
+  double deeper = 0.0;
+  while (deeper < 8.0 && verdict.judge(seen(30.5, 9.0 + deeper, 3.0 + 0.5 * deeper, 0.9))) deeper += 1.0;
+  EXPECT_GT(deeper, 2.0);
   EXPECT_TRUE(verdict.is_revoked());
 }
 

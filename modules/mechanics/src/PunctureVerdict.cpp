@@ -26,6 +26,8 @@ constexpr double kDeepensNoises = 1.5;
 constexpr double kNewest_ratio = 0.2;
 /// Flanks go with this power of the needle's depth: 1.7 to 2.2 as it is drawn back in films of the specimens.
 constexpr double kFlankPower = 2.0;
+/// Of a tip's way back, what is beyond so many standard deviations of its place is sure.
+constexpr double kSureBack_sigmas = 1.5;
 /// In contact nothing is learnt of the rest: its radius stays, but for this share.
 constexpr double kSameRest_ratio = 0.002;
 /// Of the tip's depth, what the membrane may have kept where no contact came before.
@@ -75,6 +77,7 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     is_pushed_ = evidence.flank_ratio < kFlankLeaving_ratio;  // false where none are seen
   }
   flank_before_um_ = now.flank_um;
+  least_membrane_um_ = least_flank_um_ = std::numeric_limits<double>::infinity();
   through_ = odds_.probability() > kSure;
   is_doubted_ = !through_ && ((now.is_tracked_punctured && !is_pushed_) || odds_.doubt() > kInDoubt);
   if (now.has_depths && !through_) follow_deepest(now);
@@ -87,7 +90,7 @@ bool PunctureVerdict::may_end(const Sight& now) noexcept {
   const bool is_flank_back = is_flank(flank_um_) && now.flank_um < kFlankBack_ratio * flank_um_;
   // Flanks as deep as before are pushed, wherever the contour under the tip is.
   const bool is_flank_deep = is_flank(flank_um_) && now.flank_um > (1.0 - kFlankLeaving_ratio) * flank_um_;
-  const bool is_together = is_flank_deep || !(is_apart(now) || is_flank_back);
+  const bool is_together = is_flank_deep || is_pushed_again(now) || !(is_apart(now) || is_flank_back);
   together_frames_ = is_together ? together_frames_ + 1 : 0;
   if (now.tip_um >= 0.0 && together_frames_ < kTogetherFrames) return false;
   if (now.tip_um < 0.0 || now.membrane_um < kShallowest_um || !has_contact_) {
@@ -101,6 +104,16 @@ bool PunctureVerdict::may_end(const Sight& now) noexcept {
   deepest_um_ = flank_um_ = 0.0;
   follow_deepest(now);
   return true;
+}
+
+// A membrane that has given way comes to rest. One that goes deeper from there, and its flanks with it, is pushed, even
+// where the contour has lost the dimple.
+bool PunctureVerdict::is_pushed_again(const Sight& now) noexcept {
+  if (std::isnan(now.flank_um)) return false;
+  least_membrane_um_ = std::min(least_membrane_um_, now.membrane_um);
+  least_flank_um_ = std::min(least_flank_um_, now.flank_um);
+  return now.membrane_um - least_membrane_um_ > std::max(kUsual_um, kSigmas * now.membrane_sigma_um) &&
+         now.flank_um - least_flank_um_ > kFlankOverNoise * flank_noise_um();
 }
 
 PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noexcept {
@@ -134,9 +147,11 @@ bool PunctureVerdict::is_flank(double depth_um) const noexcept {
   return depth_um > std::max(kShallowestFlank_um, kFlankOverNoise * flank_noise_um());
 }
 
-// What a needle drawn back leaves of the flanks is no recoil: they go with its depth, and faster.
+// What a needle drawn back leaves of the flanks is no recoil: they go with its depth, and faster. A tip that seems to
+// go back, and isn't known well, explains nothing.
 double PunctureVerdict::expected_flank_um(const Sight& now) const noexcept {
-  const double kept = std::clamp(now.tip_um / std::max(tip_at_flank_um_, kShallowest_um), 0.0, 1.0);
+  const double kept = std::clamp(
+      (now.tip_um + kSureBack_sigmas * now.tip_sigma_um) / std::max(tip_at_flank_um_, kShallowest_um), 0.0, 1.0);
   return flank_um_ * std::pow(kept, kFlankPower);
 }
 
