@@ -125,6 +125,15 @@ TEST(ForceObserver, StatesWithoutContactGiveZeroOrNothing) {
   }
 }
 
+TEST(ForceObserver, APushedDimpleIsAContactWhateverWasTracked) {
+  ForceEstimate estimate;
+  EXPECT_EQ(estimate.judged_state(CellState::kPunctured), CellState::kPunctured);
+  estimate.flanks_pushed = true;
+  EXPECT_EQ(estimate.judged_state(CellState::kPunctured), CellState::kContact);
+  estimate.punctured = true;
+  EXPECT_EQ(estimate.judged_state(CellState::kContact), CellState::kPunctured);
+}
+
 // A tip lost in the cell's texture looks to the tracker as if it were far past the membrane.
 TEST(ForceObserver, APunctureThatTheMembraneDoesNotBearOutIsAContactInDoubt) {
   ForceObserver observer(testing::coarse_profile());

@@ -338,6 +338,43 @@ TEST(PunctureVerdict, ARevokedPunctureIsAContactWhateverTheTrackerSays) {
   EXPECT_TRUE(verdict.take_puncture(2.0));
 }
 
+// The flanks that a needle drawn back slowly takes with it go sooner than the membrane on its tip.
+TEST(PunctureVerdict, FlanksThatGoWithANeedleDrawnBackAreNoRecoil) {
+  PunctureVerdict verdict;
+  const auto passes = [&](double depth_um, double flank_um) {
+    EXPECT_FALSE(verdict.judge(seen(depth_um, depth_um, flank_um, 0.94))) << depth_um;
+    verdict.add(depth_um, 0.1 * depth_um);
+  };
+  for (double depth = 0.5; depth <= 20.0; depth += 0.5) passes(depth, 0.0138 * depth * depth);
+  const double depths[] = {18.7, 17.1, 15.5, 13.8, 12.2, 10.5, 8.9}, flanks[] = {4.8, 4.0, 3.1, 2.5, 1.9, 1.4, 1.1};
+  for (std::size_t k = 0; k < std::size(flanks); ++k) passes(depths[k], flanks[k]);
+}
+
+TEST(PunctureVerdict, AShallowDimpleThatGoesIsAPuncture) {
+  PunctureVerdict verdict;
+  for (double depth = 0.5; depth <= 4.0; depth += 0.5) {
+    EXPECT_FALSE(verdict.judge(seen(depth, depth, 0.2 * depth, 0.9)));
+    verdict.add(depth, 0.1 * depth);
+  }
+  verdict.judge(seen(5.0, 2.0, 0.4, 0.9));
+  EXPECT_TRUE(verdict.judge(seen(6.0, 1.2, 0.2, 0.9)));
+}
+
+TEST(PunctureVerdict, FlanksAsDeepAsBeforeRevokeAPuncture) {
+  PunctureVerdict verdict = pushed_with_flanks(30.0, 0.9);
+  EXPECT_TRUE(verdict.judge(seen(30.5, 9.0, 3.0, 0.9)));
+  // The contour goes on cutting across the dimple, whose flanks the needle pushes.
+  for (int k = 0; k < 2; ++k) EXPECT_TRUE(verdict.judge(seen(31.0, 12.0, 15.5, 0.9)));
+  EXPECT_FALSE(verdict.judge(seen(31.5, 12.0, 16.0, 0.9)));
+  EXPECT_TRUE(verdict.is_revoked());
+  // Nor need they be that deep: what goes deeper from there, flanks and all, is pushed.
+  verdict = pushed_with_flanks(30.0, 0.9);
+  double deeper = 0.0;
+  while (deeper < 8.0 && verdict.judge(seen(30.5, 9.0 + deeper, 3.0 + 0.5 * deeper, 0.9))) deeper += 1.0;
+  EXPECT_GT(deeper, 2.0);
+  EXPECT_TRUE(verdict.is_revoked());
+}
+
 TEST(PunctureVerdict, AContourTiedToTheTipRevokesNothingWhileTheFlanksAreBack) {
   PunctureVerdict verdict = pushed_with_flanks(30.0, 0.9);
   EXPECT_TRUE(verdict.judge(seen(30.5, 9.0, 3.0, 0.9)));

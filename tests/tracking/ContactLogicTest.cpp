@@ -49,6 +49,20 @@ TEST(ContactLogic, MembraneLeavingTheTipIsAPunctureUntilTheTipIsOut) {
   EXPECT_EQ(logic.update({-1.0, 0.0, true}), CellState::kFree);
 }
 
+TEST(ContactLogic, AMembraneLeftBehindInADimpleThatIsPushedIsNoPuncture) {
+  const auto frame = [](double tip_px, double membrane_px, bool is_pushed) {
+    return ContactLogic::Depths{
+        .tip_px = tip_px, .membrane_px = membrane_px, .needle_seen = true, .is_pushed = is_pushed};
+  };
+  ContactLogic logic = fresh();
+  for (double depth = 0.0; depth < 20.0; depth += 0.5) logic.update(frame(depth, depth, true));
+  EXPECT_EQ(logic.update(frame(20.5, 9.0, true)), CellState::kContact);
+  EXPECT_EQ(logic.update(frame(21.0, 9.0, false)), CellState::kPunctured);
+  // Pushed again, in three frames: it never gave way.
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(logic.update(frame(21.5, 9.5, true)), CellState::kPunctured);
+  EXPECT_EQ(logic.update(frame(22.0, 10.0, true)), CellState::kContact);
+}
+
 TEST(ContactLogic, ATipThatIsNotKnownTellsNoPuncture) {
   ContactLogic logic = fresh();
   for (double depth = 0.0; depth < 10.0; depth += 0.5) logic.update({depth, depth, true});

@@ -166,6 +166,7 @@ class ForceObserver::Impl {
       return std::nullopt;
     }
     estimate.puncture_doubted = verdict_.is_doubted();
+    estimate.flanks_pushed = verdict_.is_pushed();
     if (!sight.has_depths) {
       estimate.reason = "contact, but the needle was not seen";
       return std::nullopt;
@@ -178,8 +179,12 @@ class ForceObserver::Impl {
     const double half_gap_um = 0.5 * (deep_um - shallow_um);
     // A needle that pushes flanks as deep as ever has the membrane on its tip.
     const double middle_um = verdict_.is_pushed() ? deep_um : shallow_um + half_gap_um;
-    const auto filtered = filter_.update(o.time_s, middle_um, std::hypot(sight.membrane_sigma_um, half_gap_um));
-    estimate.depth_sigma_um = std::hypot(filtered.sigma_um, kEdgeBias_um, half_gap_um);
+    // What lasts over the frames, such as where the cell is seated, is no noise: a filter that took it for noise would
+    // go on where the needle halts. A membrane on the tip moves as the tip does, and is seen as well.
+    const double noise_um = std::min(sight.membrane_sigma_um, sight.tip_sigma_um);
+    const double lasting_um = std::sqrt(std::pow(sight.membrane_sigma_um, 2) - noise_um * noise_um);
+    const auto filtered = filter_.update(o.time_s, middle_um, std::hypot(noise_um, half_gap_um));
+    estimate.depth_sigma_um = std::hypot(std::hypot(filtered.sigma_um, lasting_um), kEdgeBias_um, half_gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";
     // While a puncture is in doubt a membrane on its way back bears no more than before it went.
@@ -192,7 +197,7 @@ class ForceObserver::Impl {
   /// The membrane has given way: what it took, once, and nothing on the needle.
   void puncture(const Observation& o, ForceEstimate& estimate) {
     estimate.punctured = true;
-    estimate.puncture_doubted = false;
+    estimate.puncture_doubted = estimate.flanks_pushed = false;
     estimate.puncture = verdict_.take_puncture(o.time_s);
     leave(o, estimate);
   }

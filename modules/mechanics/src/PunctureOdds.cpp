@@ -18,6 +18,8 @@ constexpr double kMisread_over = 0.8;
 /// A membrane that gives way comes back by three tenths of its depth and more; a contour that is misread by less
 /// mostly.
 constexpr double kLeastBack_ratio = 0.3, kBackEdge_ratio = 0.04;
+/// Its flanks come back later than what lay on the tip.
+constexpr double kLeastFlankBack_ratio = 0.25;
 /// Further back than the resting outline, and it is that outline which is wrong: the cell has moved.
 constexpr double kMostBack_ratio = 1.2;
 constexpr double kMisreadBack_ratio = 0.3;
@@ -46,6 +48,10 @@ double rise(double off) {
 
 double gone(double back_ratio) {
   return rise(back_ratio - kLeastBack_ratio) * rise(kMostBack_ratio - back_ratio);
+}
+
+double flanks_gone(double back_ratio) {
+  return rise(back_ratio - kLeastFlankBack_ratio) * rise(kMostBack_ratio - back_ratio);
 }
 
 double of_misread(double back_ratio) {
@@ -82,7 +88,7 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const double flank = has_flank ? std::max(0.0, now.flank_ratio) : 0.0;
   // A frame that shows the membrane on the tip, as before, is not misread in a way that matters, however poor it is.
   const bool is_odd = now.is_apart || flank > kLeastBack_ratio;
-  const double confidence = is_odd ? std::clamp(now.confidence, 0.0, 1.0) : 1.0;
+  const double confidence = now.is_astray ? 0.0 : is_odd ? std::clamp(now.confidence, 0.0, 1.0) : 1.0;
   advance(std::min(kMostMisread_rate, kMisread_rate * std::pow(10.0, (1.0 - confidence) / kTenfold)),
           std::max(0.0, 1.0 - std::pow(confidence / kMisread_over, 2)));
 
@@ -95,8 +101,9 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
             .punctured = tied * 0.5 * (on_tip + 1.0) + (1.0 - tied) * (now.is_apart ? gone(back) : 0.0)};
   Odds flanks;
   if (has_flank)
-    flanks = {
-        .contact = 2.0 * normal(flank, now.flank_sigma_ratio), .misread = of_misread(flank), .punctured = gone(flank)};
+    flanks = {.contact = 2.0 * normal(flank, now.flank_sigma_ratio),
+              .misread = of_misread(flank),
+              .punctured = flanks_gone(flank)};
   // Of the tip's own way: it may have gone anywhere before; at a puncture it stays, or goes on.
   const double stays = std::hypot(share > 0.0 ? kStays_sigma : kGoesOn_sigma, now.tip_share_sigma);
   const double anywhere = normal(0.0, kGoesOn_sigma);

@@ -19,6 +19,7 @@ class PunctureOdds {
     double tip_share_sigma = 0.0;   ///< its standard deviation, >= 0
     double confidence = 1.0;        ///< 0..1, how well membrane and tip were seen
     bool is_apart = false;          ///< the tip lies beyond the membrane by more than noise explains
+    bool is_astray = false;         ///< the membrane seems to lie beyond the tip: one of them is elsewhere
     /// By which share of their depth the flanks of the dimple have come back, beside the tip and what hides or ties the
     /// membrane there, with its standard deviation; NaN: there were none to see.
     double flank_ratio = std::numeric_limits<double>::quiet_NaN();

@@ -10,20 +10,24 @@ namespace {
 constexpr double kUsual_um = 2.0;
 constexpr double kSigmas = 4.0;
 /// A dimple shallower than this is no puncture when it goes.
-constexpr double kShallowest_um = 4.0;
+constexpr double kShallowest_um = 2.5;
 /// Probability from which on the membrane is through; and that something is amiss from which on a contact is in doubt.
 constexpr double kSure = 0.9, kInDoubt = 0.5;
 /// In a deep, narrow dimple the contour lags behind the tip, and back, by about this share of the depth.
 constexpr double kLag_ratio = 0.07;
 /// Flanks no deeper than this, or than so many times what they spread by from frame to frame, say nothing; below this
 /// share of their depth they are back. They spread by this at least, and by this share of their depth.
-constexpr double kShallowestFlank_um = 1.5, kFlankOverNoise = 3.0;
+constexpr double kShallowestFlank_um = 0.5, kFlankOverNoise = 3.0;
 constexpr double kFlankBack_ratio = 0.5;
-constexpr double kFlankSigma_um = 0.3, kFlankLag_ratio = 0.07;
+constexpr double kFlankSigma_um = 0.15, kFlankLag_ratio = 0.07;
 /// Flanks that go deeper by so many times that spread within a frame are still pushed.
 constexpr double kDeepensNoises = 1.5;
 /// What the newest frame counts in that spread.
 constexpr double kNewest_ratio = 0.2;
+/// Flanks go with this power of the needle's depth: 1.7 to 2.2 as it is drawn back in films of the specimens.
+constexpr double kFlankPower = 2.0;
+/// Of a tip's way back, what is beyond so many standard deviations of its place is sure.
+constexpr double kSureBack_sigmas = 1.5;
 /// In contact nothing is learnt of the rest: its radius stays, but for this share.
 constexpr double kSameRest_ratio = 0.002;
 /// Of the tip's depth, what the membrane may have kept where no contact came before.
@@ -73,6 +77,7 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     is_pushed_ = evidence.flank_ratio < kFlankLeaving_ratio;  // false where none are seen
   }
   flank_before_um_ = now.flank_um;
+  least_membrane_um_ = least_flank_um_ = std::numeric_limits<double>::infinity();
   through_ = odds_.probability() > kSure;
   is_doubted_ = !through_ && ((now.is_tracked_punctured && !is_pushed_) || odds_.doubt() > kInDoubt);
   if (now.has_depths && !through_) follow_deepest(now);
@@ -82,8 +87,11 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
 // Whether a puncture is over: left, or none.
 bool PunctureVerdict::may_end(const Sight& now) noexcept {
   // A contour that is tied to the tip proves nothing while the flanks are back.
-  const bool is_flank_back = has_flank() && now.flank_um < kFlankBack_ratio * flank_um_;
-  together_frames_ = is_apart(now) || is_flank_back ? 0 : together_frames_ + 1;
+  const bool is_flank_back = is_flank(flank_um_) && now.flank_um < kFlankBack_ratio * flank_um_;
+  // Flanks as deep as before are pushed, wherever the contour under the tip is.
+  const bool is_flank_deep = is_flank(flank_um_) && now.flank_um > (1.0 - kFlankLeaving_ratio) * flank_um_;
+  const bool is_together = is_flank_deep || is_pushed_again(now) || !(is_apart(now) || is_flank_back);
+  together_frames_ = is_together ? together_frames_ + 1 : 0;
   if (now.tip_um >= 0.0 && together_frames_ < kTogetherFrames) return false;
   if (now.tip_um < 0.0 || now.membrane_um < kShallowest_um || !has_contact_) {
     release();
@@ -98,6 +106,16 @@ bool PunctureVerdict::may_end(const Sight& now) noexcept {
   return true;
 }
 
+// A membrane that has given way comes to rest. One that goes deeper from there, and its flanks with it, is pushed, even
+// where the contour has lost the dimple.
+bool PunctureVerdict::is_pushed_again(const Sight& now) noexcept {
+  if (std::isnan(now.flank_um)) return false;
+  least_membrane_um_ = std::min(least_membrane_um_, now.membrane_um);
+  least_flank_um_ = std::min(least_flank_um_, now.flank_um);
+  return now.membrane_um - least_membrane_um_ > std::max(kUsual_um, kSigmas * now.membrane_sigma_um) &&
+         now.flank_um - least_flank_um_ > kFlankOverNoise * flank_noise_um();
+}
+
 PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noexcept {
   const double back_um = std::max(0.0, deepest_um_ - now.membrane_um);
   const double usual_um = std::hypot(now.membrane_sigma_um, kUsual_um / kSigmas, kLag_ratio * deepest_um_);
@@ -106,14 +124,16 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
   PunctureOdds::Evidence evidence{.back_ratio = back_um / deepest_um_,
                                   .back_sigma_ratio = usual_um / deepest_um_,
                                   .confidence = now.confidence,
-                                  .is_apart = is_apart(now)};
-  if (has_flank() && !std::isnan(now.flank_um)) {
-    const double flank_back_um = std::max(0.0, flank_um_ - now.flank_um);
-    evidence.flank_ratio = flank_back_um / flank_um_;
-    evidence.flank_sigma_ratio = std::hypot(flank_noise_um() / flank_um_, kFlankLag_ratio);
+                                  .is_apart = is_apart(now),
+                                  .is_astray = lies_beyond_tip(now)};
+  const double expected_um = expected_flank_um(now);
+  if (is_flank(expected_um) && !std::isnan(now.flank_um)) {
+    evidence.flank_ratio = std::max(0.0, 1.0 - now.flank_um / expected_um);
+    evidence.flank_sigma_ratio = std::hypot(flank_noise_um() / expected_um, kFlankLag_ratio);
     way_um = std::max(way_um, evidence.flank_ratio * deepest_um_);
-    evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flank_noise_um();
   }
+  // Also where they are too shallow to come back, or the resting outline is off.
+  evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flank_noise_um();
   evidence.tip_share = (tip_at_deepest_um_ - now.tip_um) / way_um;
   evidence.tip_share_sigma = now.tip_sigma_um / way_um;
   return evidence;
@@ -123,8 +143,16 @@ double PunctureVerdict::flank_noise_um() const noexcept {
   return std::max(kFlankSigma_um, std::sqrt(flank_variance_um2_));
 }
 
-bool PunctureVerdict::has_flank() const noexcept {
-  return flank_um_ > std::max(kShallowestFlank_um, kFlankOverNoise * flank_noise_um());
+bool PunctureVerdict::is_flank(double depth_um) const noexcept {
+  return depth_um > std::max(kShallowestFlank_um, kFlankOverNoise * flank_noise_um());
+}
+
+// What a needle drawn back leaves of the flanks is no recoil: they go with its depth, and faster. A tip that seems to
+// go back, and isn't known well, explains nothing.
+double PunctureVerdict::expected_flank_um(const Sight& now) const noexcept {
+  const double kept = std::clamp(
+      (now.tip_um + kSureBack_sigmas * now.tip_sigma_um) / std::max(tip_at_flank_um_, kShallowest_um), 0.0, 1.0);
+  return flank_um_ * std::pow(kept, kFlankPower);
 }
 
 // A contour that lags in the dimple while the needle is drawn back shows a membrane where nothing pushes it: when it
@@ -148,7 +176,10 @@ void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
     flank_um_ *= kFade;
   }
   if (!is_pushed) return;
-  if (now.flank_um > flank_um_) flank_um_ = now.flank_um;
+  if (now.flank_um > flank_um_) {
+    flank_um_ = now.flank_um;
+    tip_at_flank_um_ = now.tip_um;
+  }
   if (now.membrane_um < deepest_um_) return;
   deepest_um_ = now.membrane_um;
   tip_at_deepest_um_ = now.tip_um;

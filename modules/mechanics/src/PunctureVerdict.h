@@ -73,10 +73,13 @@ class PunctureVerdict {
 
  private:
   bool may_end(const Sight& now) noexcept;
+  bool is_pushed_again(const Sight& now) noexcept;
   PunctureOdds::Evidence evidence_of(const Sight& now) const noexcept;
   double flank_noise_um() const noexcept;
   /// Flanks deep enough to say something.
-  bool has_flank() const noexcept;
+  bool is_flank(double depth_um) const noexcept;
+  /// How deep they would be now, had only the needle moved since they were deepest.
+  double expected_flank_um(const Sight& now) const noexcept;
   static bool lies_beyond_tip(const Sight& now) noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
@@ -92,9 +95,12 @@ class PunctureVerdict {
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
   double rest_radius_um_ = 0.0;
   double depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
-  double flank_um_ = 0.0;                              // the deepest of late
+  double flank_um_ = 0.0, tip_at_flank_um_ = 0.0;      // the deepest of late
   double deepest_um_ = 0.0, tip_at_deepest_um_ = 0.0;  // of the membrane, of late
-  double flank_variance_um2_ = 0.0;                    // of one frame, by their differences
+  // Since the membrane is through.
+  double least_membrane_um_ = std::numeric_limits<double>::infinity();
+  double least_flank_um_ = std::numeric_limits<double>::infinity();
+  double flank_variance_um2_ = 0.0;  // of one frame, by their differences
   double last_flank_um_ = std::numeric_limits<double>::quiet_NaN();
   double flank_before_um_ = std::numeric_limits<double>::quiet_NaN();  // in the frame before, whatever it was
   double last_depth_um_ = 0.0, last_force_uN_ = 0.0;

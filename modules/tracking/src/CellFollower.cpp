@@ -169,7 +169,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
       snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
     snakes_.track(frame.image, frame.noise, from_rest ? Eigen::Vector2d::Zero() : shift, needle_.motion(), with, reach);
     const double now = quality_now();
-    if (now > quality_ + 0.05) {
+    if (now > quality_ + 0.05 && !(touching_ && cuts_dimple())) {
       quality_ = now;
       best_outer = snakes_.outer();
       best_inner = snakes_.inner();
@@ -273,7 +273,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   if (!are_flanks_back()) needle_.believe_reading();
   const bool was_free = contact_.state() == CellState::kFree;
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
-                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0});
+                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0, are_flanks_pushed()});
   if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
   const bool away = !needle_.valid() || tip_depth() < -kAway_px;
   if (contact_.state() == CellState::kFree && away) learn_rest();

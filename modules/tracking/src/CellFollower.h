@@ -115,6 +115,8 @@ class CellFollower {
   void follow_flanks();
   bool has_deep_flanks() const;
   bool are_flanks_back() const;
+  bool are_flanks_pushed() const;
+  bool cuts_dimple() const;
   Eigen::Vector2d apex() const;
   double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);

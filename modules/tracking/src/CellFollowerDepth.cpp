@@ -10,12 +10,17 @@ namespace {
 
 // The most confidence in what one way of seeing has shown: nothing independent confirms where the boundaries lie.
 constexpr double kMostOfOneWay = 0.75;
+// A tip less surely known (standard deviation) may well be 3 px off, which no frame that is sure should be.
+constexpr double kVagueTip_px = 1.0;
 
 // Flanks of a dimple: so far beside the needle's line through the centre, of the radius; shallower ones say nothing,
 // px; how their depth of late fades, per frame; what share of it is back; what the tip must have kept of its depth
 // meanwhile.
 constexpr double kFlankFrom_ratio = 0.2, kFlankTo_ratio = 0.65;
 constexpr double kLeastFlank_px = 2.0, kFlankFade = 0.95, kFlankBack_ratio = 0.6, kTipStays_ratio = 0.85;
+// Flanks that deep, of what the needle's depth makes them, are pushed: a membrane that gave way takes back 0.15 of them
+// in its first frame and more. A membrane that has come back to this share of its depth has jumped.
+constexpr double kPushedFlank_ratio = 0.85, kCut_ratio = 0.8;
 
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
 // not seen undisturbed; of the shift known from the whole outline while nothing pushes it, and from the cell's seat
@@ -65,7 +70,7 @@ void CellFollower::follow_flanks() {
     return;
   }
   const double flank = flank_depth();
-  if (!are_flanks_back()) deepest_flank_ *= kFlankFade;
+  if (!are_flanks_back() && contact_.state() != CellState::kPunctured) deepest_flank_ *= kFlankFade;
   if (flank < deepest_flank_) return;
   deepest_flank_ = flank;
   tip_at_deepest_flank_ = tip_depth();
@@ -80,6 +85,20 @@ bool CellFollower::has_deep_flanks() const {
 bool CellFollower::are_flanks_back() const {
   return needle_.valid() && deepest_flank_ > kLeastFlank_px && !has_deep_flanks() &&
          tip_depth() > kTipStays_ratio * tip_at_deepest_flank_;
+}
+
+// They are as deep as they were of late, but for what the needle's own way back explains: they go with its depth
+// squared.
+bool CellFollower::are_flanks_pushed() const {
+  if (!needle_.valid() || deepest_flank_ <= 0.0) return false;
+  const double kept = std::clamp(tip_depth() / std::max(tip_at_deepest_flank_, 1.0), 0.0, 1.0);
+  const double flank = flank_depth();
+  return flank > kLeastFlank_px && flank >= kPushedFlank_ratio * kept * kept * deepest_flank_;
+}
+
+// A contour that goes back under the tip alone is no membrane that gives way: it cuts across a narrow dimple.
+bool CellFollower::cuts_dimple() const {
+  return measure_membrane_depth() < kCut_ratio * membrane_depth_ && are_flanks_pushed();
 }
 
 double CellFollower::membrane_sigma() const {
@@ -117,7 +136,8 @@ double CellFollower::confidence() const {
   const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
   const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
   const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const bool is_needle_poor = needle_.valid() && needle_.estimate().confidence < kPoorNeedle;
+  const bool is_needle_poor =
+      needle_.valid() && (needle_.estimate().confidence < kPoorNeedle || needle_.estimate().tip_sigma > kVagueTip_px);
   const double most = is_read_ || is_doubtful_ || is_needle_poor ? kMostOfOneWay : 1.0;
   const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
   return bad_frames_ > 0 ? 0.3 * all : all;

@@ -18,13 +18,15 @@ class ContactLogic {
     bool needle_seen = false;
     double sigma_px = 0.25;     ///< standard deviation of the membrane's
     double tip_sigma_px = 0.0;  ///< of the tip's
+    bool is_pushed = false;     ///< beside the tip the dimple is as deep as the needle's way makes it
   };
 
   /// The state after this frame.
   /// Contact: a cumulative sum test (Page 1954) on the membrane's depth in units of its sigma; no single frame decides,
   /// and a depth below `contact_px` counts for nothing. Release: two frames in a row with the membrane back or the tip
-  /// away. Puncture: the membrane leaves the tip behind by `puncture_drop_ratio` of its depth; it ends when the tip has
-  /// left the cell, or lies on the membrane again for three frames.
+  /// away. Puncture: the membrane leaves the tip behind by `puncture_drop_ratio` of its depth, and the dimple beside it
+  /// is not pushed any more; it ends when the tip has left the cell, or three frames in a row show the tip on the
+  /// membrane again or that dimple pushed.
   CellState update(const Depths& now) {
     const double floor_px = 4.0 * options_.contact_px;
     if (state_ == CellState::kPunctured) {
@@ -46,7 +48,7 @@ class ContactLogic {
     }
     if (!now.needle_seen) return state_;
     deepest_px_ = std::max(now.membrane_px, 0.9 * deepest_px_);
-    const bool left_behind = now.tip_px - now.membrane_px > apart_px(now);
+    const bool left_behind = !now.is_pushed && now.tip_px - now.membrane_px > apart_px(now);
     if (deepest_px_ > floor_px && left_behind && now.tip_px > floor_px) {
       state_ = CellState::kPunctured;
       return state_;
@@ -75,8 +77,8 @@ class ContactLogic {
   // A membrane that lies on the tip again, deep in the cell, has not given way.
   void follow_together(const Depths& now) {
     if (state_ != CellState::kPunctured || !now.needle_seen) return;
-    const bool together = now.membrane_px > 4.0 * options_.contact_px && now.membrane_px > 0.5 * deepest_px_ &&
-                          now.tip_px - now.membrane_px < kTogether * apart_px(now);
+    const bool on_tip = now.membrane_px > 0.5 * deepest_px_ && now.tip_px - now.membrane_px < kTogether * apart_px(now);
+    const bool together = now.membrane_px > 4.0 * options_.contact_px && (on_tip || now.is_pushed);
     together_frames_ = together ? together_frames_ + 1 : 0;
     if (together_frames_ < kTogetherFrames) return;
     reset(CellState::kContact);

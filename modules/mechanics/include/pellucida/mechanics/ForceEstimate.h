@@ -65,6 +65,7 @@ struct ForceEstimate {
   ForceWarning warnings = kNoForceWarning;
   bool punctured = false;            ///< the membrane has left the tip: the force is 0
   bool puncture_doubted = false;     ///< it may have, or the frame is misread: measured as a contact, less certain
+  bool flanks_pushed = false;        ///< the dimple beside the tip is as deep as ever: a contact, whatever was tracked
   bool puncture_revoked = false;     ///< in one frame: the puncture reported last was none, the contact goes on
   std::optional<Puncture> puncture;  ///< in the first frame that shows it
   double work_uN_um = 0.0;           ///< of the needle on the cell in this contact
@@ -83,7 +84,7 @@ struct ForceEstimate {
   /// The state after the verdict on a puncture; `tracked` is the observation's.
   CellState judged_state(CellState tracked) const noexcept {
     if (punctured) return CellState::kPunctured;
-    return puncture_doubted ? CellState::kContact : tracked;
+    return puncture_doubted || flanks_pushed ? CellState::kContact : tracked;
   }
 
   /// The cell frame C in W: z towards the needle, y along W's z, origin at the cell's centre.
