@@ -247,6 +247,17 @@ TEST(ForceObserver, ANoisierDepthWidensTheInterval) {
   EXPECT_EQ(b.by_scale.upper_uN, a.by_scale.upper_uN);
 }
 
+// Glass that comes from within the holder's mouth pushes nothing; beside the mouth it may.
+TEST(ForceObserver, WhatComesFromTheHoldersMouthIsNoNeedle) {
+  for (const double away_rad : {0.0, 0.15, 0.9, 1.6}) {
+    ForceObserver observer(testing::coarse_profile());
+    const ForceEstimate estimate = observer.process(make_observation(CellState::kContact, 6.0, 0.3, 0.3 + away_rad, 0));
+    const bool within = away_rad < 0.3;
+    EXPECT_EQ(std::isfinite(estimate.contact_force_uN), !within) << away_rad;
+    EXPECT_EQ(estimate.reason.empty(), !within) << away_rad;
+  }
+}
+
 TEST(ForceObserver, ACellFarLargerThanTheProfilesIsItsOwnSize) {
   // F goes with R^-1.9: a cell of 60 um is softer than one of 50 um.
   ForceObserver usual(testing::coarse_profile()), large(testing::coarse_profile());

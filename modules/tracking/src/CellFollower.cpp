@@ -65,7 +65,7 @@ void CellFollower::learn_rest(const FrameInput& frame) {
   const bool elsewhere = (outer.center - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
   if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
   rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, shape.turned_back(motion_.angle_rad));
-  if (snakes_.has_inner() || zona_.valid()) return;
+  if (snakes_.has_inner() || zona_.valid() || rest_.thin_zona.is_full()) return;
   const NeedleZone needle_zone = zone();
   rest_.thin_zona.add(ThinZona::read(frame.image, snakes_.outer().points, snakes_.outer().kind, snakes_.line_width_px(),
                                      needle_.valid() ? &needle_zone : nullptr));

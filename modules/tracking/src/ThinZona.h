@@ -22,14 +22,17 @@ struct ThinZona {
                        const NeedleZone* needle);
 };
 
-/// The same over the frames of a cell at rest.
+/// The same over the first frames of a cell at rest.
 class ThinZonaMean {
  public:
+  /// Further frames would change little.
+  bool is_full() const noexcept { return frames_ >= kFrames; }
   void add(const ThinZona& seen);
   /// With a thickness where most frames show one, else with a limit.
   ThinZona mean() const;
 
  private:
+  static constexpr int kFrames = 8;
   ThinZona sum_;
   int frames_ = 0, shown_ = 0, judged_ = 0;
 };
