@@ -1112,6 +1112,10 @@
         <translation>Kontakt, aber die Nadel war nicht zu sehen</translation>
     </message>
     <message>
+        <source>contact, but what was taken for the needle comes from where the cell is held</source>
+        <translation>Kontakt, aber was als Nadel gilt, kommt von der Seite, an der die Zelle gehalten wird</translation>
+    </message>
+    <message>
         <source>cut off before its end</source>
         <translation>vor dem Ende abgeschnitten</translation>
     </message>

@@ -4074,8 +4074,8 @@ Solange warten Tasten und Klicks. Not-Halt, Hand und Aufzeichnung warten nicht.<
         <translation>das Fenster wird nicht von einem X-Server gezeichnet</translation>
     </message>
     <message>
-        <source>the zona's thickness is the profile's</source>
-        <translation>die Dicke der Zona ist die des Profils</translation>
+        <source>the zona's inner edge was not seen</source>
+        <translation>der innere Rand der Zona war nicht zu sehen</translation>
     </message>
     <message>
         <source>this cell </source>

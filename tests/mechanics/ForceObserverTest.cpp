@@ -101,7 +101,9 @@ TEST(ForceObserver, NodesLieOnTheCellAndTheirForcesBalance) {
 
 TEST(ForceObserver, StatesWithoutContactGiveZeroOrNothing) {
   ForceObserver observer(testing::coarse_profile());
-  const ForceEstimate free = observer.process(make_observation(CellState::kFree, 0.0, 0.0, std::numbers::pi, 0));
+  Observation away = make_observation(CellState::kFree, 0.0, 0.0, std::numbers::pi, 0);
+  away.needle->tip_um -= 5.0 * away.needle->direction;
+  const ForceEstimate free = observer.process(away);
   EXPECT_DOUBLE_EQ(free.contact_force_uN, 0.0);
   EXPECT_DOUBLE_EQ(free.contact_force_upper_uN, 0.0);
   EXPECT_TRUE(free.converged);
@@ -254,6 +256,44 @@ TEST(ForceObserver, ANoisierDepthWidensTheInterval) {
   EXPECT_GT(b.by_picture.upper_uN - b.by_picture.lower_uN, 1.5 * (a.by_picture.upper_uN - a.by_picture.lower_uN));
   EXPECT_GT(b.contact_force_upper_uN, a.contact_force_upper_uN);
   EXPECT_EQ(b.by_scale.upper_uN, a.by_scale.upper_uN);
+}
+
+// A contact counts once it is confirmed: until then a needle at the membrane may press, as far as its tip's place
+// leaves open. One that is seen far inside an untouched cell is above it.
+TEST(ForceObserver, ANeedleAtAnUntouchedMembraneLeavesAForceOpen) {
+  double last_uN = 0.0;
+  for (const double tip_um : {-2.0, 0.0, 1.0, 2.0, 12.0}) {
+    ForceObserver observer(testing::coarse_profile());
+    Observation o = make_observation(CellState::kFree, 0.0, 0.3, 0.3 + std::numbers::pi, 0);
+    o.needle->tip_um += tip_um * o.needle->direction;
+    o.needle->tip_sigma_um = 0.2;
+    const ForceEstimate estimate = observer.process(o);
+    EXPECT_EQ(estimate.contact_force_uN, 0.0) << tip_um;
+    EXPECT_EQ(estimate.contact_force_lower_uN, 0.0) << tip_um;
+    if (tip_um < -1.0 || tip_um > 3.0) {
+      EXPECT_EQ(estimate.contact_force_upper_uN, 0.0) << tip_um;
+      continue;
+    }
+    EXPECT_GT(estimate.by_picture.upper_uN, last_uN) << tip_um;
+    EXPECT_GT(estimate.contact_force_upper_uN, estimate.by_picture.upper_uN) << tip_um;
+    last_uN = estimate.by_picture.upper_uN;
+  }
+  // About as much as a contact of that depth would leave open.
+  ForceObserver observer(testing::coarse_profile());
+  const ForceEstimate pressed =
+      observer.process(make_observation(CellState::kContact, 2.4, 0.3, 0.3 + std::numbers::pi, 0));
+  EXPECT_LT(last_uN, 2.0 * pressed.by_picture.upper_uN);
+}
+
+// Glass that comes from within the holder's mouth pushes nothing; beside the mouth it may.
+TEST(ForceObserver, WhatComesFromTheHoldersMouthIsNoNeedle) {
+  for (const double away_rad : {0.0, 0.15, 0.9, 1.6}) {
+    ForceObserver observer(testing::coarse_profile());
+    const ForceEstimate estimate = observer.process(make_observation(CellState::kContact, 6.0, 0.3, 0.3 + away_rad, 0));
+    const bool within = away_rad < 0.3;
+    EXPECT_EQ(std::isfinite(estimate.contact_force_uN), !within) << away_rad;
+    EXPECT_EQ(estimate.reason.empty(), !within) << away_rad;
+  }
 }
 
 TEST(ForceObserver, ACellFarLargerThanTheProfilesIsItsOwnSize) {

@@ -36,6 +36,42 @@ TEST(GeometryEstimate, AssumesTheProfilesWhereNoneIsSeen) {
   }
 }
 
+// A zona whose edge would have been seen from some distance on is thinner than that, most likely. A limit far beyond
+// the profile's thickness says little, and so does one that no zona of the kind would reach: there the edge has no
+// contrast.
+TEST(GeometryEstimate, AnEdgeThatIsMissedBoundsTheThickness) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  double last_um = 0.0;
+  for (const double limit_um : {3.0, 4.0, 6.0, 9.0}) {
+    GeometryEstimate estimate(profile);
+    Observation o = at_rest(48.0, 0.0);
+    o.rest_thickness_limit_um = limit_um;
+    estimate.update(o);
+    EXPECT_TRUE(estimate.thickness_assumed());
+    EXPECT_GT(estimate.geometry().thickness_um, last_um);
+    EXPECT_LT(estimate.geometry().thickness_um, profile.thickness_um);
+    last_um = estimate.geometry().thickness_um;
+  }
+  EXPECT_GT(last_um, 0.8 * profile.thickness_um);
+  GeometryEstimate tiny(profile);
+  Observation o = at_rest(48.0, 0.0);
+  o.rest_thickness_limit_um = 0.5;
+  tiny.update(o);
+  EXPECT_NEAR(tiny.geometry().thickness_um, profile.thickness_um, 0.1 * profile.thickness_um);
+}
+
+// What wasn't taken from contours is less sure.
+TEST(GeometryEstimate, AThicknessCountsAsSurelyAsItWasRead) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  GeometryEstimate sure(profile), unsure(profile);
+  Observation o = at_rest(48.0, 45.0);
+  sure.update(o);
+  o.rest_thickness_sigma_um = 0.6;
+  unsure.update(o);
+  EXPECT_DOUBLE_EQ(sure.geometry().thickness_um, unsure.geometry().thickness_um);
+  EXPECT_GT(unsure.force_sigma_ratio(), 1.05 * sure.force_sigma_ratio());
+}
+
 // Two pixels of something are no holding pipette; a narrow one is.
 TEST(GeometryEstimate, AHolderOfNoLikelyWidthIsNone) {
   const CellProfile profile = load_profile("mouse-oocyte");

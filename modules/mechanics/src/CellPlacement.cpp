@@ -40,6 +40,12 @@ void CellPlacement::update(const Observation& observation) {
   holder_ = holder_W_ ? Eigen::Vector3d(rotation_WC_.transpose() * in_plane(*holder_W_)) : push_;
 }
 
+bool CellPlacement::enters_at_holder(double mouth_radius_um, double cell_radius_um) const noexcept {
+  if (holder_assumed()) return false;
+  const double sine = std::min(1.0, mouth_radius_um / cell_radius_um);
+  return holder_.z() > std::sqrt(1.0 - sine * sine);
+}
+
 void CellPlacement::follow_needle(const Observation& o) {
   if (!o.needle || !is_direction(o.needle->direction) || !o.needle->tip_um.allFinite()) return;
   if (is_direction(o.axis)) axis_ = o.axis.normalized();

@@ -24,6 +24,10 @@ class CellPlacement {
   /// No holder seen so far: taken to lie where the needle pushes to.
   bool holder_assumed() const noexcept { return !holder_W_; }
 
+  /// The needle's line enters the cell within the mouth of the holder that was seen, where no needle can get to: both
+  /// radii in um.
+  bool enters_at_holder(double mouth_radius_um, double cell_radius_um) const noexcept;
+
   /// Of the needle in the last frame that showed one.
   const NeedleContact& contact() const noexcept { return contact_; }
   /// Of the centre from the needle's line, um: followed while free, kept in contact; 0 where the line goes through the

@@ -24,6 +24,9 @@ namespace {
 constexpr int kProjections = 3;
 /// What no filter averages out: the edge's centre line may lie a little beside the membrane, the same in every frame.
 constexpr double kEdgeBias_um = 0.12;
+/// A contact is confirmed over some frames. So deep, um, it is by then: a needle that is seen deeper in an untouched
+/// cell isn't in its plane.
+constexpr double kLateContact_um = 3.0;
 
 }  // namespace
 
@@ -158,6 +161,10 @@ class ForceObserver::Impl {
       leave(o, estimate);
       return std::nullopt;
     }
+    if (placement_.enters_at_holder(cell_.built_geometry().holder_radius_um, cell_.outer_radius_um())) {
+      estimate.reason = "contact, but what was taken for the needle comes from where the cell is held";
+      return std::nullopt;
+    }
     const PunctureVerdict::Sight sight = sight_of(o, placement_.contact());
     const bool is_through = verdict_.judge(sight);
     estimate.puncture_revoked = verdict_.is_revoked();
@@ -209,6 +216,15 @@ class ForceObserver::Impl {
     estimate.depth_sigma_um = 0.0;
   }
 
+  /// How deep the needle may be in a cell that counts as free, as its tip's place leaves open; 0: it is away, or
+  /// passes.
+  double possible_touch_um(const Observation& o) const {
+    if (!o.needle || !o.needle->tip_um.allFinite()) return 0.0;
+    const double tip_um = placement_.contact().tip_depth_um;
+    if (!(tip_um < kLateContact_um)) return 0.0;
+    return std::max(0.0, tip_um + 1.96 * std::hypot(o.needle->tip_sigma_um, kEdgeBias_um));
+  }
+
   IndentationState press(double depth_um) {
     return options_.observation_ratio > 0.0 ? cell_.press_solved(depth_um) : cell_.press(depth_um, known_);
   }
@@ -222,7 +238,8 @@ class ForceObserver::Impl {
                       .auditor = auditor_,
                       .state = depth_um ? press(*depth_um) : cell_.release(),
                       .depth_um = depth_um.value_or(0.0),
-                      .contact = depth_um.has_value()};
+                      .contact = depth_um.has_value(),
+                      .touch_um = o.state == CellState::kFree ? possible_touch_um(o) : 0.0};
     estimate.iterations = frame.state.report.iterations;
     estimate.converged = !frame.contact || frame.state.report.status == SolveStatus::kConverged;
     if (!estimate.converged) {

@@ -53,6 +53,10 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
     const double model_uN = std::max(0.0, frame.state.push_force_uN);
     fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force}, estimate);
   }
+  if (frame.touch_um > 0.0) {
+    estimate.errors.scale_ratio = frame.scale.relative_sigma;
+    estimate.errors.geometry_ratio = frame.cell.geometry().force_sigma_ratio();
+  }
   const double scale = frame.scale.ratio * force.ratio;
   fill_nodes(cell.indenter(), scale, frame.contact, estimate);
 
@@ -64,7 +68,7 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   // A model that isn't where the needle is says nothing of its force.
   if (!estimate.converged) return;
   const auto interval_by = [&](const ForceErrors& errors) {
-    return frame.contact ? interval_95(force.force_uN, errors) : ForceInterval{};
+    return frame.contact ? interval_95(force.force_uN, errors) : interval_of_touch(frame, errors);
   };
   const ForceInterval interval = interval_by(estimate.errors);
   estimate.depth_um = frame.depth_um;
@@ -83,6 +87,14 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   estimate.by_picture = interval_by(estimate.errors.of_picture());
   estimate.by_scale = interval_by(estimate.errors.of_scale());
   if (frame.contact) ask_others(frame, scale, estimate);
+}
+
+// From nothing up to what the deepest touch that can't be told from none would take, its errors included.
+ForceInterval ForceReport::interval_of_touch(const SolvedFrame& frame, const ForceErrors& errors) {
+  if (frame.touch_um <= 0.0) return {};
+  const double force_uN = frame.scale.ratio * frame.cell.rest_stiffness_uN_per_um() * frame.touch_um;
+  const double upper_uN = interval_95(force_uN, errors).upper_uN;
+  return {0.0, upper_uN, 0.5 * upper_uN / 1.96};
 }
 
 void ForceReport::ask_others(const SolvedFrame& frame, double scale, ForceEstimate& estimate) const {

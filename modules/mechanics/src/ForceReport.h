@@ -17,6 +17,7 @@ struct SolvedFrame {
   IndentationState state;
   double depth_um = 0.0;  ///< 0 out of contact
   bool contact = false;
+  double touch_um = 0.0;  ///< out of contact: how deep the needle may be all the same
 };
 
 /// Writes what a solved frame says into an estimate: shape, forces on needle and nodes, errors and interval, what other
@@ -37,6 +38,8 @@ class ForceReport {
 
  private:
   RelaxingContact::Force force_of(const SolvedFrame& frame, const ForceEstimate& estimate);
+  /// Of no force, where the needle may touch.
+  static ForceInterval interval_of_touch(const SolvedFrame& frame, const ForceErrors& errors);
   void ask_others(const SolvedFrame& frame, double scale, ForceEstimate& estimate) const;
 
   const CellProfile& profile_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ForcePowers.h"
 
@@ -12,20 +13,41 @@ namespace {
 constexpr double kRadiusSigma_um = 0.2;
 /// Where in its blurred edge a membrane begins is a matter of definition: both together, um.
 constexpr double kEdgeSigma_um = 0.4;
-/// What is known of a length that isn't seen. A zona whose inner edge isn't: it is a thin one, or its outline was taken
-/// from something else, standard deviation over the profile's; how the tools of different benches differ, of their
-/// logarithms. Beside a length that is seen none of them would count.
+/// What is known of a length that isn't seen: how zonae of a kind differ; how the tools of different benches differ, of
+/// their logarithms. Beside a length that is seen none of them would count.
 constexpr double kUnseenThickness_ratio = 0.5, kBenchTip_ratio = 0.7, kBenchHolder_ratio = 0.4;
 /// A holder so many of those deviations from the usual one is none: something else was seen, or a part of it.
 constexpr double kFarthestHolder_sigmas = 3.0;
 /// How well a tool's radius is seen: of its logarithm.
 constexpr double kSeenTip_ratio = 0.15, kSeenHolder_ratio = 0.08;
+/// An inner edge that would have been seen from a distance on, and wasn't: how much that distance may differ, over
+/// itself, and how likely the edge has no contrast at all.
+constexpr double kLimitBlur_ratio = 0.25, kNoContrast = 0.05;
 /// No zona is thinner, over the cell's outer radius: two contours that near lie on one edge.
 constexpr double kThinnestZona_ratio = 0.02;
 /// From so many frames on, a tool's width follows what is seen at that pace.
 constexpr int kMostFrames = 50;
 /// So far from the profile's own geometry, in logarithms, the correction's whole spread counts; nearer in proportion.
 constexpr double kWholeSpread = 0.5;
+
+// The thickness of a zona whose inner edge would show from `limit_um` on, by Bayes' rule on its logarithm: mean, and
+// standard deviation in um.
+GeometryEstimate::Thickness thickness_below(double limit_um, double usual_um) {
+  constexpr int kHalf = 40;        // nodes to each side
+  constexpr double kWidest = 4.0;  // standard deviations to each side
+  double weight = 0.0, first = 0.0, second = 0.0;
+  for (int k = -kHalf; k <= kHalf; ++k) {
+    const double z = kWidest * k / kHalf, log_um = std::log(usual_um) + kUnseenThickness_ratio * z;
+    const double beyond = (std::exp(log_um) - limit_um) / (kLimitBlur_ratio * limit_um);
+    const double missed = kNoContrast + (1.0 - kNoContrast) * 0.5 * std::erfc(beyond / std::numbers::sqrt2);
+    const double w = std::exp(-0.5 * z * z) * missed;
+    weight += w;
+    first += w * log_um;
+    second += w * log_um * log_um;
+  }
+  const double mean = first / weight, variance = second / weight - mean * mean;
+  return {std::exp(mean), std::exp(mean) * std::sqrt(variance)};
+}
 
 }  // namespace
 
@@ -49,11 +71,17 @@ void GeometryEstimate::update(const Observation& o) {
   if (o.holder && is_likely_holder(o.holder->outer_radius_um) && (clear || holder_.count == 0))
     holder_.add(o.holder->outer_radius_um, sigma_or(o.holder->outer_radius_sigma, kSeenHolder_ratio));
 
-  seen_thickness_um_ = o.rest_outer_radius_um - o.rest_inner_radius_um;
+  Thickness thickness{o.rest_outer_radius_um - o.rest_inner_radius_um,
+                      std::hypot(kEdgeSigma_um, o.rest_thickness_sigma_um)};
   thickness_assumed_ = !(o.rest_inner_radius_um > 0.5 * o.rest_outer_radius_um &&
-                         seen_thickness_um_ > kThinnestZona_ratio * o.rest_outer_radius_um);
-  if (thickness_assumed_) seen_thickness_um_ = profile_->thickness_um;
-  thickness_sigma_um_ = thickness_assumed_ ? kUnseenThickness_ratio * profile_->thickness_um : kEdgeSigma_um;
+                         thickness.mean_um > kThinnestZona_ratio * o.rest_outer_radius_um);
+  if (thickness_assumed_) {
+    const double usual_um = profile_->thickness_um;
+    thickness = o.rest_thickness_limit_um > 0.0 ? thickness_below(o.rest_thickness_limit_um, usual_um)
+                                                : Thickness{usual_um, kUnseenThickness_ratio * usual_um};
+  }
+  seen_thickness_um_ = thickness.mean_um;
+  thickness_sigma_um_ = thickness.sigma_um;
   geometry_.thickness_um = seen_thickness_um_;
   geometry_.mid_radius_um = o.rest_outer_radius_um - 0.5 * geometry_.thickness_um;
 

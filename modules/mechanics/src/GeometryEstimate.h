@@ -16,11 +16,16 @@ class GeometryEstimate {
   void forget() { *this = GeometryEstimate(*profile_); }
 
   const MembraneGeometry& geometry() const noexcept { return geometry_; }
-  /// The inner membrane was not seen at rest: the profile's thickness.
+  /// The inner membrane was not seen at rest: what is likely of the profile's kind, and of a zona whose edge is missed.
   bool thickness_assumed() const noexcept { return thickness_assumed_; }
-  double thickness_um() const noexcept { return seen_thickness_um_; }  ///< as seen, or the profile's
+  double thickness_um() const noexcept { return seen_thickness_um_; }  ///< as seen, or what is likely
   /// Standard deviation of ln force from all lengths.
   double force_sigma_ratio() const noexcept;
+
+  /// With its standard deviation.
+  struct Thickness {
+    double mean_um = 0.0, sigma_um = 0.0;
+  };
 
  private:
   /// The mean of the logarithm of a length over the frames that show it, and that of its standard deviation.

@@ -14,8 +14,10 @@ namespace {
 constexpr double kSecondScore = 0.35;  // a second dark line that counts
 constexpr double kFaintest = 0.1;      // of the line's contrast: what counts as grain in looking for a border
 constexpr double kBroadLine_px = 1.2;  // standard deviation of a broad line: nearer than 3 of them lies its own flank
+constexpr double kWidest_ratio = 1.5;  // a zona's outer line over its inner one, of an oval cell with a thick zona
 constexpr double kFinest_px = 0.7;     // finest scale of the lines: two that lie 2 px apart must not melt into one
 constexpr double kHintShare = 0.5;     // of the score needed, where a person says there is a cell
+constexpr double kSameEdge = 0.1;      // of the radius: a dark body's border this near to a line is that line's
 constexpr double kUnsureShare = 0.4;   // of the score needed: below, there is nothing for a level set to start from
 
 // The image at all scales, each level half the size of the one before.
@@ -200,9 +202,14 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
   const double radius = first.circle.radius;
   const EdgeKind kind = first.edge.kind;
 
-  // Two dark lines; found once, the pair centres its own ring for a second look.
-  if (kind.line > 0.0) {
+  // Two dark lines; found once, the pair centres its own ring for a second look. Where a dark body's border was found
+  // first, one of them must lie on it: the zona's inner edge, or its outer one.
+  const auto is_on_first = [&](const RingEdge& line) {
+    return std::abs(line.circle.radius - radius) < kSameEdge * radius;
+  };
+  if (kind.line > 0.0 || kind.step > 0.0) {
     auto pair = pair_in_ring(image, center, radius, sigma, noise);
+    if (pair && kind.line <= 0.0 && !is_on_first(pair->first) && !is_on_first(pair->second)) pair.reset();
     if (pair) {
       const contour::Circle better = pair->first.circle;
       const std::pair known{better.radius, pair->second.circle.radius};
@@ -214,7 +221,7 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
       const double thick = pair->first.circle.radius - pair->second.circle.radius;
       const double least = 0.5 * std::min(pair->first.amplitude, pair->second.amplitude);
       RingEdge third = best_in_ring(image, cell.circle.center, cell.circle.radius + 0.6 * thick,
-                                    cell.circle.radius + 1.6 * thick, {sigma}, noise, {kind});
+                                    cell.circle.radius + 1.6 * thick, {sigma}, noise, {pair->first.edge.kind});
       if (third.score >= kSecondScore && third.amplitude >= least) {
         cell.oolemma = std::exchange(cell.inner, std::exchange(cell.outer, std::move(third.edge)));
         cell.circle = third.circle;
@@ -232,6 +239,11 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
   };
   const double apart = 3.0 * std::max(sigma, kBroadLine_px);
   RingEdge outside = near_one(radius + apart, 1.35 * radius);
+  if (outside.score < kSecondScore) {
+    // Further out a line counts that is the stronger one: the first was an oval cell's inner edge under a thick zona.
+    RingEdge further = near_one(radius + apart, kWidest_ratio * radius);
+    if (further.amplitude > first.amplitude) outside = std::move(further);
+  }
   RingEdge inside = near_one(0.72 * radius, radius - apart);
   if (outside.score >= kSecondScore && outside.score >= 0.8 * inside.score) {
     cell.inner = first.edge;

@@ -57,7 +57,7 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
   rigid_.learn(frame.image, points, rest_.center, frame.noise);
 }
 
-void CellFollower::learn_rest() {
+void CellFollower::learn_rest(const FrameInput& frame) {
   const OutOfRound shape = OutOfRound::of(snakes_.outer().points, fit(snakes_.outer().points));
   const auto round = [&](const SnakeContour& snake) { return fit(shape.rounded(snake.points, center_now())); };
   const contour::Circle outer = round(snakes_.outer());
@@ -65,6 +65,10 @@ void CellFollower::learn_rest() {
   const bool elsewhere = (outer.center - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
   if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
   rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, shape.turned_back(motion_.angle_rad));
+  if (snakes_.has_inner() || zona_.valid() || rest_.thin_zona.is_full()) return;
+  const NeedleZone needle_zone = zone();
+  rest_.thin_zona.add(ThinZona::read(frame.image, snakes_.outer().points, snakes_.outer().kind, snakes_.line_width_px(),
+                                     needle_.valid() ? &needle_zone : nullptr));
 }
 
 // Mean confidence of a contour on the needle's side, where a dimple is or is not.
@@ -139,7 +143,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
-  if (!entered) learn_rest();
+  if (!entered) learn_rest(frame);
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
   least_dent_ = dent_;
@@ -276,7 +280,7 @@ bool CellFollower::follow(const FrameInput& frame) {
                    needle_.valid() ? needle_.estimate().tip_sigma : 0.0, are_flanks_pushed()});
   if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
   const bool away = !needle_.valid() || tip_depth() < -kAway_px;
-  if (contact_.state() == CellState::kFree && away) learn_rest();
+  if (contact_.state() == CellState::kFree && away) learn_rest(frame);
   measure_dent();
   return true;
 }

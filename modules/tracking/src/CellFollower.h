@@ -120,7 +120,7 @@ class CellFollower {
   Eigen::Vector2d apex() const;
   double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);
-  void learn_rest();
+  void learn_rest(const FrameInput& frame);
   double measure_membrane_depth() const;
   double depth_sigma() const;
   double local_score(const SnakeContour& snake) const;

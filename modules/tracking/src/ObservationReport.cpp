@@ -141,6 +141,13 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
     out.rest_outer_radius_um = cell.zona().rest_radius() * pixel_size_um;
     out.rest_inner_radius_um = cell.rest().outer_radius * pixel_size_um;
   }
+  if (out.rest_inner_radius_um <= 0.0) {
+    const ThinZona thin = cell.rest().thin_zona.mean();
+    if (thin.thickness_px > 0.0)
+      out.rest_inner_radius_um = out.rest_outer_radius_um - thin.thickness_px * pixel_size_um;
+    out.rest_thickness_sigma_um = thin.sigma_px * pixel_size_um;
+    out.rest_thickness_limit_um = thin.limit_px * pixel_size_um;
+  }
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);
   if (cell.holder()) fill_holder(cell, out, pixel_size_um);

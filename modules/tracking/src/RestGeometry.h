@@ -4,6 +4,7 @@
 
 #include "ContourMath.h"
 #include "OutOfRound.h"
+#include "ThinZona.h"
 
 namespace pellucida {
 
@@ -13,6 +14,7 @@ struct RestGeometry {
   OutOfRound shape;  ///< of the outer membrane about its circle
   double outer_radius = 0.0;
   double inner_radius = 0.0;
+  ThinZonaMean thin_zona;  ///< of frames in which no inner membrane is followed
   int frame_count = 0;     ///< undisturbed frames that went in
   bool seen_free = false;  ///< false while only the undeformed side was seen
 

@@ -47,7 +47,7 @@ std::vector<Observation> frames_before(const RecordedSession& session, std::size
 
 std::string remark_of(const SeenCell& cell) {
   std::string remark;
-  if (cell.thickness_assumed) remark = say("the zona's thickness is the profile's");
+  if (cell.thickness_assumed) remark = say("the zona's inner edge was not seen");
   if (cell.holder_assumed) {
     remark += (remark.empty() ? "" : "; ") + say("no holder seen: taken to be opposite the needle");
   }

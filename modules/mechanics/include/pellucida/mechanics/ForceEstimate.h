@@ -79,7 +79,7 @@ struct ForceEstimate {
   int iterations = 0;              ///< Newton iterations spent
   std::string reason;              ///< one line when not converged or not measured; empty otherwise
   bool holder_assumed = false;     ///< no holder seen so far: taken to lie opposite the needle
-  bool thickness_assumed = false;  ///< the inner membrane was not seen at rest: the profile's thickness
+  bool thickness_assumed = false;  ///< the inner membrane was not seen at rest: thickness as likely for the kind
 
   /// The state after the verdict on a puncture; `tracked` is the observation's.
   CellState judged_state(CellState tracked) const noexcept {
