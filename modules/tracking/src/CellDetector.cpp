@@ -141,13 +141,6 @@ Judged judge_along(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline, doub
   return result;
 }
 
-// Whether a drawn outline encloses something of this picture's size: one round nothing, or so far out that its area is
-// no number, is no cell's.
-bool can_be_a_cell(const GrayImage& image, const Eigen::Matrix2Xd& outline) {
-  const double area = std::abs(contour::signed_area(outline)), side = image.width + image.height;
-  return area > 1.0 && area < side * side && outline.cwiseAbs().maxCoeff() < 2.0 * side;
-}
-
 // A level set from a rough outline into the edges near by, judged like any other edge.
 Judged settle(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline) {
   const auto refined = refine_by_level_set(pyramid.levels.front(), outline);
@@ -209,8 +202,7 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
   };
   if (kind.line > 0.0 || kind.step > 0.0) {
     auto pair = pair_in_ring(image, center, radius, sigma, noise);
-    if (pair && kind.line <= 0.0 && !is_on_first(pair->first) && !is_on_first(pair->second)) pair.reset();
-    if (pair) {
+    if (pair && (kind.line > 0.0 || is_on_first(pair->first) || is_on_first(pair->second))) {
       const contour::Circle better = pair->first.circle;
       const std::pair known{better.radius, pair->second.circle.radius};
       if (auto again = pair_in_ring(image, better.center, better.radius, sigma, noise, &known)) pair = std::move(again);
@@ -273,6 +265,11 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
 }
 
 }  // namespace
+
+bool can_be_a_cell(const GrayImage& image, const Eigen::Matrix2Xd& outline) {
+  const double area = std::abs(contour::signed_area(outline)), side = image.width + image.height;
+  return area > 1.0 && area < side * side && outline.cwiseAbs().maxCoeff() < 2.0 * side;
+}
 
 std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOptions& options,
                                         const DetectionHint* hint, const contour::Circle* elsewhere) {

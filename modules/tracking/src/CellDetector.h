@@ -47,6 +47,10 @@ struct DetectionHint {
   bool is_drawn() const noexcept { return outline.cols() >= 3; }
 };
 
+/// Whether a drawn outline encloses something of this picture's size: one round nothing, or so far out that its area is
+/// no number, is no cell's.
+bool can_be_a_cell(const GrayImage& image, const Eigen::Matrix2Xd& outline);
+
 /// Finds a cell: gradient voting over a pyramid proposes centres, round each the best closed path in the unrolled ring
 /// is judged, and what lies beside the best one is its second membrane. Where that leaves doubt, and always with
 /// `options.quality` high, a level set starts from the best guess and its outline is judged by the same measure. With a

@@ -85,6 +85,8 @@ class CellFollower {
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
+  /// The same, however vague the needle's tip.
+  double membranes_confidence() const;
   /// Until the next start, or until it is taken back: no more confidence than in what one way of seeing alone has
   /// shown.
   void doubt(bool is_doubtful = true) noexcept { is_doubtful_ = is_doubtful; }

@@ -133,11 +133,15 @@ double CellFollower::depth_sigma() const {
 }
 
 double CellFollower::confidence() const {
+  const bool is_tip_vague = needle_.valid() && needle_.estimate().tip_sigma > kVagueTip_px;
+  return is_tip_vague ? std::min(kMostOfOneWay, membranes_confidence()) : membranes_confidence();
+}
+
+double CellFollower::membranes_confidence() const {
   const double sides = std::min(snakes_.outer().score, 0.3 + 0.7 * local_score());
   const double sudden = usual_quality_ > 0.0 ? std::clamp(quality_ / usual_quality_, 0.0, 1.0) : 1.0;
   const double first_sight = rest_.seen_free ? 1.0 : 0.7;
-  const bool is_needle_poor =
-      needle_.valid() && (needle_.estimate().confidence < kPoorNeedle || needle_.estimate().tip_sigma > kVagueTip_px);
+  const bool is_needle_poor = needle_.valid() && needle_.estimate().confidence < kPoorNeedle;
   const double most = is_read_ || is_doubtful_ || is_needle_poor ? kMostOfOneWay : 1.0;
   const double all = std::clamp(sides * sudden * sudden * first_sight * detection_score_, 0.0, most);
   return bad_frames_ > 0 ? 0.3 * all : all;

@@ -194,7 +194,8 @@ class MembraneTracker::Impl {
 
   // A cell of the scene; with a hint the one that was drawn, or else one that holds the point.
   bool start_seen(const FrameInput& frame, const DetectionHint* hint) {
-    if (hint != nullptr && hint->is_drawn() && cell_.start(frame, detected(hint->outline))) return true;
+    const bool is_drawn = hint != nullptr && hint->is_drawn() && can_be_a_cell(whole_, hint->outline);
+    if (is_drawn && cell_.start(frame, detected(hint->outline))) return true;
     return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
       const bool is_meant = hint ? contour::contains(seen.outer, hint->inside) : !is_excluded(frame, seen);
       return seen.share > kLeastCellShare && is_meant && cell_.start(frame, detected(seen));

@@ -92,7 +92,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   by_lines.take_bevel(image, reader.tips());
   verdict.is_same_needle =
       is_needle_confirmed(by_lines, scene) && by_lines.needle().is_where_read(reader.tips(), image);
-  verdict.is_sure = by_lines.confidence() > kLeastConfidence;
+  verdict.is_sure = by_lines.membranes_confidence() > kLeastConfidence;
   verdict.is_bubble = !has_cell && by_lines.snakes().outer().score > kBubbleScore;
   return verdict;
 }

@@ -72,7 +72,8 @@ inline constexpr std::array kEventKinds{
     EventKindInfo{event_kind::kNote, "the operator's words, or a remark by the measurement"},
     EventKindInfo{event_kind::kHint,
                   "a person pointed at something in the image, and the tracking followed from this frame on; detail: "
-                  "`cell at X Y um`, `needle tip at X Y um`, `no cell at X Y um` or `taken back`, and what came of it"},
+                  "`cell at X Y um`, `needle tip at X Y um`, `no cell at X Y um`, `holding pipette at X Y um`, `cell "
+                  "outlined by N places: X Y X Y ... um` or `taken back`, and what came of it"},
     EventKindInfo{event_kind::kUnmeasured,
                   "frames were recorded with their image but not measured: their rows have an empty state; detail: how "
                   "many, and the first and last"},
