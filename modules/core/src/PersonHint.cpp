@@ -21,6 +21,7 @@ constexpr std::array kHintFormats{std::pair{Kind::kCell, PELLUCIDA_WORDS("cell a
                                   std::pair{Kind::kNoCell, PELLUCIDA_WORDS("no cell at %.3f %.3f um")},
                                   std::pair{Kind::kHolder, PELLUCIDA_WORDS("holding pipette at %.3f %.3f um")}};
 constexpr const char* kOutlineFormat = PELLUCIDA_WORDS("cell outlined by %u places");
+constexpr const char* kCornersEnd = " um";
 constexpr const char* kTakenBack = PELLUCIDA_WORDS("taken back");
 constexpr double kDigit_um = 1e-3;
 constexpr std::size_t kLeastOutlinePlaces = 3;
@@ -46,25 +47,18 @@ void put_in_the_middle(PersonHint& hint) {
   }
 }
 
-double length(const Place_um& from, const Place_um& to) {
-  return std::hypot(to[0] - from[0], to[1] - from[1]);
-}
-
-double enclosed_um2(std::span<const Place_um> closed) {
-  double twice = 0.0;
-  for (std::size_t k = 0; k < closed.size(); ++k) {
-    const Place_um& here = closed[k];
-    const Place_um& next = closed[(k + 1) % closed.size()];
-    twice += here[0] * next[1] - next[0] * here[1];
-  }
-  return std::abs(0.5 * twice);
+// Where the corners of an outline begin in an event's detail, and how many it says they are; 0: it is no outline.
+std::size_t corners_of(const std::string& detail, unsigned& count) {
+  int end = 0;
+  const std::string format = std::string(kOutlineFormat) + ":%n";
+  return std::sscanf(detail.c_str(), format.c_str(), &count, &end) == 1 ? static_cast<std::size_t>(end) : 0;
 }
 
 // "101.250 88.300 ... um" behind the words of an outline; nothing where it is not as many as it says, or too few.
 std::optional<PersonHint> read_outline(const std::string& detail) {
   unsigned count = 0;
-  int end = 0;
-  if (std::sscanf(detail.c_str(), "cell outlined by %u places:%n", &count, &end) != 1 || end == 0) return std::nullopt;
+  const std::size_t end = corners_of(detail, count);
+  if (end == 0) return std::nullopt;
   if (count < kLeastOutlinePlaces || count > kMostOutlinePlaces) return std::nullopt;
   PersonHint hint{.kind = Kind::kCellOutline};
   const char* numbers = detail.c_str() + end;
@@ -85,25 +79,9 @@ std::optional<PersonHint> read_outline(const std::string& detail) {
 std::optional<PersonHint> outline_hint(std::span<const Place_um> drawn_um) {
   const auto is_finite = [](const Place_um& place) { return std::isfinite(place[0]) && std::isfinite(place[1]); };
   if (drawn_um.size() < kLeastOutlinePlaces || !std::all_of(drawn_um.begin(), drawn_um.end(), is_finite)) return {};
-  double whole_um = 0.0;
-  const auto next_of = [&](std::size_t k) { return drawn_um[(k + 1) % drawn_um.size()]; };
-  for (std::size_t k = 0; k < drawn_um.size(); ++k) whole_um += length(drawn_um[k], next_of(k));
-  // A line there and back, or a mere click.
-  if (!(enclosed_um2(drawn_um) > kDigit_um * std::max(1.0, whole_um))) return {};
   PersonHint hint{.kind = Kind::kCellOutline};
-  const double step_um = whole_um / static_cast<double>(kMostOutlinePlaces);
-  double passed_um = 0.0;
-  for (std::size_t k = 0; k < drawn_um.size(); ++k) {
-    const Place_um &from = drawn_um[k], to = next_of(k);
-    const double side_um = length(from, to);
-    while (hint.outline_um.size() < kMostOutlinePlaces) {
-      const double along_um = step_um * static_cast<double>(hint.outline_um.size()) - passed_um;
-      if (along_um > side_um) break;
-      const double share = side_um > 0.0 ? along_um / side_um : 0.0;
-      hint.outline_um.push_back({from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])});
-    }
-    passed_um += side_um;
-  }
+  const std::size_t count = std::min(drawn_um.size(), kMostOutlinePlaces);
+  for (std::size_t k = 0; k < count; ++k) hint.outline_um.push_back(drawn_um[k * drawn_um.size() / count]);
   return as_stored(hint);
 }
 
@@ -114,7 +92,15 @@ std::string describe(const PersonHint& hint) {
   if (hint.kind != Kind::kCellOutline) return kTakenBack;
   std::string text = printed(kOutlineFormat, static_cast<unsigned>(hint.outline_um.size())) + ':';
   for (const Place_um& place : hint.outline_um) text += printed(" %.3f %.3f", place[0], place[1]);
-  return text + " um";
+  return text + kCornersEnd;
+}
+
+std::string without_corners(const std::string& detail) {
+  unsigned count = 0;
+  const std::size_t from = corners_of(detail, count);
+  const std::size_t to = from > 0 ? detail.find(kCornersEnd, from) : std::string::npos;
+  if (to == std::string::npos) return detail;
+  return detail.substr(0, from - 1) + detail.substr(to + std::strlen(kCornersEnd));
 }
 
 std::optional<PersonHint> hint_of(const Event& event) {
@@ -177,7 +163,7 @@ PersonHint parse_hint(const HintOption& option, const std::string& text) {
       take("/%lf,%lf%n", place.data(), place.data() + 1);
     }
     const std::size_t count = hint.outline_um.size();
-    if (count < kLeastOutlinePlaces || count > kMostOutlinePlaces || !(enclosed_um2(hint.outline_um) > 0.0)) refuse();
+    if (count < kLeastOutlinePlaces || count > kMostOutlinePlaces) refuse();
   }
   if (*left == '@') take("@%lf%n", &hint.since_s);
   if (*left != 0) refuse();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/mechanics/ForceInterval.h"
+
 namespace pellucida {
 namespace {
 
@@ -43,9 +45,8 @@ ContactModel contact_model(const Observation& observation, const ForceEstimate& 
   model.valid = true;
   if (model.state != CellState::kContact) return model;
   model.force_uN = PlainVector3(-estimate.tip_force_uN);
-  // Both ends of a 95 % interval lie 1.96 sigma from its middle.
   model.force_sigma_uN =
-      at_least_zero((estimate.contact_force_upper_uN - estimate.contact_force_lower_uN) / (2.0 * 1.96));
+      at_least_zero((estimate.contact_force_upper_uN - estimate.contact_force_lower_uN) / (2.0 * kSigmas95));
   model.stiffness_uN_per_um = at_least_zero(estimate.stiffness_uN_per_um);
   model.damping_uN_s_per_um = at_least_zero(estimate.damping_uN_s_per_um);
   return model;

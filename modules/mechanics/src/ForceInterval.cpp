@@ -6,8 +6,6 @@
 namespace pellucida {
 namespace {
 
-/// Two-sided 95 % of a normal distribution.
-constexpr double kInterval = 1.96;
 /// No profile's error counts for more than this.
 constexpr double kLargestErrorRatio = 0.6;
 
@@ -34,7 +32,7 @@ ForceErrors ForceErrors::of_scale() const noexcept {
 }
 
 ForceInterval interval_95(double force_uN, const ForceErrors& errors) noexcept {
-  const double absolute = kInterval * errors.absolute_uN(), relative = kInterval * errors.relative();
+  const double absolute = kSigmas95 * errors.absolute_uN(), relative = kSigmas95 * errors.relative();
   ForceInterval interval;
   interval.upper_uN = force_uN + std::hypot(force_uN * std::expm1(relative), absolute);
   interval.lower_uN = std::max(0.0, force_uN - std::hypot(force_uN * -std::expm1(-relative), absolute));

@@ -222,7 +222,7 @@ class ForceObserver::Impl {
     if (!o.needle || !o.needle->tip_um.allFinite()) return 0.0;
     const double tip_um = placement_.contact().tip_depth_um;
     if (!(tip_um < kLateContact_um)) return 0.0;
-    return std::max(0.0, tip_um + 1.96 * std::hypot(o.needle->tip_sigma_um, kEdgeBias_um));
+    return std::max(0.0, tip_um + kSigmas95 * std::hypot(o.needle->tip_sigma_um, kEdgeBias_um));
   }
 
   IndentationState press(double depth_um) {

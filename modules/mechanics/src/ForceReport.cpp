@@ -94,7 +94,7 @@ ForceInterval ForceReport::interval_of_touch(const SolvedFrame& frame, const For
   if (frame.touch_um <= 0.0) return {};
   const double force_uN = frame.scale.ratio * frame.cell.rest_stiffness_uN_per_um() * frame.touch_um;
   const double upper_uN = interval_95(force_uN, errors).upper_uN;
-  return {0.0, upper_uN, 0.5 * upper_uN / 1.96};
+  return {0.0, upper_uN, 0.5 * upper_uN / kSigmas95};
 }
 
 void ForceReport::ask_others(const SolvedFrame& frame, double scale, ForceEstimate& estimate) const {

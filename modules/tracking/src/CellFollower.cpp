@@ -47,7 +47,7 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
   const Eigen::Vector2d across(-holder_->direction.y(), holder_->direction.x());
   std::vector<Eigen::Vector2d> points;
   const double half = holder_->half_width + 6.0;
-  const double cell_radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
+  const double cell_radius = resting_circle().radius;
   for (double s = 0.7 * cell_radius; s < 1.6 * cell_radius; s += 1.0) {
     for (double v = holder_->offset - half; v <= holder_->offset + half; v += 1.0) {
       if (std::hypot(s, v) < cell_radius + 3.0) continue;

@@ -97,6 +97,7 @@ class CellFollower {
   // A needle seen worse than this may be elsewhere, and with it what the frame says of the contact.
   static constexpr double kPoorNeedle = 0.5;
   NeedleZone zone() const;
+  contour::Circle resting_circle() const;
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);

@@ -147,17 +147,20 @@ bool CellFollower::is_before(const Eigen::Vector2d& center, double most_px) cons
   return (n.tip - center).dot(n.direction) < most_px;
 }
 
+contour::Circle CellFollower::resting_circle() const {
+  return {center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
+}
+
 bool CellFollower::expect_needle(const FrameInput& frame, const Eigen::Vector2d& tip) {
-  const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
   NeedleTracker found;
-  if (!start_at_hint(found, frame, find_tools(gray(frame.view), circle), tip)) return false;
+  if (!start_at_hint(found, frame, find_tools(gray(frame.view), resting_circle()), tip)) return false;
   if (frame.reader) found.read_tip(frame.reader->tips(), frame.image, 1.0);
   needle_ = std::move(found);
   return true;
 }
 
 bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d& place) {
-  const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
+  const contour::Circle circle = resting_circle();
   const auto found = find_holder_at(frame, find_tools(gray(frame.view), circle), circle, place);
   if (!found) return false;
   holder_ = found;
@@ -178,8 +181,9 @@ bool CellFollower::take_bevel(const FrameSampler& image, TipNetwork& network) {
 
 // What of the picture the cell's membrane and its halo take.
 contour::Circle CellFollower::reach_of_cell() const {
-  const double radius = zona_.valid() ? zona_.rest_radius() : rest_.outer_radius;
-  return {center_now(), radius + kHaloLines * snakes_.line_width_px(), 1.0, 0.0};
+  contour::Circle circle = resting_circle();
+  circle.radius += kHaloLines * snakes_.line_width_px();
+  return circle;
 }
 
 void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
@@ -212,7 +216,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     }
     read_tip_width(frame, is_free);
   } else if (frame.scene || (frame.reader == nullptr && (frames_followed_ % 3 == 0 || frames_followed_ < 10))) {
-    const contour::Circle circle{center_now(), zona_.valid() ? zona_.rest_radius() : rest_.outer_radius, 1.0, 0.0};
+    const contour::Circle circle = resting_circle();
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
   }
 }

@@ -15,20 +15,13 @@ constexpr double kHalfWidths_ratio[] = {0.25, 0.35, 0.5, 0.7, 0.9};
 // Below this the edges were not followed.
 constexpr double kFollowed = 0.75;
 
-bool passes(const FoundTool& tool, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d from = place - tool.origin, across(-tool.direction.y(), tool.direction.x());
-  const double beside = from.dot(across);
-  return from.dot(tool.direction) > 0.0 && beside > tool.offset_from - kBeside_px &&
-         beside < tool.offset_to + kBeside_px;
-}
-
-bool passes(const HolderFit& holder, const contour::Circle& cell, const Eigen::Vector2d& place) {
-  FoundTool tool;
-  tool.origin = cell.center;
-  tool.direction = holder.direction;
-  tool.offset_from = holder.offset - holder.half_width;
-  tool.offset_to = holder.offset + holder.half_width;
-  return passes(tool, place);
+// A pipette `half_width` to each side of an axis `offset` beside the cell's centre.
+FoundTool tool_of(const contour::Circle& cell, const Eigen::Vector2d& direction, double offset, double half_width) {
+  return {.origin = cell.center,
+          .direction = direction,
+          .offset_from = offset - half_width,
+          .offset_to = offset + half_width,
+          .strength = 3.0 * cell.radius};
 }
 
 }  // namespace
@@ -39,29 +32,23 @@ std::optional<HolderFit> find_holder_at(const FrameInput& frame, const std::vect
   if (from.norm() < cell.radius) return std::nullopt;
   std::optional<HolderFit> best;
   const auto attempt = [&](const FoundTool& tool, double least_confidence) {
+    if (from.dot(tool.direction) <= 0.0) return;
     const std::optional<HolderFit> found = find_holder(frame.image, {tool}, cell, frame.noise);
-    if (!found || found->confidence < least_confidence || !passes(*found, cell, place)) return;
+    if (!found || found->confidence < least_confidence) return;
+    if (!passes(tool_of(cell, found->direction, found->offset, found->half_width), place, kBeside_px)) return;
     if (!best || found->confidence > best->confidence) best = found;
   };
-  for (const FoundTool& tool : tools) {
-    if (passes(tool, place)) attempt(tool, 0.0);
-  }
+  for (const FoundTool& tool : tools) attempt(tool, 0.0);
   if (frame.seen != nullptr) {
     for (const SceneTool& seen : frame.seen->holders) attempt(found_tool(seen), 0.0);
   }
   if (best) return best;
   for (const double turn_deg : kTurns_deg) {
     const double angle_rad = std::atan2(from.y(), from.x()) + turn_deg * std::numbers::pi / 180.0;
-    FoundTool tool;
-    tool.origin = cell.center;
-    tool.direction = {std::cos(angle_rad), std::sin(angle_rad)};
-    tool.strength = 3.0 * cell.radius;
-    const double offset = from.dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x()));
-    for (const double ratio : kHalfWidths_ratio) {
-      tool.offset_from = offset - ratio * cell.radius;
-      tool.offset_to = offset + ratio * cell.radius;
-      attempt(tool, kFollowed);
-    }
+    const Eigen::Vector2d direction(std::cos(angle_rad), std::sin(angle_rad));
+    const double offset = from.dot(Eigen::Vector2d(-direction.y(), direction.x()));
+    for (const double ratio : kHalfWidths_ratio)
+      attempt(tool_of(cell, direction, offset, ratio * cell.radius), kFollowed);
   }
   return best;
 }

@@ -13,12 +13,6 @@ constexpr double kPointing_px = 12.0, kBeside_px = 6.0;
 constexpr int kShaftDirections = 90;
 constexpr double kShaftHalfWidths_px[] = {2.5, 5.0, 9.0};
 
-bool passes(const FoundTool& tool, const Eigen::Vector2d& place) {
-  const Eigen::Vector2d across(-tool.direction.y(), tool.direction.x());
-  const double beside = (place - tool.origin).dot(across);
-  return beside > tool.offset_from - kBeside_px && beside < tool.offset_to + kBeside_px;
-}
-
 }  // namespace
 
 bool start_at_hint(NeedleTracker& needle, const FrameInput& frame, const std::vector<FoundTool>& tools,
@@ -31,7 +25,7 @@ bool start_at_hint(NeedleTracker& needle, const FrameInput& frame, const std::ve
     if (!best.valid() || one.estimate().confidence > best.estimate().confidence) best = std::move(one);
   };
   for (const FoundTool& tool : tools) {
-    if (passes(tool, tip)) attempt(tool);
+    if (passes(tool, tip, kBeside_px)) attempt(tool);
   }
   const bool has_line = best.valid();
   for (int k = 0; k < kShaftDirections && !has_line; ++k) {

@@ -103,6 +103,11 @@ std::vector<EdgeLine> strongest(cv::Mat& votes, int offset_half, double bin_angl
 
 }  // namespace
 
+bool passes(const FoundTool& tool, const Eigen::Vector2d& place, double beside_px) {
+  const double beside = (place - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x()));
+  return beside > tool.offset_from - beside_px && beside < tool.offset_to + beside_px;
+}
+
 std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle& cell) {
   const Gradients gradients = gradients_of(image, 2);
   const GrayImage& half = gradients.small;

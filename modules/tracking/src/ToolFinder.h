@@ -19,6 +19,9 @@ struct FoundTool {
   double half_width() const noexcept { return 0.5 * (offset_to - offset_from); }
 };
 
+/// Whether it passes at `place`, up to `beside_px` outside its edges; on either side of its origin.
+bool passes(const FoundTool& tool, const Eigen::Vector2d& place, double beside_px);
+
 /// Straight edges outside the cell, by voting of gradient pixels, grouped into tools; strongest first.
 std::vector<FoundTool> find_tools(const GrayImage& image, const contour::Circle& cell);
 

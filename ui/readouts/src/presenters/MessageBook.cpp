@@ -9,6 +9,7 @@
 
 #include "pellucida/core/Event.h"
 #include "pellucida/core/NewCellNote.h"
+#include "pellucida/core/PersonHint.h"
 #include "pellucida/core/Words.h"
 
 namespace pellucida {
@@ -16,9 +17,6 @@ namespace {
 
 constexpr std::size_t kLongestText = 4000;  // longer is no message
 constexpr int kFewLetters = 9;              // a sentence of fewer joins what is known, or numbers
-
-// About an outline's corners in the event of a hint, as `describe` of a hint has them.
-constexpr std::string_view kBeforeCorners = " places", kBehindCorners = " um";
 
 bool is_letter(char sign) noexcept {
   return std::isalpha(static_cast<unsigned char>(sign)) != 0;
@@ -188,13 +186,7 @@ std::string say_event_kind(const std::string& kind) {
 }
 
 std::string say_event_detail(const std::string& kind, const std::string& detail) {
-  if (kind == event_kind::kHint) {
-    // An outline's corners are for replays.
-    const std::size_t corners = detail.find(kBeforeCorners), end = detail.find(kBehindCorners, corners);
-    if (end != std::string::npos)
-      return say_message(detail.substr(0, corners + kBeforeCorners.size()) +
-                         detail.substr(end + kBehindCorners.size()));
-  }
+  if (kind == event_kind::kHint) return say_message(without_corners(detail));
   if (kind != event_kind::kNote || detail == kNewCellNote || detail.starts_with(kNoForceNote))
     return say_message(detail);
   return detail;

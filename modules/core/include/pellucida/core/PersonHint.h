@@ -34,13 +34,16 @@ struct PersonHint {
 /// Corners kept of an outline: one drawn by hand is not better than that.
 constexpr std::size_t kMostOutlinePlaces = 32;
 
-/// The hint that a line drawn round the cell is: `kMostOutlinePlaces` corners at equal distances along it, closed.
-/// Nothing for fewer than 3 places, places that are not finite, or a line that encloses nothing.
+/// The hint that a line drawn round the cell is: of its places `kMostOutlinePlaces` at most, evenly chosen. Nothing for
+/// fewer than 3, or places that are not finite.
 std::optional<PersonHint> outline_hint(std::span<const PersonHint::Place_um> drawn_um);
 
 /// "cell at 101.250 88.300 um", "needle tip at ...", "no cell at ...", "holding pipette at ...", "cell outlined by
 /// 32 places: 101.250 88.300 ... um", "taken back": how an event begins.
 std::string describe(const PersonHint& hint);
+
+/// The detail of an event as a person reads it: without an outline's corners, which are for replays.
+std::string without_corners(const std::string& detail);
 
 /// The hint in an event; nothing for another kind of event, or words that are none.
 std::optional<PersonHint> hint_of(const Event& event);

@@ -4,6 +4,9 @@
 
 namespace pellucida {
 
+/// Both ends of the 95 % interval of a normal distribution lie so many standard deviations from its mean.
+inline constexpr double kSigmas95 = 1.96;
+
 /// The uncertainties of a force: those of the picture (depth, shape, model, geometry), which differ between frames and
 /// between pushes, and that of the scale, one unknown factor on all forces of a cell. Relative parts are standard
 /// deviations of its logarithm, absolute ones of itself, uN.
