@@ -10,6 +10,7 @@
 #include "commands/ReplayBench.h"
 #include "pellucida/bench/DisplayBench.h"
 #include "pellucida/bench/HapticsBench.h"
+#include "pellucida/bench/LiveBench.h"
 #include "pellucida/bench/MechanicsBench.h"
 #include "pellucida/bench/TrackingBench.h"
 #include "pellucida/bench/WindowBench.h"
@@ -55,10 +56,8 @@ void print_row(const char* name, const Distribution& us) {
 // The source as often as it takes to fill the time; the figures of all rounds together.
 struct Rounds {
   std::map<std::string, Distribution> step_us;
-  Distribution frame_to_force_us;
-  Distribution first_frame_us;
   long frame_count = 0;
-  double elapsed_s = 0.0;
+  double elapsed_s = 0.0;  ///< in the chain alone: reading, or drawing, the frames comes before
   std::vector<Scene> scenes;  ///< of the first round
 };
 
@@ -68,18 +67,17 @@ Rounds run_rounds(const BenchArguments& arguments) {
   do {
     const auto source = open_any_source(arguments.source, {});
     const bool first_round = rounds.frame_count == 0;
-    // Only the chain is timed: reading (or rendering) the frames comes before.
     long count = 0;
     const auto keep = [&](const Scene& scene) {
       if (first_round) rounds.scenes.push_back(scene);
-      if (count++ == 0) rounds.first_frame_us.add(1e3 * scene.measurement.frame_age_ms);
-      rounds.frame_to_force_us.add(1e3 * scene.measurement.frame_age_ms);
-      rounds.elapsed_s += 1e-3 * scene.measurement.frame_age_ms;
-      progress.update(rounds.frame_count + count, std::nullopt);
+      progress.update(rounds.frame_count + ++count, std::nullopt);
     };
     BatchResult result = run_batch(*source, {.pipeline = arguments.pipeline}, keep);
     if (result.input_fault) std::rethrow_exception(result.input_fault);
-    for (const auto& [step, us] : result.step_us) rounds.step_us[step].add(us);
+    for (const auto& [step, us] : result.step_us) {
+      rounds.step_us[step].add(us);
+      if (step != "writing") rounds.elapsed_s += 1e-6 * us.mean() * static_cast<double>(us.count());
+    }
     rounds.frame_count += count;
   } while (rounds.elapsed_s < arguments.seconds && rounds.frame_count > 0);
   return rounds;
@@ -103,8 +101,8 @@ Json bench_tracking(const BenchArguments& arguments) {
 }
 
 Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
-  print_row("reconstruction, per frame", rounds.step_us.at("reconstruction"));
   print_row("mechanics, per frame", rounds.step_us.at("mechanics"));
+  print_row("surface, per frame", rounds.step_us.at("surface"));
   const Scene* modelled = nullptr;
   for (const Scene& scene : rounds.scenes) {
     if (scene.model) modelled = &scene;
@@ -130,6 +128,7 @@ Json bench_mechanics(const Rounds& rounds, const std::string& profile_name) {
   return {{"nodes", nodes},
           {"springs", explicit_steps.spring_count},
           {"step_us", to_json(rounds.step_us.at("mechanics"))},
+          {"surface_us", to_json(rounds.step_us.at("surface"))},
           {"ns_per_spring_step", explicit_steps.ns_per_spring_step},
           {"explicit_sweep", sweep}};
 }
@@ -188,14 +187,18 @@ Json bench_identification() {
           {"fit_evaluations", times.fit_evaluations}};
 }
 
-Json bench_pipeline(const Rounds& rounds) {
-  print_row("frame arrival to force", rounds.frame_to_force_us);
-  print_row("  the first frame", rounds.first_frame_us);
+Json bench_pipeline(const Rounds& rounds, const BenchArguments& arguments) {
+  const LiveFigures live = measure_live(*open_any_source(arguments.source, {}), arguments.pipeline, arguments.seconds);
+  print_row("frame arrival to force, live", live.frame_to_force_us);
+  print_row("  the first frame", live.first_frame_us);
+  if (live.skipped_count > 0) std::printf("  %ld frames skipped, overtaken by newer ones\n", live.skipped_count);
   const double frames_per_s = static_cast<double>(rounds.frame_count) / rounds.elapsed_s;
   std::printf("%-28s %9.1f frames/s, one thread\n", "chain", frames_per_s);
   const double display_frames_per_s = measure_display_frames_per_s(rounds.scenes);
   std::printf("%-28s %9.1f frames/s, off screen\n", "feed, 3-D view, charts", display_frames_per_s);
-  return {{"frame_to_force_us", to_json(rounds.frame_to_force_us)},
+  return {{"frame_to_force_us", to_json(live.frame_to_force_us)},
+          {"first_frame_us", to_json(live.first_frame_us)},
+          {"skipped", live.skipped_count},
           {"frames_per_s", frames_per_s},
           {"display_frames_per_s", display_frames_per_s}};
 }
@@ -272,7 +275,7 @@ void bench(const BenchArguments& arguments) {
     if (rounds.frame_count == 0) throw NothingMeasuredError(arguments.source + ": it has no frames");
     if (wanted("mechanics")) report["mechanics"] = bench_mechanics(rounds, arguments.pipeline.profile);
     if (arguments.part == "mechanics") report["mechanics"]["identification"] = bench_identification();
-    if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds);
+    if (wanted("pipeline")) report["pipeline"] = bench_pipeline(rounds, arguments);
     if (wanted("session")) report["session"] = bench_session(rounds, source, arguments.seconds);
   }
   write_report(arguments, report);

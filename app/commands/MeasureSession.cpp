@@ -151,8 +151,8 @@ std::string summary(const BatchResult& result, const std::filesystem::path& fold
   text += "cell     " + cell_line(result) + '\n' + puncture_line(result);
   if (!result.puncture_risk.empty()) text += "scale    " + scale_line(result) + '\n';
   const auto median_ms = [&](const char* step) { return 1e-3 * result.step_us.at(step).quantile(0.5); };
-  text += format("speed    tracking %.1f, surface %.1f, mechanics %.1f ms per frame (median); %.0f frames/s overall\n",
-                 median_ms("tracking"), median_ms("reconstruction"), median_ms("mechanics"),
+  text += format("speed    tracking %.1f, mechanics %.1f, surface %.1f ms per frame (median); %.0f frames/s overall\n",
+                 median_ms("tracking"), median_ms("mechanics"), median_ms("surface"),
                  static_cast<double>(result.rows.size()) / result.elapsed_s);
   text += "session  " + folder.string() + '\n';
   return text;

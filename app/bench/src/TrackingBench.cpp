@@ -2,29 +2,12 @@
 
 #include <vector>
 
+#include "MemorySource.h"
 #include "pellucida/core/Clock.h"
-#include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida {
-namespace {
-
-constexpr std::size_t kMostFrames = 300;
-
-std::vector<Frame> read_frames(FrameSource& source) {
-  std::vector<Frame> frames;
-  while (frames.size() < kMostFrames) {
-    std::optional<Frame> frame = source.next();
-    if (!frame) break;
-    frames.push_back(std::move(*frame));
-  }
-  if (frames.empty()) throw NothingMeasuredError(source.info().name + ": it has no frames");
-  return frames;
-}
-
-}  // namespace
-
 TrackingFigures measure_tracking(FrameSource& source, double seconds) {
   const std::vector<Frame> frames = read_frames(source);
   TrackingFigures figures;

@@ -22,16 +22,19 @@ double picture_score(const Scene& scene) {
   return scene.observation && scene.observation->outer ? 1.0 + m.confidence : m.confidence;
 }
 
-// Runs one step and keeps how long it took. A failed step passes the scene on as it was, with the reason as an event.
+// Runs one step and keeps how long it took.
 template <class S>
-Scene timed(S& step, const Scene& scene, const Clock& clock, Distribution& step_us) {
+auto timed(S& step, const typename S::Input& input, const Clock& clock, Distribution& step_us) {
   const double start_s = clock.now_s();
-  auto output = step.process(scene);
+  auto output = step.process(input);
   step_us.add(1e6 * (clock.now_s() - start_s));
-  if (output) return std::move(*output);
-  Scene failed = scene;
-  failed.events.push_back({scene.measurement.time_s, event_kind::kLost, output.error().reason});
-  return failed;
+  return output;
+}
+
+// A failed step passes the scene on as it was, with the reason as an event.
+Scene failed(Scene scene, const StepFailure& failure) {
+  scene.events.push_back({scene.measurement.time_s, event_kind::kLost, failure.reason});
+  return scene;
 }
 
 // The chain cut in two halves that may run side by side, as steps for a Stage.
@@ -43,7 +46,8 @@ struct TrackHalf {
     Scene scene = waiting;
     scene.arrival_s = clock.now_s();
     if (scene.use < FrameUse::kTrack) return scene;
-    return timed(chain.tracking, scene, clock, tracking_us);
+    auto tracked = timed(chain.tracking, scene, clock, tracking_us);
+    return tracked ? std::move(*tracked) : failed(std::move(scene), tracked.error());
   }
   Chain& chain;
   const Clock& clock;
@@ -55,16 +59,18 @@ struct ForceHalf {
   using Output = Scene;
   expected<Scene, StepFailure> process(const Scene& tracked) {
     if (tracked.use < FrameUse::kRevolve) return tracked;
-    const Scene surface = timed(chain.reconstruction, tracked, clock, reconstruction_us);
-    if (tracked.use < FrameUse::kMeasure) return surface;
-    Scene scene = timed(chain.mechanics, surface, clock, mechanics_us);
-    stamp_age(scene, clock);
-    return scene;
+    MeasuredScene measured{.scene = tracked, .estimate = {}};
+    if (tracked.use >= FrameUse::kMeasure) {
+      auto output = timed(chain.mechanics, tracked, clock, mechanics_us);
+      measured = output ? std::move(*output) : MeasuredScene{failed(tracked, output.error()), {}};
+      stamp_age(measured.scene, clock);
+    }
+    return timed(chain.surface, measured, clock, surface_us);
   }
   Chain& chain;
   const Clock& clock;
-  Distribution reconstruction_us;
   Distribution mechanics_us;
+  Distribution surface_us;
 };
 
 // What happens to each finished scene.
@@ -186,8 +192,8 @@ BatchResult run_batch(FrameSource& source, const BatchOptions& options, const st
     if (sink_fault) std::rethrow_exception(sink_fault);
   }
   result.step_us["tracking"] = track.tracking_us;
-  result.step_us["reconstruction"] = force.reconstruction_us;
   result.step_us["mechanics"] = force.mechanics_us;
+  result.step_us["surface"] = force.surface_us;
   result.step_us["writing"] = collector.writing_us;
   result.elapsed_s = clock.now_s();
   result.profile = chain.profile;

@@ -1,6 +1,7 @@
 #include "Chain.h"
 
 #include <string>
+#include <utility>
 
 #include "pellucida/pipeline/RunProvenance.h"
 
@@ -9,10 +10,18 @@ namespace pellucida {
 Chain::Chain(const PipelineOptions& options)
     : profile(profile_of(options)),
       tracking(options.tracker),
-      reconstruction({.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
-      mechanics(profile) {
+      mechanics(profile),
+      surface{.reconstruction = ReconstructionStep(
+                  {.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),
+              .nodal_forces = {}} {
   for (const PersonHint& hint : options.hints) tracking.add_hint(hint);
   if (!options.scale_measurements.empty()) mechanics.set_scale_measurements(options.scale_measurements);
+}
+
+expected<Scene, StepFailure> SurfaceStep::process(const MeasuredScene& measured) {
+  auto revolved = reconstruction.process(measured.scene);
+  if (!revolved) return revolved;
+  return nodal_forces.add_to(std::move(*revolved), measured.estimate);
 }
 
 Scene scene_of(const Frame& frame, double arrival_s, long run_index) {

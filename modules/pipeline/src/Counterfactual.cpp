@@ -103,9 +103,7 @@ class SharedShapes {
 
   void add_to(RecordedFrame& frame) {
     if (!mechanics_ || frame.scene.use < FrameUse::kMeasure || !frame.scene.observation) return;
-    Scene scene = frame.scene;
-    scene.surface = {};  // the shape alone is wanted
-    if (mechanics_->measure(scene)) frame.shape = mechanics_->solved_shape();
+    if (mechanics_->process(frame.scene)) frame.shape = mechanics_->solved_shape();
   }
 
  private:

@@ -14,6 +14,7 @@
 #include "LiveScale.h"
 #include "ReaderPace.h"
 #include "RunRecording.h"
+#include "pellucida/core/Ring.h"
 #include "pellucida/core/Stage.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/pipeline/RunProvenance.h"
@@ -22,6 +23,9 @@ namespace pellucida {
 namespace {
 
 using SceneExchange = SharedLatest<Scene>;
+
+/// What has been measured is published, every frame in its order: so many may wait for their surface.
+constexpr std::size_t kMeasuredCount = 3;
 
 }  // namespace
 
@@ -38,8 +42,8 @@ class LiveRun::Impl {
   ~Impl() { stop(); }
 
   void start() {
-    force_stage_.start();
     surface_stage_.start();
+    force_stage_.start();
     track_stage_.start();
     reader_ = std::jthread([this](std::stop_token stop) { read(stop); });
   }
@@ -48,8 +52,10 @@ class LiveRun::Impl {
     reader_.request_stop();
     if (reader_.joinable()) reader_.join();
     track_stage_.stop();
-    surface_stage_.stop();
     force_stage_.stop();
+    // What has its force gets its surface too.
+    to_surface_.close();
+    surface_stage_.join();
     try {
       stop_recording();
     } catch (const std::exception& error) {
@@ -149,25 +155,26 @@ class LiveRun::Impl {
   void keep_failed(const Scene& scene, const StepFailure& failure) {
     Scene failed = scene;
     failed.events.push_back({scene.measurement.time_s, event_kind::kLost, failure.reason});
+    stamp_age(failed, clock_);
     publish(std::move(failed));
+  }
+
+  // The force is known, on the mechanics' thread: the hand gets to know of the frame before anyone sees it.
+  void pass_on(MeasuredScene measured) {
+    if (contact_sink_) contact_sink_(measured.scene.contact);
+    stamp_age(measured.scene, clock_);
+    scale_.take(measured.scene.events);
+    to_surface_.push_wait(std::move(measured));
   }
 
   // The end of the chain: what everybody else sees.
   void publish(Scene scene) {
-    stamp_age(scene, clock_);
     newest_arrival_s_ = scene.arrival_s;
     rows_.append(scene.measurement);
     for (const Event& event : scene.events) events_.append(event);
     recording_.settle(scene);
     scenes_->publish(std::move(scene));
     ++measured_count_;  // last: who sees the count finds the scene
-  }
-
-  // The end of the chain, on the mechanics' thread: the hand gets to know of the frame before anyone sees it.
-  void publish_measured(Scene scene) {
-    if (contact_sink_) contact_sink_(scene.contact);
-    scale_.take(scene.events);
-    publish(std::move(scene));
   }
 
   void start_recording(const std::filesystem::path& folder) {
@@ -213,8 +220,8 @@ class LiveRun::Impl {
     status.skipped_count = skipped_count_;
     status.gap_count = gap_count_;
     status.tracking_ms = 1e3 * track_stage_.counts().last_step_s;
-    status.reconstruction_ms = 1e3 * surface_stage_.counts().last_step_s;
     status.mechanics_ms = 1e3 * force_stage_.counts().last_step_s;
+    status.surface_ms = 1e3 * surface_stage_.counts().last_step_s;
     status.frame_age_ms = measured_count_ > 0 ? 1e3 * (clock_.now_s() - newest_arrival_s_) : 0.0;
     status.pace = pace_.figures();
     status.finished = pace_.ended() && measured_count_ + skipped_count_ >= frame_count_;
@@ -265,8 +272,8 @@ class LiveRun::Impl {
   const std::shared_ptr<SceneExchange> frames_ = std::make_shared<SceneExchange>();
   const std::shared_ptr<SceneExchange> scenes_ = std::make_shared<SceneExchange>();
   SceneExchange to_track_;
-  SceneExchange to_surface_;
   SceneExchange to_force_;
+  Ring<MeasuredScene> to_surface_{kMeasuredCount};
   GrowingLog<Measurement> rows_;
   GrowingLog<Event> events_;
   ReaderPace pace_;
@@ -296,11 +303,11 @@ class LiveRun::Impl {
   // Threads last: they stop before what they use goes away.
   const std::function<void(const Scene&, const StepFailure&)> failed_ =
       [this](const Scene& scene, const StepFailure& failure) { keep_failed(scene, failure); };
-  Stage<TrackingStep, SceneExchange> track_stage_{chain_.tracking, to_track_, into(to_surface_), clock_, failed_};
-  Stage<ReconstructionStep, SceneExchange> surface_stage_{chain_.reconstruction, to_surface_, into(to_force_), clock_,
-                                                          failed_};
+  Stage<TrackingStep, SceneExchange> track_stage_{chain_.tracking, to_track_, into(to_force_), clock_, failed_};
   Stage<MechanicsStep, SceneExchange> force_stage_{
-      chain_.mechanics, to_force_, [this](Scene scene) { publish_measured(std::move(scene)); }, clock_, failed_};
+      chain_.mechanics, to_force_, [this](MeasuredScene measured) { pass_on(std::move(measured)); }, clock_, failed_};
+  Stage<SurfaceStep, Ring<MeasuredScene>> surface_stage_{
+      chain_.surface, to_surface_, [this](Scene scene) { publish(std::move(scene)); }, clock_};
   std::jthread reader_;
 };
 

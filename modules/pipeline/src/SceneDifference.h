@@ -1,6 +1,6 @@
 #pragma once
 #include "pellucida/core_vtk/Scene.h"
-#include "pellucida/mechanics_vtk/MechanicsStep.h"
+#include "pellucida/mechanics_vtk/NodalForces.h"
 #include "pellucida/session/StepParts.h"
 
 namespace pellucida {

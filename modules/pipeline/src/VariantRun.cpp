@@ -102,9 +102,9 @@ void VariantRun::take(const RecordedFrame& frame) {
   if (options_.tables_only) scene.surface = {};
   SurfaceForces forces;
   if (scene.use == FrameUse::kMeasure && scene.observation) {
-    if (auto measured = mechanics_.measure(scene, has_recorded_shape_ ? frame.shape.get() : nullptr)) {
+    if (auto measured = mechanics_.process(scene, has_recorded_shape_ ? frame.shape.get() : nullptr)) {
       scene = std::move(measured->scene);
-      forces = std::move(measured->forces);
+      forces = nodal_forces_.forces_on(scene.surface, measured->estimate);
     }
     stamp_age(scene, clock_);
   }

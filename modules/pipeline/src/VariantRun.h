@@ -5,6 +5,7 @@
 #include "RecordedFrames.h"
 #include "pellucida/core/Clock.h"
 #include "pellucida/mechanics_vtk/MechanicsStep.h"
+#include "pellucida/mechanics_vtk/NodalForces.h"
 #include "pellucida/pipeline/Counterfactual.h"
 #include "pellucida/session/SessionWriter.h"
 
@@ -30,6 +31,7 @@ class VariantRun {
   const CounterfactualOptions& options_;
   const Clock& clock_;
   MechanicsStep mechanics_;
+  NodalForces nodal_forces_;
   const bool has_recorded_shape_;
   SessionWriter writer_;
   ChangeLog log_;

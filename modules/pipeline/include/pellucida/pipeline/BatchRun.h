@@ -25,7 +25,7 @@ struct BatchResult {
   std::vector<Measurement> rows;          ///< one per frame, in order
   std::map<CellState, long> state_count;  ///< frames by state
   std::optional<Scene> peak;              ///< the scene of the largest contact force, or of the best tracked frame
-  std::map<std::string, Distribution> step_us;  ///< by step: tracking, reconstruction, mechanics, writing
+  std::map<std::string, Distribution> step_us;  ///< by step: tracking, mechanics, surface, writing
   Distribution frame_to_force_us;               ///< from a frame's arrival to its force
   CellProfile profile;                          ///< that the forces are scaled by
   CellScale cell_scale;                         ///< of the forces, relative to the profile's

@@ -28,8 +28,8 @@ struct LiveStatus {
   std::uint64_t skipped_count = 0;   ///< frames that a newer one overtook before they were measured
   std::uint64_t gap_count = 0;       ///< frames the source itself lost
   double tracking_ms = 0.0;          ///< newest step times
-  double reconstruction_ms = 0.0;
   double mechanics_ms = 0.0;
+  double surface_ms = 0.0;
   double frame_age_ms = 0.0;  ///< now minus the arrival of the newest measured frame
   bool recording = false;
   std::string recording_folder;  ///< of the running or last recording; empty before the first
@@ -42,7 +42,7 @@ struct LiveStatus {
   std::optional<std::string> fault;          ///< one line, when a thread died
 };
 
-/// The chain with a thread a step: source -> tracking -> reconstruction and mechanics -> newest scene, recorder.
+/// The chain with a thread a step: source -> tracking -> mechanics -> surface -> newest scene, recorder.
 ///
 /// Threads: `set_contact_sink`, `start`, `stop` and the destructor belong to one controlling thread (the window's);
 /// every other call may come from any thread at any time between construction and destruction. None blocks for a frame.

@@ -1,0 +1,33 @@
+#include "pellucida/bench/LiveBench.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "MemorySource.h"
+#include "pellucida/core/Clock.h"
+#include "pellucida/pipeline/LiveRun.h"
+
+namespace pellucida {
+
+LiveFigures measure_live(FrameSource& source, const PipelineOptions& options, double seconds) {
+  constexpr auto kLook = std::chrono::milliseconds(50);
+  const std::vector<Frame> frames = read_frames(source);
+  LiveFigures figures;
+  const SteadyClock clock;
+  while (clock.now_s() < seconds) {
+    LiveRun run(std::make_unique<MemorySource>(source.info(), frames), options);
+    run.start();
+    while (!run.status().finished && clock.now_s() < seconds) std::this_thread::sleep_for(kLook);
+    run.stop();
+    const auto rows = run.measurements_since(0);
+    for (const Measurement& row : rows) { if (getenv("AGES")) std::fprintf(stderr, "%ld %.2f %.1f\n", row.frame, row.frame_age_ms, row.indentation_um); figures.frame_to_force_us.add(1e3 * row.frame_age_ms); }
+    if (!rows.empty()) figures.first_frame_us.add(1e3 * rows.front().frame_age_ms);
+    figures.skipped_count += static_cast<long>(run.status().skipped_count);
+  }
+  return figures;
+}
+
+}  // namespace pellucida
