@@ -3,16 +3,22 @@
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <thread>
 #include <vector>
@@ -68,6 +74,59 @@ TEST(Frozen, ManyThreadsReadAtOnce) {
     }
   }
   for (const double value : longest) EXPECT_DOUBLE_EQ(value, 999.0 + 999.0);
+}
+
+// NaN counts as equal to itself.
+void expect_equal(const double (&found)[2], const double (&expected)[2]) {
+  for (int end = 0; end < 2; ++end) {
+    EXPECT_TRUE(found[end] == expected[end] || (std::isnan(found[end]) && std::isnan(expected[end])))
+        << found[end] << " for " << expected[end];
+  }
+}
+
+// Ranges are found without VTK: they are those that VTK finds.
+template <class Array>
+void expect_ranges_of_vtk(int component_count, const std::vector<double>& values) {
+  const auto make = [&] {
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetNumberOfComponents(component_count);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / component_count);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(values[i]));
+    }
+    return array;
+  };
+  const auto ours = make(), of_vtk = make();
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->GetPointData()->AddArray(ours);
+  const Frozen<vtkPolyData> frozen(data);
+  const int keys = ours->GetInformation()->GetNumberOfKeys();
+  for (int component = -1; component < component_count; ++component) {
+    double found[2], expected[2];
+    ours->GetRange(found, component);
+    of_vtk->GetRange(expected, component);
+    expect_equal(found, expected);
+    ours->GetFiniteRange(found, component);
+    of_vtk->GetFiniteRange(expected, component);
+    expect_equal(found, expected);
+  }
+  EXPECT_EQ(ours->GetInformation()->GetNumberOfKeys(), keys) << "VTK found them again";
+}
+
+TEST(Frozen, RangesAreThoseOfVtk) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+  const std::vector<double> plain{3.1, -2.7, 0.4, 11.2, 5.5, -9.3}, odd{kNan, 1.5, kInf, -4.0, 2.5, -kInf, 0.5, kNan, 7.0};
+  for (const int components : {1, 3}) {
+    expect_ranges_of_vtk<vtkDoubleArray>(components, plain);
+    expect_ranges_of_vtk<vtkFloatArray>(components, plain);
+    expect_ranges_of_vtk<vtkIntArray>(components, plain);
+    expect_ranges_of_vtk<vtkTypeInt64Array>(components, plain);
+    expect_ranges_of_vtk<vtkUnsignedCharArray>(components, {3, 250, 4});
+    expect_ranges_of_vtk<vtkDoubleArray>(components, odd);
+    expect_ranges_of_vtk<vtkFloatArray>(components, odd);
+    expect_ranges_of_vtk<vtkDoubleArray>(components, {kNan, kNan, kNan});
+    expect_ranges_of_vtk<vtkDoubleArray>(components, {});
+  }
 }
 
 // What a reader or writer asks for first, VTK would otherwise make in an object that several threads hold.
