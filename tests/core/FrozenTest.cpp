@@ -115,7 +115,8 @@ void expect_ranges_of_vtk(int component_count, const std::vector<double>& values
 
 TEST(Frozen, RangesAreThoseOfVtk) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
-  const std::vector<double> plain{3.1, -2.7, 0.4, 11.2, 5.5, -9.3}, odd{kNan, 1.5, kInf, -4.0, 2.5, -kInf, 0.5, kNan, 7.0};
+  const std::vector<double> plain{3.1, -2.7, 0.4, 11.2, 5.5, -9.3},
+      odd{kNan, 1.5, kInf, -4.0, 2.5, -kInf, 0.5, kNan, 7.0};
   for (const int components : {1, 3}) {
     expect_ranges_of_vtk<vtkDoubleArray>(components, plain);
     expect_ranges_of_vtk<vtkFloatArray>(components, plain);

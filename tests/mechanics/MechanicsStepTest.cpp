@@ -1,4 +1,5 @@
 #include "pellucida/mechanics_vtk/MechanicsStep.h"
+#include "pellucida/mechanics_vtk/NodalForces.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
@@ -94,6 +95,21 @@ Scene make_scene(double depth_um, double axis_rad, int meridian_count, int ring_
   return scene;
 }
 
+/// Force and surface one after the other, as in the chain.
+class MeasuringSteps {
+ public:
+  explicit MeasuringSteps(CellProfile profile) : mechanics_(std::move(profile)) {}
+  expected<Scene, StepFailure> process(const Scene& scene) {
+    auto measured = mechanics_.process(scene);
+    if (!measured) return unexpected<StepFailure>(std::move(measured.error()));
+    return nodal_forces_.add_to(std::move(measured->scene), measured->estimate);
+  }
+
+ private:
+  MechanicsStep mechanics_;
+  NodalForces nodal_forces_;
+};
+
 Eigen::Vector3d sum_of(vtkDataArray* array) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(), value;
   for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n) {
@@ -119,7 +135,7 @@ class MechanicsStepMesh : public ::testing::TestWithParam<std::tuple<int, int>> 
 TEST_P(MechanicsStepMesh, CarriesTheForcesToTheOuterMembraneWithTheirSum) {
   const auto [meridian_count, ring_count] = GetParam();
   const Scene scene = make_scene(12.0, 0.8, meridian_count, ring_count);
-  MechanicsStep step(load_profile("mouse-oocyte"));
+  MeasuringSteps step(load_profile("mouse-oocyte"));
   const auto out = step.process(scene);
   ASSERT_TRUE(out.has_value());
 
@@ -173,7 +189,7 @@ TEST_P(MechanicsStepMesh, CarriesTheForcesToTheOuterMembraneWithTheirSum) {
 TEST_P(MechanicsStepMesh, TheToolsForcesAddUpToTheRowsAndPressurePushesOutwards) {
   const auto [meridian_count, ring_count] = GetParam();
   const Scene scene = make_scene(12.0, 0.8, meridian_count, ring_count);
-  MechanicsStep step(load_profile("mouse-oocyte"));
+  MeasuringSteps step(load_profile("mouse-oocyte"));
   const auto out = step.process(scene);
   ASSERT_TRUE(out.has_value());
   const Measurement& row = out->measurement;
@@ -222,7 +238,7 @@ TEST_P(MechanicsStepMesh, TheToolsForcesAddUpToTheRowsAndPressurePushesOutwards)
 
 // The strains of the nodes make up the whole area's change.
 TEST(MechanicsStep, TheStrainIsThatOfTheModelsTriangles) {
-  MechanicsStep step(load_profile("mouse-oocyte"));
+  MeasuringSteps step(load_profile("mouse-oocyte"));
   const auto out = step.process(make_scene(20.0, 0.0, 12, 23));
   ASSERT_TRUE(out.has_value());
   const auto model = out->model.shallow_copy();
@@ -255,7 +271,7 @@ TEST(MechanicsStep, TheStrainIsThatOfTheModelsTriangles) {
 
 // At rest there is nothing to change from.
 TEST(MechanicsStep, ACellAtRestBearsNoForceAndNoStrain) {
-  MechanicsStep step(load_profile("mouse-oocyte"));
+  MeasuringSteps step(load_profile("mouse-oocyte"));
   // Also after a touch.
   ASSERT_TRUE(step.process(make_scene(12.0, 0.0, 12, 23)).has_value());
   const auto out = step.process(make_scene(0.0, 0.0, 12, 23));
@@ -276,20 +292,27 @@ TEST(MechanicsStep, ACellAtRestBearsNoForceAndNoStrain) {
 INSTANTIATE_TEST_SUITE_P(Steps, MechanicsStepMesh,
                          ::testing::Values(std::tuple(6, 11), std::tuple(12, 23), std::tuple(36, 47)));
 
-// What is only written has the numbers of what is shown.
-TEST(MechanicsStep, AMeasuredSceneHasTheNumbersOfTheProcessedOne) {
-  MechanicsStep shown(load_profile("mouse-oocyte")), written(load_profile("mouse-oocyte"));
+// The force needs no surface, and what is only written has the numbers of what is shown.
+TEST(MechanicsStep, TheForceComesBeforeTheSurface) {
+  MechanicsStep mechanics(load_profile("mouse-oocyte"));
+  NodalForces shown, written;
   for (const double depth_um : {0.0, 8.0, 20.0}) {
     const Scene scene = make_scene(depth_um, 0.3, 36, 47);
-    const auto one = shown.process(scene);
-    const auto other = written.measure(scene);
-    ASSERT_TRUE(one && other);
-    EXPECT_EQ(to_csv(one->measurement), to_csv(other->scene.measurement));
-    EXPECT_EQ(one->events.size(), other->scene.events.size());
-    EXPECT_FALSE(other->scene.model);
-    EXPECT_EQ(other->scene.surface.get(), scene.surface.get());
-    auto surface = one->surface.shallow_copy();
-    for (vtkDataArray* array : other->forces.arrays()) {
+    Scene bare = scene;
+    bare.surface = {};
+    const auto measured = mechanics.process(bare);
+    ASSERT_TRUE(measured);
+    EXPECT_EQ(measured->scene.measurement.contact_force_uN > 0.0, depth_um > 0.0);
+    EXPECT_FALSE(measured->scene.model);
+    EXPECT_FALSE(written.forces_on(bare.surface, measured->estimate).force_uN);
+
+    Scene surfaced = measured->scene;
+    surfaced.surface = scene.surface;
+    const Scene drawn = shown.add_to(surfaced, measured->estimate);
+    EXPECT_EQ(to_csv(drawn.measurement), to_csv(measured->scene.measurement));
+    EXPECT_TRUE(drawn.model);
+    const auto surface = drawn.surface.shallow_copy();
+    for (vtkDataArray* array : written.forces_on(scene.surface, measured->estimate).arrays()) {
       ASSERT_TRUE(array);
       vtkDataArray* expected = surface->GetPointData()->GetArray(array->GetName());
       ASSERT_TRUE(expected) << array->GetName();
@@ -300,23 +323,17 @@ TEST(MechanicsStep, AMeasuredSceneHasTheNumbersOfTheProcessedOne) {
       }
     }
   }
-  Scene bare = make_scene(8.0, 0.3, 36, 47);
-  bare.surface = {};
-  const auto without = written.measure(bare);
-  ASSERT_TRUE(without);
-  EXPECT_FALSE(without->forces.force_uN);
-  EXPECT_GT(without->scene.measurement.contact_force_uN, 0.0);
 }
 
 TEST(MechanicsStep, AVolumeMeasuredBeforeIsKept) {
   Scene scene = make_scene(5.0, 0.0, 12, 23);
   scene.measurement.volume_um3 = 123456.0;
-  MechanicsStep step(testing::coarse_profile());
+  MeasuringSteps step(testing::coarse_profile());
   EXPECT_DOUBLE_EQ(step.process(scene)->measurement.volume_um3, 123456.0);
 }
 
 TEST(MechanicsStep, AMissingForceIsExplainedOnce) {
-  MechanicsStep step(testing::coarse_profile());
+  MeasuringSteps step(testing::coarse_profile());
   Scene scene = make_scene(5.0, 0.0, 12, 23);
   Observation o = *scene.observation;
   o.needle.reset();
@@ -347,7 +364,7 @@ Scene pushed_scene(double tip_um, double membrane_um, CellState state, long fram
 }
 
 TEST(MechanicsStep, APunctureTheMembraneDoesNotBearOutIsNoEvent) {
-  MechanicsStep step(testing::coarse_profile());
+  MeasuringSteps step(testing::coarse_profile());
   for (long frame = 1; frame <= 12; ++frame) {
     const double depth_um = static_cast<double>(frame);
     step.process(pushed_scene(depth_um, depth_um, CellState::kContact, frame));
@@ -364,7 +381,7 @@ TEST(MechanicsStep, APunctureTheMembraneDoesNotBearOutIsNoEvent) {
 }
 
 TEST(MechanicsStep, APunctureIsReportedOnceInTheFrameThatShowsIt) {
-  MechanicsStep step(testing::coarse_profile());
+  MeasuringSteps step(testing::coarse_profile());
   for (long frame = 1; frame <= 20; ++frame) {
     const auto out = step.process(
         pushed_scene(1.0 * static_cast<double>(frame), 1.0 * static_cast<double>(frame), CellState::kContact, frame));
@@ -387,7 +404,7 @@ TEST(MechanicsStep, APunctureIsReportedOnceInTheFrameThatShowsIt) {
 }
 
 TEST(MechanicsStep, ARevokedPunctureIsAnEvent) {
-  MechanicsStep step(testing::coarse_profile());
+  MeasuringSteps step(testing::coarse_profile());
   for (long frame = 1; frame <= 20; ++frame) {
     const double depth_um = static_cast<double>(frame);
     step.process(pushed_scene(depth_um, depth_um, CellState::kContact, frame));
@@ -404,7 +421,7 @@ TEST(MechanicsStep, ARevokedPunctureIsAnEvent) {
 }
 
 TEST(MechanicsStep, ScenesWithoutCellOrSurfacePassOn) {
-  MechanicsStep step(testing::coarse_profile());
+  MeasuringSteps step(testing::coarse_profile());
   Scene no_surface = make_scene(5.0, 0.0, 12, 23);
   no_surface.surface = {};
   const auto a = step.process(no_surface);

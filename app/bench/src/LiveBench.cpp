@@ -1,8 +1,6 @@
 #include "pellucida/bench/LiveBench.h"
 
 #include <chrono>
-#include <cstdlib>
-#include <cstdio>
 #include <memory>
 #include <thread>
 
@@ -23,8 +21,12 @@ LiveFigures measure_live(FrameSource& source, const PipelineOptions& options, do
     while (!run.status().finished && clock.now_s() < seconds) std::this_thread::sleep_for(kLook);
     run.stop();
     const auto rows = run.measurements_since(0);
-    for (const Measurement& row : rows) { if (getenv("AGES")) std::fprintf(stderr, "%ld %.2f %.1f\n", row.frame, row.frame_age_ms, row.indentation_um); figures.frame_to_force_us.add(1e3 * row.frame_age_ms); }
-    if (!rows.empty()) figures.first_frame_us.add(1e3 * rows.front().frame_age_ms);
+    if (!rows.empty()) {
+      const double found_s = rows.front().time_s + 1e-3 * rows.front().frame_age_ms;
+      for (const Measurement& row : rows) {
+        (row.time_s < found_s ? figures.search_us : figures.frame_to_force_us).add(1e3 * row.frame_age_ms);
+      }
+    }
     figures.skipped_count += static_cast<long>(run.status().skipped_count);
   }
   return figures;

@@ -20,8 +20,8 @@ struct SurfaceStep {
   NodalForces nodal_forces;
 };
 
-/// The steps every run consists of: frame -> tracking -> mechanics -> surface. The force comes before the surface, which
-/// it does not need. Live gives each a thread of its own, batch calls them one after the other; they are the same
+/// The steps every run consists of: frame -> tracking -> mechanics -> surface. The force comes before the surface,
+/// which it does not need. Live gives each a thread of its own, batch calls them one after the other; they are the same
 /// objects with the same memory.
 struct Chain {
   /// Throws UsageError for an unknown profile or an option out of range, InputError for a broken profile file.

@@ -306,8 +306,8 @@ class LiveRun::Impl {
   Stage<TrackingStep, SceneExchange> track_stage_{chain_.tracking, to_track_, into(to_force_), clock_, failed_};
   Stage<MechanicsStep, SceneExchange> force_stage_{
       chain_.mechanics, to_force_, [this](MeasuredScene measured) { pass_on(std::move(measured)); }, clock_, failed_};
-  Stage<SurfaceStep, Ring<MeasuredScene>> surface_stage_{
-      chain_.surface, to_surface_, [this](Scene scene) { publish(std::move(scene)); }, clock_};
+  Stage<SurfaceStep, Ring<MeasuredScene>> surface_stage_{chain_.surface, to_surface_,
+                                                         [this](Scene scene) { publish(std::move(scene)); }, clock_};
   std::jthread reader_;
 };
 

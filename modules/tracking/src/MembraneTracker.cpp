@@ -12,6 +12,7 @@
 #include "ObservationReport.h"
 #include "PersonHints.h"
 #include "PictureOrientation.h"
+#include "Rereading.h"
 #include "SceneReader.h"
 #include "SceneVerdict.h"
 #include "TrackerChecks.h"
@@ -171,6 +172,7 @@ class MembraneTracker::Impl {
   void detect(FrameInput& frame) {
     look(frame);
     const PartTimer timer(timings_.detection_us);
+    rereading_.drop();
     frames_since_detection_ = 0;
     const std::optional<DetectionHint> hint = hints_.take_cell(laid_, frame.view.pixel_size_um);
     has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
@@ -259,10 +261,14 @@ class MembraneTracker::Impl {
   // Where lines alone follow the cell: now and then the networks read where it and the tip are. Should they lie
   // elsewhere, the cell is followed in doubt, and looked for anew once nothing touches it.
   bool is_where_networks_read(const FrameInput& frame) {
-    if (!is_start_confirmed_ || frames_since_detection_ % kReread_frames != 0) return true;
-    const PartTimer timer(timings_.detection_us);
-    disagreements_ = is_where_read(cell_, frame.image, reader_) ? 0 : disagreements_ + 1;
-    cell_.doubt(disagreements_ >= kDisagreements);
+    if (!is_start_confirmed_) return true;
+    if (const auto read = rereading_.take()) {
+      const bool is_same =
+          read->is_same_outline && (read->is_same_needle || cell_.take_bevel(frame.image, reader_.tips()));
+      disagreements_ = is_same ? 0 : disagreements_ + 1;
+      cell_.doubt(disagreements_ >= kDisagreements);
+    }
+    if (frames_since_detection_ % kReread_frames == 0) rereading_.ask(frame.view, cell_);
     return !(cell_.is_doubtful() && cell_.state() == CellState::kFree);
   }
 
@@ -332,6 +338,7 @@ class MembraneTracker::Impl {
   GrayImage whole_;
   SceneReader reader_;
   SceneReading scene_;
+  Rereading rereading_;
   NeedleSearch needle_search_;
   PersonHints hints_;
   HintOutcomes outcomes_;

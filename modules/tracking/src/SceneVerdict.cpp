@@ -31,11 +31,6 @@ double distance_px(const Eigen::Matrix2Xd& outline, const Eigen::Matrix2Xd& cont
   return sum / static_cast<double>(std::max<Eigen::Index>(1, outline.cols()));
 }
 
-// The zona's outer boundary by lines, or by its soft edge round them.
-const Eigen::Matrix2Xd& outline_of(const CellFollower& cell) {
-  return cell.zona().valid() ? cell.zona().outer().points : cell.snakes().outer().points;
-}
-
 double radius_px(const Eigen::Matrix2Xd& outline) {
   return std::sqrt(std::abs(contour::signed_area(outline)) / M_PI);
 }
@@ -49,17 +44,24 @@ bool is_same(const CellFollower& by_lines, const SceneCell& seen) {
 struct ReadAbout {
   double apart_px = 0.0, confidence = 0.0;
 };
-ReadAbout read_about(const CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
-  const Eigen::Matrix2Xd& outline = outline_of(by_lines);
-  const BoundaryPlaces seen = reader.boundaries().read(image, outline).outer;
+ReadAbout read_about(const Eigen::Matrix2Xd& outline, const FrameSampler& image, BoundaryNetwork& boundaries) {
+  const BoundaryPlaces seen = boundaries.read(image, outline).outer;
   return {seen.offset_px.cwiseAbs().mean(), confidence_of(seen.sigma_px, radius_px(outline)).mean()};
 }
 
-double most_apart_px(const CellFollower& by_lines) {
-  return std::max(kLeastOutline_px, kSameOutline_ratio * radius_px(outline_of(by_lines)));
+double most_apart_px(const Eigen::Matrix2Xd& outline) {
+  return std::max(kLeastOutline_px, kSameOutline_ratio * radius_px(outline));
 }
 
 }  // namespace
+
+const Eigen::Matrix2Xd& outline_of(const CellFollower& by_lines) {
+  return by_lines.zona().valid() ? by_lines.zona().outer().points : by_lines.snakes().outer().points;
+}
+
+bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image, BoundaryNetwork& boundaries) {
+  return read_about(outline, image, boundaries).apart_px < most_apart_px(outline);
+}
 
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene) {
   const NeedleTracker& followed = by_lines.needle();
@@ -86,8 +88,8 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
     has_cell = true;
     verdict.is_same_cell = verdict.is_same_cell || is_same(by_lines, seen);
   }
-  const ReadAbout seen = read_about(by_lines, image, reader);
-  verdict.is_same_outline = seen.apart_px < most_apart_px(by_lines);
+  const ReadAbout seen = read_about(outline_of(by_lines), image, reader.boundaries());
+  verdict.is_same_outline = seen.apart_px < most_apart_px(outline_of(by_lines));
   verdict.is_strange = seen.confidence < kStrangeScore;
   by_lines.take_bevel(image, reader.tips());
   verdict.is_same_needle =
@@ -95,11 +97,6 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   verdict.is_sure = by_lines.membranes_confidence() > kLeastConfidence;
   verdict.is_bubble = !has_cell && by_lines.snakes().outer().score > kBubbleScore;
   return verdict;
-}
-
-bool is_where_read(CellFollower& by_lines, const FrameSampler& image, SceneReader& reader) {
-  if (read_about(by_lines, image, reader).apart_px >= most_apart_px(by_lines)) return false;
-  return by_lines.needle().is_where_read(reader.tips(), image) || by_lines.take_bevel(image, reader.tips());
 }
 
 DetectedCell detected(const CellFollower& by_lines) {

@@ -23,9 +23,10 @@ struct LinesVerdict {
 LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, const FrameSampler& image,
                          SceneReader& reader);
 
-/// The same without a look at the whole image, for frames in between: only whether outline and tip are where the
-/// networks read them, a bevel's tip taken over likewise. A network that isn't sure of a tip contradicts none.
-bool is_where_read(CellFollower& by_lines, const FrameSampler& image, SceneReader& reader);
+/// The zona's outer boundary by lines, or by its soft edge round them (2 x n, px).
+const Eigen::Matrix2Xd& outline_of(const CellFollower& by_lines);
+/// Whether the network reads the outer boundary there, on each normal.
+bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image, BoundaryNetwork& boundaries);
 
 /// Whether the network saw the membranes, as it followed them into the first frame, as surely as those it has learnt
 /// from. It is then the better of the two; of other looks it has the outline to some pixels.

@@ -8,12 +8,12 @@ namespace pellucida {
 /// How old a frame is when its force is known, us, in a live run at the camera's own pace.
 struct LiveFigures {
   Distribution frame_to_force_us;
-  Distribution first_frame_us;  ///< of each run: the whole image is searched
-  long skipped_count = 0;       ///< frames that a newer one overtook
+  Distribution search_us;  ///< of each run's first frame, in which the whole image is searched, and of those meanwhile
+  long skipped_count = 0;  ///< frames that a newer one overtook, most of them meanwhile
 };
 
-/// Holds the first 300 frames of `source` in memory and runs them live, again and again until `seconds` have passed; the
-/// last run is cut off there. Throws NothingMeasuredError when there is no frame.
+/// Holds the first 300 frames of `source` in memory and runs them live, again and again until `seconds` have passed;
+/// the last run is cut off there. Throws NothingMeasuredError when there is no frame.
 LiveFigures measure_live(FrameSource& source, const PipelineOptions& options, double seconds);
 
 }  // namespace pellucida
