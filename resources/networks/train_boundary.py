@@ -25,6 +25,7 @@ from training import UNetwork, arguments_of, draw_batch, export, normalised, sam
 
 NORMALS, WRAP, COLUMNS, ZERO, RADIUS_SAMPLES = 128, 16, 96, 58, 160
 LABEL_SIGMA = 1.0      # of the label's spot, samples
+ON_INNER = 0.12        # share of the outlines that lie on the inner boundary
 TIGHT = 0.5            # share of the loss for the mean of the spot
 
 
@@ -123,7 +124,8 @@ def rough(outer, random):
 
 
 def strip_of(image, outer, inner, random):
-    outline = rough(outer, random)
+    # A detection may have taken the inner boundary for the outer one.
+    outline = rough(inner if random.random() < ON_INNER else outer, random)
     if random.random() < 0.5:
         image, width = image[:, ::-1], image.shape[1]
         outline, outer, inner = (np.stack([width - 1 - p[0], p[1]])[:, ::-1] for p in (outline, outer, inner))

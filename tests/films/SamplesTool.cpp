@@ -1,11 +1,13 @@
 // A developer's tool, not installed and no test: labelled pictures to train a network on, one of each random film of
 // the families of tuning. (Of validation or unseen they are to check with.)
 //   film_samples --out FOLDER [--split tuning|wide|validation|unseen] [--count N] [--first SEED] [--plain yes]
+//                [--specimens FOLDER]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file, outer or
 // inner, then x and y of the boundary's points, px); NNNNN is the film's seed. Several of them may run at once with
 // other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual microscope's plain
-// drawing instead of a look.
+// drawing instead of a look. --specimens: cells of finite-element tables (tests/specimens), with zonae from thin to
+// thick; else each zona is a tenth of its cell's radius thick.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +18,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <vector>
 
 #include "films/RandomFilm.h"
 #include "pellucida/core/Error.h"
@@ -72,6 +75,7 @@ int main(int count, char** arguments) {
   std::uint64_t first = 1, wanted = 100;
   test::Split split = test::Split::kTuning;
   bool is_plain = false;
+  std::vector<std::string> specimens;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = arguments[i], value = arguments[i + 1];
     if (word == "--out")
@@ -84,6 +88,8 @@ int main(int count, char** arguments) {
       split = test::split_of(value);
     else if (word == "--plain")
       is_plain = value == "yes";
+    else if (word == "--specimens")
+      specimens = test::specimens_in(value);
     else
       return std::fprintf(stderr, "film_samples: unknown argument %s\n", word.c_str()), 2;
   }
@@ -98,7 +104,7 @@ int main(int count, char** arguments) {
   contours << std::fixed << std::setprecision(3);
   for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
     try {
-      const test::RandomFilm film = test::draw_film(split, seed, kWidest_px);
+      const test::RandomFilm film = test::draw_film(split, seed, kWidest_px, specimens);
       VirtualMicroscope microscope =
           is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.

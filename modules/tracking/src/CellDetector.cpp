@@ -11,14 +11,18 @@
 namespace pellucida {
 namespace {
 
-constexpr double kSecondScore = 0.35;  // a second dark line that counts
+constexpr double kSecondScore = 0.35;                    // a second dark line that counts
+constexpr double kFarScore = 0.6, kFarAmplitude = 0.35;  // a third one, further out; of the fainter of the two, its own
 constexpr double kFaintest = 0.1;      // of the line's contrast: what counts as grain in looking for a border
 constexpr double kBroadLine_px = 1.2;  // standard deviation of a broad line: nearer than 3 of them lies its own flank
 constexpr double kWidest_ratio = 1.5;  // a zona's outer line over its inner one, of an oval cell with a thick zona
 constexpr double kFinest_px = 0.7;     // finest scale of the lines: two that lie 2 px apart must not melt into one
 constexpr double kHintShare = 0.5;     // of the score needed, where a person says there is a cell
 constexpr double kSameEdge = 0.1;      // of the radius: a dark body's border this near to a line is that line's
-constexpr double kUnsureShare = 0.4;   // of the score needed: below, there is nothing for a level set to start from
+// A drawn outline: of its radius, how near an edge is the one that was meant, and where else it is looked for; a point
+// this near to the circle through an outline belongs to its undeformed part.
+constexpr double kDrawnNear = 0.12, kDrawnFar = 0.35, kDrawnTolerance = 0.06;
+constexpr double kUnsureShare = 0.4;  // of the score needed: below, there is nothing for a level set to start from
 
 // The image at all scales, each level half the size of the one before.
 struct Pyramid {
@@ -141,6 +145,25 @@ Judged judge_along(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline, doub
   return result;
 }
 
+// The edge along a drawn outline: the one that was meant, near it, before a stronger one further away.
+Judged judge_drawn(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline, double needed) {
+  Judged near = judge_along(pyramid, outline, kDrawnNear);
+  return near.ring.score >= needed ? near : judge_along(pyramid, outline, kDrawnFar);
+}
+
+// Of a cell's edges the one that was drawn is the outer one; what lies outside of it was not meant.
+void take_drawn(const Eigen::Matrix2Xd& outline, DetectedCell& cell) {
+  const auto radius_of = [](const Eigen::Matrix2Xd& points) {
+    return std::sqrt(std::abs(contour::signed_area(points)));
+  };
+  const auto apart = [&](const FoundEdge& edge) { return std::abs(radius_of(edge.points) - radius_of(outline)); };
+  while (cell.inner && apart(*cell.inner) < apart(cell.outer)) {
+    cell.outer = std::move(*cell.inner);
+    cell.inner = std::exchange(cell.oolemma, std::nullopt);
+    cell.circle = contour::fit_circle(cell.outer.points, kDrawnTolerance * cell.circle.radius);
+  }
+}
+
 // A level set from a rough outline into the edges near by, judged like any other edge.
 Judged settle(const Pyramid& pyramid, const Eigen::Matrix2Xd& outline) {
   const auto refined = refine_by_level_set(pyramid.levels.front(), outline);
@@ -184,6 +207,23 @@ RingEdge at_full_resolution(const Pyramid& pyramid, const Judged& coarse, double
   return at_scale(coarse.ring, coarse.scale());
 }
 
+// One more line of the kind round a pair: the two were the zona's inner edge and the oolemma. As far outside as the two
+// lie apart it may be fainter; further out, under a thick zona, it must be as clear as a line that is looked for first.
+std::optional<RingEdge> line_round(const GrayImage& image, const std::pair<RingEdge, RingEdge>& pair, double sigma,
+                                   double noise) {
+  const contour::Circle& circle = pair.first.circle;
+  const double thick = circle.radius - pair.second.circle.radius;
+  const double faint = std::min(pair.first.amplitude, pair.second.amplitude);
+  const auto best = [&](double to) {
+    return best_in_ring(image, circle.center, circle.radius + 0.6 * thick, to, {sigma}, noise, {pair.first.edge.kind});
+  };
+  RingEdge near = best(circle.radius + 1.6 * thick);
+  if (near.score >= kSecondScore && near.amplitude >= 0.5 * faint) return near;
+  RingEdge far = best(kWidest_ratio * circle.radius);
+  if (far.score >= kFarScore && far.amplitude >= kFarAmplitude * faint) return far;
+  return std::nullopt;
+}
+
 // The second membrane, and the third: what lies beside the edge found first.
 DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first, double sigma) {
   const GrayImage& image = pyramid.levels.front();
@@ -209,14 +249,9 @@ DetectedCell with_second_membrane(const Pyramid& pyramid, const RingEdge& first,
       cell.outer = pair->first.edge;
       cell.inner = pair->second.edge;
       cell.circle = pair->first.circle;
-      // One more line of the kind as far outside: the two were the zona's inner edge and the oolemma.
-      const double thick = pair->first.circle.radius - pair->second.circle.radius;
-      const double least = 0.5 * std::min(pair->first.amplitude, pair->second.amplitude);
-      RingEdge third = best_in_ring(image, cell.circle.center, cell.circle.radius + 0.6 * thick,
-                                    cell.circle.radius + 1.6 * thick, {sigma}, noise, {pair->first.edge.kind});
-      if (third.score >= kSecondScore && third.amplitude >= least) {
-        cell.oolemma = std::exchange(cell.inner, std::exchange(cell.outer, std::move(third.edge)));
-        cell.circle = third.circle;
+      if (auto third = line_round(image, *pair, sigma, noise)) {
+        cell.oolemma = std::exchange(cell.inner, std::exchange(cell.outer, std::move(third->edge)));
+        cell.circle = third->circle;
       }
       return cell;
     }
@@ -280,7 +315,8 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   // A person has said that there is a cell: less evidence will do.
   const double needed = (hint != nullptr ? kHintShare : 1.0) * options.min_detection_score;
 
-  Judged best = drawn ? judge_along(pyramid, hint->outline, 0.35) : best_candidate(pyramid, options, inside, elsewhere);
+  Judged best =
+      drawn ? judge_drawn(pyramid, hint->outline, needed) : best_candidate(pyramid, options, inside, elsewhere);
   if (drawn && !acceptable(pyramid, best, options, inside)) best = {};
 
   // Unsure, or time does not count: a level set from the best guess, which may do better.
@@ -297,6 +333,7 @@ std::optional<DetectedCell> detect_cell(const GrayImage& image, const TrackerOpt
   const RingEdge first = at_full_resolution(pyramid, best, kSigmaRatio);
   const double sigma = std::clamp(kSigmaRatio * first.circle.radius, kFinest_px, 2.5);
   DetectedCell cell = with_second_membrane(pyramid, first, sigma);
+  if (drawn) take_drawn(hint->outline, cell);
   cell.score = best.ring.score * first.edge.coverage;
   return cell;
 }
