@@ -14,6 +14,7 @@
 #include "RigidMotion.h"
 #include "SceneReader.h"
 #include "SoftZona.h"
+#include "SteadyDrift.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
 #include "pellucida/tracking/TrackerTimings.h"
@@ -132,6 +133,9 @@ class CellFollower {
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;
+  void follow_seat();
+  bool has_drifted_here() const;
+  bool may_be_pushed() const;
 
   TrackerOptions options_;
   MembraneSnakes snakes_;
@@ -140,6 +144,8 @@ class CellFollower {
   GlobalShiftEstimator scene_;
   RigidMotion rigid_;
   RigidMove motion_;
+  SteadyDrift drift_;
+  double seat_sigma_ = 0.0;  // px, of the shift in contact where no holder shows it
   Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;
   ContactLogic contact_;

@@ -13,7 +13,7 @@ namespace pellucida {
 namespace {
 
 // Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
-constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15;
+constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15, kUnderHolder_ratio = 0.4;
 // Of the radius, beyond the centre: a needle does not lie with its tip further through the cell.
 constexpr double kThrough_ratio = 0.9;
 // An edge that many times as blurred as the membrane's line is wide can't be taken for one.
@@ -26,8 +26,10 @@ constexpr double kHaloLines = 4.0;
 constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 
 // A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
-// logarithms are; how well the scene shows a width, likewise.
-constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kSceneWidthSigma = 0.35;
+// logarithms are; one of its walls alone, when they are so far apart; how well the scene shows a width, likewise.
+constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kOneWall = -0.6, kSceneWidthSigma = 0.35;
+// Of the cell's radius: half the width of the narrowest pipette that holds it.
+constexpr double kNarrowestFacing_ratio = 0.12;
 // An end found by lines that moves so differently from the frame before is read by the network too.
 constexpr double kCheckedLeap_px = 3.0;
 // Frames between two readings of the tip's width.
@@ -63,7 +65,8 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
 void check_width(HolderFit& holder, const SceneReading& scene) {
   for (const SceneTool& seen : scene.holders) {
     if (-holder.direction.dot(seen.direction) < kAlongHolder || !(seen.half_width_px > 0.0)) continue;
-    if (std::abs(std::log(holder.half_width / seen.half_width_px)) < kSameHolderWidth) return;
+    const double wider = std::log(seen.half_width_px / holder.half_width);
+    if (std::abs(wider) < kSameHolderWidth || wider < kOneWall) return;
     holder.half_width = seen.half_width_px;
     holder.half_width_sigma = kSceneWidthSigma;
     return;
@@ -99,6 +102,14 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
     });
     find_among(others);
   }
+  // What faces the needle holds the cell, however narrow: the scene takes such a pipette for another needle.
+  if (!holder_ && needle_.valid()) {
+    std::vector<FoundTool> facing;
+    std::copy_if(tools.begin(), tools.end(), std::back_inserter(facing), [&](const FoundTool& tool) {
+      return tool.direction.dot(needle_.estimate().direction) > kAlongHolder;
+    });
+    holder_ = find_holder(frame.image, facing, circle, frame.noise, kNarrowestFacing_ratio);
+  }
   read_tip_width(frame, true);
 }
 
@@ -113,8 +124,10 @@ bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
 void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
                                const std::vector<FoundTool>& tools) {
+  // No needle is as broad as the pipette that holds the cell.
+  const double held = holder_ ? kUnderHolder_ratio * holder_->half_width : 0.0;
   const auto is_plausible = [&] {
-    return needle_.estimate().tip_half_width < kBroadTip_ratio * circle.radius &&
+    return needle_.estimate().tip_half_width < std::max(kBroadTip_ratio * circle.radius, held) &&
            is_before(circle.center, kThrough_ratio * circle.radius);
   };
   const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
