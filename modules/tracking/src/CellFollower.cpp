@@ -26,9 +26,11 @@ constexpr int kAstrayFrames = 3;
 constexpr double kSeatCosine = 0.85, kFarCosine = 0.5;
 constexpr int kSeatRounds = 12;
 constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
-// Standard deviations of the seat in contact, where no holder's walls show the motion: px, and of the needle's depth,
-// which the far side bulges by, with a holder in view and without; how far from its drift a cell has moved.
-constexpr double kSeatSigma_px = 0.45, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.15, kMoved_sigmas = 3.0;
+// Standard deviations of the seat where no holder's walls show the motion: px, by the whole outline and in contact, and
+// of the needle's depth, which dents the one and bulges the far side of the other, with a holder in view and without;
+// how far from its drift a cell has moved.
+constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
+constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.15, kMoved_sigmas = 3.0;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
@@ -251,9 +253,10 @@ void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vect
 // The seat, by what is known of either weighed against where the drift before the touch has led: beside a needle that
 // pushes deep the far side bulges. What is farther from there than that has moved.
 void CellFollower::follow_seat() {
-  const double bulge = (holder_ ? kHeldBulge_ratio : kBulge_ratio) * std::max(0.0, membrane_depth_);
+  const bool is_free = contact_.state() == CellState::kFree;
+  const double bulge = (is_free ? kDent_ratio : holder_ ? kHeldBulge_ratio : kBulge_ratio) * std::max(0.0, membrane_depth_);
   const Eigen::Vector2d gap = seat_ - drift_.place();
-  const double seat = std::hypot(kSeatSigma_px, bulge), drift = drift_.sigma_px(), both = std::hypot(seat, drift);
+  const double seat = std::hypot(is_free ? kOutlineSigma_px : kSeatSigma_px, bulge), drift = drift_.sigma_px(), both = std::hypot(seat, drift);
   const bool has_moved = !may_be_pushed() || gap.norm() > kMoved_sigmas * both;
   motion_.shift += (has_moved ? seat_ : drift_.place() + std::pow(drift / both, 2) * gap) - center_now();
   seat_sigma_ = has_moved ? seat : seat * drift / both;
@@ -325,7 +328,7 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) c
 // Centre of the resting circle through the part of the contour that what pushes the cell leaves where it is, radius
 // fixed: all of it while nothing does; else where the holder seats it, or, without a holder, opposite the needle.
 Eigen::Vector2d CellFollower::seat_center() const {
-  const bool pushed = rigid_.valid() ? contact_.state() != CellState::kFree : may_be_pushed();
+  const bool pushed = contact_.state() != CellState::kFree;
   const double least = !pushed ? -1.0 : rigid_.valid() ? kSeatCosine : kFarCosine;
   const Eigen::Vector2d seat = holder_           ? holder_direction()
                                : needle_.valid() ? needle_.estimate().direction

@@ -23,8 +23,8 @@ constexpr double kLeastFlank_px = 2.0, kFlankFade = 0.95, kFlankBack_ratio = 0.6
 constexpr double kPushedFlank_ratio = 0.85, kCut_ratio = 0.8;
 
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
-// not seen undisturbed; of the shift known from the whole outline while nothing pushes it.
-constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5, kOutlineSigma_px = 0.1;
+// not seen undisturbed.
+constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5;
 
 }  // namespace
 
@@ -119,7 +119,6 @@ double CellFollower::membrane_sigma() const {
 double CellFollower::rest_sigma() const {
   const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
   if (rigid_.valid()) return std::hypot(rest, rigid_.sigma_px(needle_.estimate().direction));
-  if (!may_be_pushed()) return std::hypot(rest, kOutlineSigma_px);
   return std::hypot(rest, seat_sigma_);
 }
 

@@ -26,18 +26,19 @@ class SteadyDrift {
     unseen_frames_ = 0;
   }
   const Eigen::Vector2d& place() const noexcept { return place_; }
-  /// Of `place`, in each direction: of the line, and as a drift may change; unknown before two frames were learnt.
+  /// Of `place`, in each direction: of the line, or, of few frames, of a cell that usually stays; and as a drift may
+  /// change.
   double sigma_px() const noexcept {
-    if (count_ < 2) return kUnknown_px;
+    if (count_ == 0) return kUnknown_px;
     const double n = count_, ahead = unseen_frames_ + 0.5 * n;
-    return std::hypot(kPlaceSigma_px * std::sqrt(1.0 / n + 12.0 * ahead * ahead / (n * n * n)),
-                      kChange_px * unseen_frames_);
+    const double of_line = kPlaceSigma_px * std::sqrt(1.0 / n + 12.0 * ahead * ahead / (n * n * n));
+    return std::hypot(std::min(of_line, std::hypot(kPlaceSigma_px, kUsual_px * ahead)), kChange_px * unseen_frames_);
   }
 
  private:
   static constexpr int kMemory = 60;
-  // Of one frame's place; of the velocity, per frame.
-  static constexpr double kPlaceSigma_px = 0.15, kChange_px = 0.02, kUnknown_px = 1e3;
+  // Standard deviations: of one frame's place; of how a drift changes and of what it usually is, per frame.
+  static constexpr double kPlaceSigma_px = 0.15, kChange_px = 0.02, kUsual_px = 0.3, kUnknown_px = 1e3;
   Eigen::Vector2d place_ = Eigen::Vector2d::Zero(), velocity_ = Eigen::Vector2d::Zero();
   int count_ = 0, unseen_frames_ = 0;
 };
