@@ -65,6 +65,7 @@ class CellFollower {
   /// The holding pipette as it was found with the cell; `motion()` takes it to where it is now.
   const std::optional<HolderFit>& holder() const noexcept { return holder_; }
   const RestGeometry& rest() const noexcept { return rest_; }
+  bool is_read() const noexcept { return is_read_; }  ///< by networks, not by what the membranes look like
   CellState state() const noexcept { return contact_.state(); }
   /// Rigid motion since the cell was found, and where its resting centre is now.
   const RigidMove& motion() const noexcept { return motion_; }

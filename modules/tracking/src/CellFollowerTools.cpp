@@ -13,7 +13,7 @@ namespace pellucida {
 namespace {
 
 // Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
-constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15, kUnderHolder_ratio = 0.4;
+constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15, kFacingTip_ratio = 0.25;
 // Of the radius, beyond the centre: a needle does not lie with its tip further through the cell.
 constexpr double kThrough_ratio = 0.9;
 // An edge that many times as blurred as the membrane's line is wide can't be taken for one.
@@ -124,10 +124,10 @@ bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
 void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
                                const std::vector<FoundTool>& tools) {
-  // No needle is as broad as the pipette that holds the cell.
-  const double held = holder_ ? kUnderHolder_ratio * holder_->half_width : 0.0;
+  // What points at the pipette that holds the cell may be blunt.
   const auto is_plausible = [&] {
-    return needle_.estimate().tip_half_width < std::max(kBroadTip_ratio * circle.radius, held) &&
+    const bool faces = holder_ && needle_.estimate().direction.dot(holder_direction()) > kAlongHolder;
+    return needle_.estimate().tip_half_width < (faces ? kFacingTip_ratio : kBroadTip_ratio) * circle.radius &&
            is_before(circle.center, kThrough_ratio * circle.radius);
   };
   const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
