@@ -39,7 +39,7 @@ TEST(SteadyDrift, SaysHowFarItsPlaceIsOff) {
       sigma_px = drift.sigma_px();
     }
     EXPECT_LT(std::sqrt(squares), 1.2 * sigma_px) << frames;
-    EXPECT_GT(std::sqrt(squares), 0.25 * sigma_px) << frames;
+    EXPECT_GT(std::sqrt(squares), 0.1 * sigma_px) << frames;
   }
 }
 

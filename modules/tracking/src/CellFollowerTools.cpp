@@ -62,11 +62,11 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
 }
 
 // Its edges may be those of a halo: where the scene shows a holder of quite another width, that is its width.
-void check_width(HolderFit& holder, const SceneReading& scene) {
+void check_width(HolderFit& holder, const SceneReading& scene, bool by_lines) {
   for (const SceneTool& seen : scene.holders) {
     if (-holder.direction.dot(seen.direction) < kAlongHolder || !(seen.half_width_px > 0.0)) continue;
     const double wider = std::log(seen.half_width_px / holder.half_width);
-    if (std::abs(wider) < kSameHolderWidth || wider < kOneWall) return;
+    if (std::abs(wider) < kSameHolderWidth || (by_lines && wider < kOneWall)) return;
     holder.half_width = seen.half_width_px;
     holder.half_width_sigma = kSceneWidthSigma;
     return;
@@ -90,7 +90,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   motion_ = {};
   const auto find_among = [&](const std::vector<FoundTool>& candidates) {
     holder_ = find_holder(frame.image, candidates, circle, frame.noise);
-    if (holder_ && frame.seen) check_width(*holder_, *frame.seen);
+    if (holder_ && frame.seen) check_width(*holder_, *frame.seen, !frame.scene);
   };
   find_among(frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools);
   find_needle(frame, circle, tools);
@@ -177,7 +177,7 @@ bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d&
   const auto found = find_holder_at(frame, find_tools(gray(frame.view), circle), circle, place);
   if (!found) return false;
   holder_ = found;
-  if (frame.seen) check_width(*holder_, *frame.seen);
+  if (frame.seen) check_width(*holder_, *frame.seen, !frame.scene);
   // It was found in this frame, and the cell at rest is where it is now.
   rest_.center = center_now();
   rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);
