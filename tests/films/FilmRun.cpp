@@ -179,6 +179,7 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
       if (estimate.by_picture.lower_uN <= true_uN && true_uN <= estimate.by_picture.upper_uN) ++run.covered_count;
     }
     run.sights.back().expected_uN = expected_uN;
+    run.sights.back().true_uN = truth.contact_force_uN;
     if (contact && std::isfinite(expected_uN)) {
       sight_squares += std::pow(expected_uN - truth.contact_force_uN, 2);
       ++sight_count;

@@ -32,7 +32,7 @@ struct FrameSight {
   double flank_um = 0.0;                                               ///< of the dimple, as `flank_depth_um` has it
   double residual_um = 0.0, dimple_residual_um = 0.0, noise_um = 0.0;  ///< of `ShapeAudit`; NaN: not measured
   double force_uN = 0.0, lower_uN = 0.0, upper_uN = 0.0;  ///< by what was seen, with the picture's interval
-  double expected_uN = 0.0;                               ///< by the true contours and tip
+  double expected_uN = 0.0, true_uN = 0.0;                ///< by the true contours and tip; the cell's own
 };
 
 /// Pictures of one film side by side.

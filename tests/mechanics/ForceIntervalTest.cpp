@@ -32,6 +32,16 @@ TEST(ForceInterval, RelativeErrorsMultiply) {
   EXPECT_NEAR(interval.lower_uN, 5.0 * std::exp(-0.392), 1e-12);
 }
 
+TEST(ForceInterval, StiffeningCountsUpwardsOnly) {
+  ForceErrors errors;
+  errors.model_ratio = 0.05;
+  const ForceInterval without = interval_95(5.0, errors);
+  errors.stiffening_ratio = 0.12;
+  const ForceInterval with = interval_95(5.0, errors);
+  EXPECT_EQ(with.lower_uN, without.lower_uN);
+  EXPECT_NEAR(with.upper_uN, 5.0 * std::exp(kSigmas95 * 0.13), 1e-12);
+}
+
 TEST(ForceInterval, PictureAndScaleMakeTheWhole) {
   ForceErrors errors;
   errors.depth_uN = 0.2;

@@ -21,12 +21,25 @@ TEST(ContactLogic, NoiseOfAQuarterPixelRaisesNoAlarm) {
     EXPECT_EQ(logic.update({1.0 + noise(random), noise(random), true}), CellState::kFree) << "frame " << k;
 }
 
-TEST(ContactLogic, OneFrameAloneDoesNotDecide) {
+TEST(ContactLogic, OneFrameOfTheMembraneAloneDoesNotDecide) {
   ContactLogic logic = fresh();
-  EXPECT_EQ(logic.update({5.0, 5.0, true}), CellState::kFree);
+  EXPECT_EQ(logic.update({0.5, 5.0, true}), CellState::kFree);
   for (int k = 0; k < 3; ++k) EXPECT_EQ(logic.update({0.0, 0.0, true}), CellState::kFree);
-  EXPECT_EQ(logic.update({5.0, 5.0, true}), CellState::kFree);
-  EXPECT_EQ(logic.update({5.0, 5.0, true}), CellState::kContact);
+  EXPECT_EQ(logic.update({0.5, 5.0, true}), CellState::kFree);
+  EXPECT_EQ(logic.update({0.5, 5.0, true}), CellState::kContact);
+}
+
+TEST(ContactLogic, TipAndMembranePastTheRestingOutlineDecideAtOnceWhereBothAreSure) {
+  const auto state = [](double sigma_px, double tip_sigma_px) {
+    return fresh().update({.tip_px = 3.0,
+                           .membrane_px = 3.0,
+                           .needle_seen = true,
+                           .sigma_px = sigma_px,
+                           .tip_sigma_px = tip_sigma_px});
+  };
+  EXPECT_EQ(state(0.25, 0.25), CellState::kContact);
+  EXPECT_EQ(state(0.25, 1.5), CellState::kFree);
+  EXPECT_EQ(state(0.8, 0.25), CellState::kFree);
 }
 
 TEST(ContactLogic, PressingHoldingAndDrawingBackIsNoPuncture) {

@@ -43,6 +43,21 @@ TEST_F(SceneReadingTest, AHolderPointsFromTheBorderToItsMouth) {
   EXPECT_FALSE(holder.is_short);
 }
 
+TEST(WorkedOn, ACellAtAHolderOrBeforeANeedleIsAndABystanderIsNot) {
+  const Eigen::Vector2d held(150.0, 100.0), bystander(150.0, 230.0);
+  constexpr double kRadius_px = 50.0;
+  SceneTool holder, needle;
+  holder.tip = {205.0, 100.0};
+  holder.direction = {-1.0, 0.0};
+  needle.tip = {60.0, 110.0};
+  needle.direction = {1.0, 0.0};
+  for (const SceneReading& seen : {SceneReading{{}, {}, {holder}}, SceneReading{{}, {needle}, {}}}) {
+    EXPECT_TRUE(is_worked_on(seen, held, kRadius_px));
+    EXPECT_FALSE(is_worked_on(seen, bystander, kRadius_px));
+  }
+  EXPECT_FALSE(is_worked_on({}, held, kRadius_px));
+}
+
 // Less of it in view than it is wide: its longest axis lies across it.
 TEST_F(SceneReadingTest, AHolderOfWhichLittleIsInViewIsOne) {
   fill(SceneClass::kHolder, [](int x, int y) { return y < 14 && x >= 40 && x < 58; });

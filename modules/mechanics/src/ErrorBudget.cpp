@@ -18,6 +18,9 @@ constexpr double kMismatch = 2.5;
 constexpr double kSeldomBorne_ratio = 0.2;
 /// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
 constexpr double kUnknownHolder_ratio = 0.3;
+/// What walls out of round or sucked differ from the model by at the same modulus, and how much more those bear that
+/// stiffen with strain; of the logarithm (docs/method.md, 4.4).
+constexpr double kUnlikeWall_ratio = 0.05, kStiffening_ratio = 0.13;
 /// A push of known force takes the sizes' error with it. This share of it is taken as left at other depths: 0.30 is, of
 /// thickness, tip and holder wrong by their standard deviations, at 10 to 44 um after a push at 5 um.
 constexpr double kGeometryLeft_ratio = 0.4;
@@ -38,6 +41,8 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
       (in.scale.has_geometry ? kGeometryLeft_ratio : 1.0) *
       std::hypot(in.cell.geometry().force_sigma_ratio(), estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
   add_model_errors(in.profile, in.model_force_uN, in.cell.rest_stiffness_uN_per_um(), errors);
+  errors.model_ratio = std::hypot(errors.model_ratio, kUnlikeWall_ratio);
+  errors.stiffening_ratio = kStiffening_ratio;
   errors.model_uN *= in.scale.ratio * in.force.ratio;
 
   // The contour beside the model: beyond what is usual it counts as a depth that isn't known.

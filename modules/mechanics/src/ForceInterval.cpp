@@ -33,8 +33,9 @@ ForceErrors ForceErrors::of_scale() const noexcept {
 
 ForceInterval interval_95(double force_uN, const ForceErrors& errors) noexcept {
   const double absolute = kSigmas95 * errors.absolute_uN(), relative = kSigmas95 * errors.relative();
+  const double upwards = std::hypot(relative, kSigmas95 * errors.stiffening_ratio);
   ForceInterval interval;
-  interval.upper_uN = force_uN + std::hypot(force_uN * std::expm1(relative), absolute);
+  interval.upper_uN = force_uN + std::hypot(force_uN * std::expm1(upwards), absolute);
   interval.lower_uN = std::max(0.0, force_uN - std::hypot(force_uN * -std::expm1(-relative), absolute));
   interval.sigma_uN = std::hypot(force_uN * errors.relative(), errors.absolute_uN());
   return interval;

@@ -178,19 +178,19 @@ class ForceObserver::Impl {
       estimate.reason = "contact, but the needle was not seen";
       return std::nullopt;
     }
-    // A tip far past a membrane that still follows: one of the two is not where it seems; and where the flanks have
-    // come back the contour may only be tied to the tip. The depth is between them.
-    double deep_um = std::max(0.0, o.indentation_um), shallow_um = deep_um;
-    if (PunctureVerdict::is_apart(sight)) deep_um += sight.tip_um - sight.membrane_um;
+    // The membrane lies on the tip that pushes it: a contour short of that tip cuts across the dimple of a fine needle.
+    // Far short, one of the two is not where it seems; and where the flanks have come back the contour may only be tied
+    // to the tip: in doubt the depth is between them.
+    const double deep_um = std::max({0.0, o.indentation_um, sight.tip_um});
+    double shallow_um = PunctureVerdict::is_apart(sight) ? std::max(0.0, o.indentation_um) : deep_um;
     if (verdict_.is_doubted()) shallow_um = std::min(shallow_um, verdict_.depth_by_flanks_um());
     const double half_gap_um = 0.5 * (deep_um - shallow_um);
-    // A needle that pushes flanks as deep as ever has the membrane on its tip.
-    const double middle_um = verdict_.is_pushed() ? deep_um : shallow_um + half_gap_um;
+    const double doubt_um = verdict_.is_doubted() && !verdict_.is_pushed() ? half_gap_um : 0.0;
     // What lasts over the frames, such as where the cell is seated, is no noise: a filter that took it for noise would
     // go on where the needle halts. A membrane on the tip moves as the tip does, and is seen as well.
     const double noise_um = std::min(sight.membrane_sigma_um, sight.tip_sigma_um);
     const double lasting_um = std::sqrt(std::pow(sight.membrane_sigma_um, 2) - noise_um * noise_um);
-    const auto filtered = filter_.update(o.time_s, middle_um, std::hypot(noise_um, half_gap_um));
+    const auto filtered = filter_.update(o.time_s, deep_um - doubt_um, std::hypot(noise_um, doubt_um));
     estimate.depth_sigma_um = std::hypot(std::hypot(filtered.sigma_um, lasting_um), kEdgeBias_um, half_gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";

@@ -17,7 +17,7 @@ constexpr double kEdgeSigma_um = 0.4;
 /// their logarithms. Beside a length that is seen none of them would count.
 constexpr double kUnseenThickness_ratio = 0.5, kBenchTip_ratio = 0.7, kBenchHolder_ratio = 0.4;
 /// A holder so many of those deviations from the usual one is none: something else was seen, or a part of it.
-constexpr double kFarthestHolder_sigmas = 3.0;
+constexpr double kFarthestHolder_sigmas = 3.4;
 /// How well a tool's radius is seen: of its logarithm.
 constexpr double kSeenTip_ratio = 0.15, kSeenHolder_ratio = 0.08;
 /// An inner edge that would have been seen from a distance on, and wasn't: how much that distance may differ, over

@@ -26,6 +26,11 @@ constexpr int kAstrayFrames = 3;
 constexpr double kSeatCosine = 0.85, kFarCosine = 0.5;
 constexpr int kSeatRounds = 12;
 constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
+// Standard deviations of the seat where no holder's walls show the motion: px, by the whole outline and in contact, and
+// of the needle's depth, which dents the one and bulges the far side of the other, with a holder in view and without;
+// how far from its drift a cell has moved.
+constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
+constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.15, kMoved_sigmas = 3.0;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
@@ -143,6 +148,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
+  drift_.reset();
   if (!entered) learn_rest(frame);
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
@@ -214,10 +220,7 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
 void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before) {
   const Eigen::Vector2d seat_before = seat_;
   seat_ = seat_center();
-  if (!rigid_.valid()) {
-    motion_.shift += seat_ - center_now();
-    return;
-  }
+  if (!rigid_.valid()) return follow_seat();
   const Eigen::Vector2d seat_way = seat_ - seat_before, holder_way = center_now() - center_before;
   // What the needle pushed, it pushed by its way against the cell.
   const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
@@ -229,9 +232,10 @@ void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vect
   // The walls tell across the pipette, the seat along it.
   const Eigen::Vector2d gap = seat_ - center_now(), along = gap.dot(holder_direction()) * holder_direction();
   const bool is_free = contact_.state() == CellState::kFree;
-  const bool astray = (is_free ? gap : along).norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
+  const bool astray = (is_free ? gap : along).norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius) &&
+                      (is_free || !has_drifted_here());
   astray_frames_ = astray ? astray_frames_ + 1 : 0;
-  const bool pushed = !is_free || (needle_.valid() && tip_depth() > -kAway_px);
+  const bool pushed = may_be_pushed();
   walls_slide_ = pushed && (walls_slide_ || astray_frames_ >= kAstrayFrames);
   if (walls_slide_) {
     rigid_.move_by(along);
@@ -246,11 +250,33 @@ void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vect
   learn_holder_motion(frame);
 }
 
+// The seat, by what is known of either weighed against where the drift before the touch has led: beside a needle that
+// pushes deep the far side bulges. What is farther from there than that has moved.
+void CellFollower::follow_seat() {
+  const bool is_free = contact_.state() == CellState::kFree;
+  const double bulge = (is_free ? kDent_ratio : holder_ ? kHeldBulge_ratio : kBulge_ratio) * std::max(0.0, membrane_depth_);
+  const Eigen::Vector2d gap = seat_ - drift_.place();
+  const double seat = std::hypot(is_free ? kOutlineSigma_px : kSeatSigma_px, bulge), drift = drift_.sigma_px(), both = std::hypot(seat, drift);
+  const bool has_moved = !may_be_pushed() || gap.norm() > kMoved_sigmas * both;
+  motion_.shift += (has_moved ? seat_ : drift_.place() + std::pow(drift / both, 2) * gap) - center_now();
+  seat_sigma_ = has_moved ? seat : seat * drift / both;
+}
+
+bool CellFollower::may_be_pushed() const {
+  return contact_.state() != CellState::kFree || (needle_.valid() && tip_depth() >= -kAway_px);
+}
+
+// The walls put the cell where the drift before the touch has led.
+bool CellFollower::has_drifted_here() const {
+  return drift_.sigma_px() < kSlid_px && (center_now() - drift_.place()).norm() < kSlid_px;
+}
+
 bool CellFollower::follow(const FrameInput& frame) {
   ++frames_followed_;
   const std::optional<Eigen::Vector2d> jump = notice_jump(frame);
   const Eigen::Vector2d center_before = center_now();
   follow_rigid_motion(frame, jump.value_or(Eigen::Vector2d::Zero()));
+  drift_.advance(jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
   // The holder's fit says better than the picture as a whole how far a jump went.
   follow_needle(frame, jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
 
@@ -279,8 +305,10 @@ bool CellFollower::follow(const FrameInput& frame) {
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
                    needle_.valid() ? needle_.estimate().tip_sigma : 0.0, are_flanks_pushed()});
   if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
-  const bool away = !needle_.valid() || tip_depth() < -kAway_px;
-  if (contact_.state() == CellState::kFree && away) learn_rest(frame);
+  if (!may_be_pushed()) {
+    drift_.learn(center_now());
+    learn_rest(frame);
+  }
   measure_dent();
   return true;
 }

@@ -14,6 +14,7 @@
 #include "RigidMotion.h"
 #include "SceneReader.h"
 #include "SoftZona.h"
+#include "SteadyDrift.h"
 #include "ToolFinder.h"
 #include "pellucida/tracking/TrackerOptions.h"
 #include "pellucida/tracking/TrackerTimings.h"
@@ -64,6 +65,7 @@ class CellFollower {
   /// The holding pipette as it was found with the cell; `motion()` takes it to where it is now.
   const std::optional<HolderFit>& holder() const noexcept { return holder_; }
   const RestGeometry& rest() const noexcept { return rest_; }
+  bool is_read() const noexcept { return is_read_; }  ///< by networks, not by what the membranes look like
   CellState state() const noexcept { return contact_.state(); }
   /// Rigid motion since the cell was found, and where its resting centre is now.
   const RigidMove& motion() const noexcept { return motion_; }
@@ -132,6 +134,9 @@ class CellFollower {
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;
+  void follow_seat();
+  bool has_drifted_here() const;
+  bool may_be_pushed() const;
 
   TrackerOptions options_;
   MembraneSnakes snakes_;
@@ -140,6 +145,8 @@ class CellFollower {
   GlobalShiftEstimator scene_;
   RigidMotion rigid_;
   RigidMove motion_;
+  SteadyDrift drift_;
+  double seat_sigma_ = 0.0;  // px, of the shift in contact where no holder shows it
   Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;
   ContactLogic contact_;

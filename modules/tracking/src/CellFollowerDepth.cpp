@@ -23,10 +23,8 @@ constexpr double kLeastFlank_px = 2.0, kFlankFade = 0.95, kFlankBack_ratio = 0.6
 constexpr double kPushedFlank_ratio = 0.85, kCut_ratio = 0.8;
 
 // Standard deviations, px: of the resting outline along the needle, the membrane's uneven edge included; where it was
-// not seen undisturbed; of the shift known from the whole outline while nothing pushes it, and from the cell's seat
-// alone (docs/method.md, 1.3), where no holder says where that is, of the depth as well.
+// not seen undisturbed.
 constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5;
-constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45, kNoHolderSigma_ratio = 0.05;
 
 }  // namespace
 
@@ -121,8 +119,7 @@ double CellFollower::membrane_sigma() const {
 double CellFollower::rest_sigma() const {
   const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
   if (rigid_.valid()) return std::hypot(rest, rigid_.sigma_px(needle_.estimate().direction));
-  if (contact_.state() == CellState::kFree) return std::hypot(rest, kOutlineSigma_px);
-  return std::hypot(rest, kSeatSigma_px, holder_ ? 0.0 : kNoHolderSigma_ratio * std::max(0.0, membrane_depth_));
+  return std::hypot(rest, seat_sigma_);
 }
 
 double CellFollower::depth_sigma() const {

@@ -13,7 +13,7 @@ namespace pellucida {
 namespace {
 
 // Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
-constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15;
+constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15, kFacingTip_ratio = 0.25;
 // Of the radius, beyond the centre: a needle does not lie with its tip further through the cell.
 constexpr double kThrough_ratio = 0.9;
 // An edge that many times as blurred as the membrane's line is wide can't be taken for one.
@@ -26,8 +26,10 @@ constexpr double kHaloLines = 4.0;
 constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 
 // A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
-// logarithms are; how well the scene shows a width, likewise.
-constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kSceneWidthSigma = 0.35;
+// logarithms are; one of its walls alone, when they are so far apart; how well the scene shows a width, likewise.
+constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kOneWall = -0.6, kSceneWidthSigma = 0.35;
+// Of the cell's radius: half the width of the narrowest pipette that holds it.
+constexpr double kNarrowestFacing_ratio = 0.12;
 // An end found by lines that moves so differently from the frame before is read by the network too.
 constexpr double kCheckedLeap_px = 3.0;
 // Frames between two readings of the tip's width.
@@ -60,10 +62,11 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
 }
 
 // Its edges may be those of a halo: where the scene shows a holder of quite another width, that is its width.
-void check_width(HolderFit& holder, const SceneReading& scene) {
+void check_width(HolderFit& holder, const SceneReading& scene, bool by_lines) {
   for (const SceneTool& seen : scene.holders) {
     if (-holder.direction.dot(seen.direction) < kAlongHolder || !(seen.half_width_px > 0.0)) continue;
-    if (std::abs(std::log(holder.half_width / seen.half_width_px)) < kSameHolderWidth) return;
+    const double wider = std::log(seen.half_width_px / holder.half_width);
+    if (std::abs(wider) < kSameHolderWidth || (by_lines && wider < kOneWall)) return;
     holder.half_width = seen.half_width_px;
     holder.half_width_sigma = kSceneWidthSigma;
     return;
@@ -87,7 +90,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   motion_ = {};
   const auto find_among = [&](const std::vector<FoundTool>& candidates) {
     holder_ = find_holder(frame.image, candidates, circle, frame.noise);
-    if (holder_ && frame.seen) check_width(*holder_, *frame.seen);
+    if (holder_ && frame.seen) check_width(*holder_, *frame.seen, !frame.scene);
   };
   find_among(frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools);
   find_needle(frame, circle, tools);
@@ -98,6 +101,14 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
       return -tool.direction.dot(needle_.estimate().direction) < kAlongHolder;
     });
     find_among(others);
+  }
+  // What faces the needle holds the cell, however narrow: the scene takes such a pipette for another needle.
+  if (!holder_ && needle_.valid()) {
+    std::vector<FoundTool> facing;
+    std::copy_if(tools.begin(), tools.end(), std::back_inserter(facing), [&](const FoundTool& tool) {
+      return tool.direction.dot(needle_.estimate().direction) > kAlongHolder;
+    });
+    holder_ = find_holder(frame.image, facing, circle, frame.noise, kNarrowestFacing_ratio);
   }
   read_tip_width(frame, true);
 }
@@ -113,8 +124,10 @@ bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
 void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& circle,
                                const std::vector<FoundTool>& tools) {
+  // What points at the pipette that holds the cell may be blunt.
   const auto is_plausible = [&] {
-    return needle_.estimate().tip_half_width < kBroadTip_ratio * circle.radius &&
+    const bool faces = holder_ && needle_.estimate().direction.dot(holder_direction()) > kAlongHolder;
+    return needle_.estimate().tip_half_width < (faces ? kFacingTip_ratio : kBroadTip_ratio) * circle.radius &&
            is_before(circle.center, kThrough_ratio * circle.radius);
   };
   const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
@@ -164,7 +177,7 @@ bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d&
   const auto found = find_holder_at(frame, find_tools(gray(frame.view), circle), circle, place);
   if (!found) return false;
   holder_ = found;
-  if (frame.seen) check_width(*holder_, *frame.seen);
+  if (frame.seen) check_width(*holder_, *frame.seen, !frame.scene);
   // It was found in this frame, and the cell at rest is where it is now.
   rest_.center = center_now();
   rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);

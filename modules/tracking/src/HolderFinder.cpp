@@ -8,8 +8,9 @@
 namespace pellucida {
 namespace {
 
-constexpr double kLeastWidth = 0.2;  // of the cell's radius
 constexpr double kStraight = 0.4;    // of the cell's radius: how far its axis at the cell and further out may differ
+// A tool that another faces, so much broader and so much as strong, is the needle.
+constexpr double kBroader = 1.2, kAsStrong = 0.4, kFacing = -0.5;
 constexpr double kAlike = 0.6;       // correlation that still is the pipette
 // A wall ends in a rounded rim, and stops looking like a wall half its thickness before that: for the usual walls, a
 // fifth of the half width thick, this share of the half width.
@@ -88,9 +89,15 @@ double find_mouth(const FrameSampler& image, const HolderFit& holder, const cont
 }  // namespace
 
 std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vector<FoundTool>& tools,
-                                     const contour::Circle& cell, double noise) {
+                                     const contour::Circle& cell, double noise, double least_ratio) {
+  const auto is_needle = [&](const FoundTool& tool) {
+    return std::any_of(tools.begin(), tools.end(), [&](const FoundTool& other) {
+      return other.half_width() > kBroader * tool.half_width() && other.strength > kAsStrong * tool.strength &&
+             other.direction.dot(tool.direction) < kFacing;
+    });
+  };
   for (const FoundTool& tool : tools) {
-    if (tool.half_width() < kLeastWidth * cell.radius) continue;
+    if (tool.half_width() < least_ratio * cell.radius || is_needle(tool)) continue;
     HolderFit holder;
     holder.direction = tool.direction;
     holder.offset = tool.offset();
@@ -108,7 +115,7 @@ std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vecto
       holder.offset = offset_of(*guess);
       const double at_cell = (guess->axis.tip - cell.center).dot(holder.direction);
       const double half_width = guess->model.cone.half_width(std::max(0.0, cell.radius - at_cell));
-      if (half_width > kLeastWidth * cell.radius &&
+      if (half_width > least_ratio * cell.radius &&
           std::abs(half_width - tool.half_width()) < 0.4 * tool.half_width()) {
         holder.half_width = half_width;
         sure = 1.0;

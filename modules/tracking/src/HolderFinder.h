@@ -20,11 +20,12 @@ struct HolderFit {
   double confidence = 0.0;  ///< 0..1
 };
 
-/// Finds the holder among the tools round a cell: the strongest of those at least a fifth of the cell's radius wide.
+/// Finds the holder among the tools round a cell: the strongest of those whose half width is at least that share of the
+/// cell's radius; not one that a much broader tool faces, which is a needle.
 /// Its two outer edges are followed inwards as a needle's are (NeedleStart), which gives axis and width; the mouth is
 /// where the cross-section just outside the cell stops being found again, going towards the cell. Nothing when no tool
 /// is broad enough or none shows two edges.
 std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vector<FoundTool>& tools,
-                                     const contour::Circle& cell, double noise);
+                                     const contour::Circle& cell, double noise, double least_ratio = 0.2);
 
 }  // namespace pellucida

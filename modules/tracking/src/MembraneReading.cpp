@@ -25,7 +25,7 @@ constexpr double kSettledShare = 0.004;
 // Rounds from a rough outline, and the score below which that showed no boundary. Set on films of the tuning families:
 // 0.95 and more in all 41 with a cell.
 constexpr int kRoundsAtFirst = 3;
-constexpr double kLeastAtFirst = 0.82;
+constexpr double kLeastAtFirst = 0.76;
 
 // The places of the network's normals on others of the same contour, both evenly spaced from the same point on.
 void spread_out(const Eigen::VectorXd& places, Eigen::VectorXd& out) {

@@ -198,10 +198,14 @@ class MembraneTracker::Impl {
   bool start_seen(const FrameInput& frame, const DetectionHint* hint) {
     const bool is_drawn = hint != nullptr && hint->is_drawn() && can_be_a_cell(whole_, hint->outline);
     if (is_drawn && cell_.start(frame, detected(hint->outline))) return true;
-    return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
-      const bool is_meant = hint ? contour::contains(seen.outer, hint->inside) : !is_excluded(frame, seen);
-      return seen.share > kLeastCellShare && is_meant && cell_.start(frame, detected(seen));
-    });
+    const auto start_one = [&](bool bystander) {
+      return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
+        const bool is_meant = hint ? contour::contains(seen.outer, hint->inside) : !is_excluded(frame, seen);
+        return seen.share > kLeastCellShare && is_meant &&
+               is_bystander(frame, seen.center, seen.radius_px) == bystander && cell_.start(frame, detected(seen));
+      });
+    };
+    return start_one(false) || start_one(true);
   }
 
   // By the network where it is at home, and where lines and network don't agree: lines follow a halo, the inner
@@ -216,7 +220,8 @@ class MembraneTracker::Impl {
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
     const bool has_seen = start_seen(frame, hint);
-    if (has_seen && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_)))) return true;
+    const bool strays = has_lines && has_seen && is_bystander(frame, cell_) && !is_bystander(frame, lines);
+    if (has_seen && !strays && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_)))) return true;
     // Where the whole picture gives the network no start, the lines may.
     if (!has_seen && has_lines && !verdict.is_same() && cell_.start(frame, detected(lines)) && is_known(cell_))
       return true;
@@ -288,11 +293,23 @@ class MembraneTracker::Impl {
 
   // The cell on the holding pipette is the one that is worked on, not a bystander or a bubble that looks as round.
   bool start_at_tools(const FrameInput& frame, const DetectedCell& found) {
+    const bool is_elsewhere = is_bystander(frame, found.circle.center, found.circle.radius);
     const bool started = cell_.start(frame, found);
-    if (started && has_tools()) return true;
+    if (started && has_tools() && !is_elsewhere) return true;
     const std::optional<DetectedCell> other = detect_cell(whole_, options_, nullptr, &found.circle);
-    if (other && !is_excluded(frame, other->circle) && cell_.start(frame, *other) && has_tools()) return true;
+    const bool may_be = other && !is_excluded(frame, other->circle) &&
+                        !(is_elsewhere && is_bystander(frame, other->circle.center, other->circle.radius));
+    if (may_be && cell_.start(frame, *other) && has_tools()) return true;
     return started && cell_.start(frame, found);
+  }
+
+  // The tools that the scene shows are elsewhere.
+  bool is_bystander(const FrameInput& frame, const Eigen::Vector2d& center, double radius_px) const {
+    const bool has_tools = frame.seen != nullptr && !(frame.seen->holders.empty() && frame.seen->needles.empty());
+    return has_tools && !is_worked_on(*frame.seen, center, radius_px);
+  }
+  bool is_bystander(const FrameInput& frame, const CellFollower& cell) const {
+    return is_bystander(frame, cell.center_now(), cell.rest().outer_radius);
   }
 
   // By lines: where they aren't to be trusted alone, or something pushes and isn't seen.

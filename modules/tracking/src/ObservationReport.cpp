@@ -12,6 +12,9 @@ namespace {
 constexpr double kRounding_px = 0.3;
 constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
 constexpr double kMostWhenUnseen = 0.5;     // confidence in a frame that shows a dent and not what makes it
+// Standard deviation of the distance between two contours that networks read: of 21 films three were off by 0.7 px and
+// more.
+constexpr double kReadThickness_px = 0.5;
 
 // The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
 // depth, weighted by their variances as long as they agree; the resting outline, from which both are taken, adds its
@@ -147,6 +150,8 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
       out.rest_inner_radius_um = out.rest_outer_radius_um - thin.thickness_px * pixel_size_um;
     out.rest_thickness_sigma_um = thin.sigma_px * pixel_size_um;
     out.rest_thickness_limit_um = thin.limit_px * pixel_size_um;
+  } else if (cell.is_read()) {
+    out.rest_thickness_sigma_um = kReadThickness_px * pixel_size_um;
   }
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);

@@ -15,6 +15,8 @@
 namespace pellucida {
 namespace {
 
+// A holding pipette's end, of the radius of the cell that it holds from its centre, and the cosine of where it points.
+constexpr double kNearestEnd_ratio = 0.6, kFarthestEnd_ratio = 1.4, kAimed = 0.7;
 constexpr float kCertain = 0.5F;       // probability from which a map pixel belongs to a class
 constexpr int kFiner = 4;              // outlines are drawn on a grid that many times as fine as the map
 constexpr double kLeastCell = 14.0;    // map pixels: area of a cell
@@ -247,6 +249,21 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
 }
 
 }  // namespace
+
+bool is_worked_on(const SceneReading& seen, const Eigen::Vector2d& center, double radius_px) {
+  const auto ends_at = [&](const SceneTool& holder) {
+    const double away = (center - holder.tip).norm() / radius_px;
+    return away > kNearestEnd_ratio && away < kFarthestEnd_ratio &&
+           holder.direction.dot(center - holder.tip) > kAimed * away * radius_px;
+  };
+  const auto points_into = [&](const SceneTool& needle) {
+    const Eigen::Vector2d way = center - needle.tip;
+    return way.dot(needle.direction) > 0.0 &&
+           std::abs(way.x() * needle.direction.y() - way.y() * needle.direction.x()) < radius_px;
+  };
+  return std::any_of(seen.needles.begin(), seen.needles.end(), points_into) ||
+         std::any_of(seen.holders.begin(), seen.holders.end(), ends_at);
+}
 
 SceneReading read_scene(const SceneMap& map, int image_width, int image_height) {
   SceneReading reading;

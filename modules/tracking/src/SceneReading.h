@@ -38,6 +38,9 @@ struct SceneReading {
   std::vector<SceneTool> holders;
 };
 
+/// Whether a holding pipette ends at the circle or a needle points into it: the cell that is worked on, no bystander.
+bool is_worked_on(const SceneReading& seen, const Eigen::Vector2d& center, double radius_px);
+
 /// Cells, needles and holding pipettes of a map: connected areas of their classes, large enough to be one.
 /// `image_width`, `image_height` in px tell which end of a tool lies at the border.
 SceneReading read_scene(const SceneMap& map, int image_width, int image_height);

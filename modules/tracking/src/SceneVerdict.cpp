@@ -19,9 +19,9 @@ constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
 constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
 // The network's score is 0.98 or more for looks like those it has learnt from, 0.95 or less for most others, the lines'
 // 0.999 for bubbles. kKnownScore was chosen with the validation films 16001 to 16040 in view.
-constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.95, kKnownScore = 0.93, kBubbleScore = 0.99;
+constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.90, kKnownScore = 0.86, kBubbleScore = 0.99;
 // Of a reading about the lines, holder and needle included: below, none about the network's own outline is familiar.
-constexpr double kStrangeScore = 0.91;
+constexpr double kStrangeScore = 0.84;
 
 // Mean distance of an outline's points from the nearest points of a contour, px.
 double distance_px(const Eigen::Matrix2Xd& outline, const Eigen::Matrix2Xd& contour) {

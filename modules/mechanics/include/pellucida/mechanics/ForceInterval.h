@@ -17,6 +17,8 @@ struct ForceErrors {
   double model_uN = 0.0;        ///< the profile's stated error, below the depths it was compared at
   double model_ratio = 0.0;     ///< the same at those depths
   double geometry_ratio = 0.0;  ///< radius, thickness, tools at rest
+  /// How much more a wall bears that stiffens with strain: it counts upwards only.
+  double stiffening_ratio = 0.0;
   double scale_ratio = 0.0;     ///< of this kind of cell; of this cell, once its own scale was measured
 
   double absolute_uN() const noexcept;
@@ -36,8 +38,8 @@ struct ForceInterval {
 
 /// The 95 % interval about `force_uN` >= 0. The relative errors multiply (log-normal), so that the interval extends
 /// further up than down; the absolute ones add; both are independent:
-///   upper = F + sqrt((F (exp(z r) - 1))^2 + (z a)^2),  lower = F - sqrt((F (1 - exp(-z r)))^2 + (z a)^2),  z = 1.96,
-/// lower at least 0.
+///   upper = F + sqrt((F (exp(z u) - 1))^2 + (z a)^2),  lower = F - sqrt((F (1 - exp(-z r)))^2 + (z a)^2),  z = 1.96,
+/// with r the relative errors and u the same with the stiffening; lower at least 0.
 ForceInterval interval_95(double force_uN, const ForceErrors& errors) noexcept;
 
 /// The part of `errors` that the model itself brings, from the errors the profile lists. Each says: largest relative
