@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "ContactSight.h"
+#include "films/FilmManipulator.h"
 #include "films/RelaxingTruth.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
@@ -106,7 +107,7 @@ class ProfileForce {
 
 }  // namespace
 
-FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
+FilmRun run_film(const RandomFilm& film, const TrackerOptions& options, bool is_commanded) {
   using Clock = std::chrono::steady_clock;
   FilmRun run;
   run.film = film;
@@ -129,9 +130,18 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options) {
   double tracking_squares = 0.0, peak_of_truth_uN = 0.0;
   std::optional<long> punctured_at;
   std::vector<FilmPicture> every;
+  std::optional<FilmManipulator> manipulator;
+  if (is_commanded) manipulator.emplace(film);
+  std::optional<Eigen::Vector2d> reported_um;
   while (const std::optional<Frame> frame = microscope.next()) {
+    FrameHints hints;
+    if (manipulator) {
+      const Eigen::Vector2d now_um = manipulator->at(frame->time_s);
+      if (reported_um) hints.needle_motion_um = now_um - *reported_um;
+      reported_um = now_um;
+    }
     const auto start = Clock::now();
-    const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index);
+    const Observation seen = tracker.process(view_of(frame->image.get()), frame->time_s, frame->frame_index, hints);
     frame_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     Truth truth = microscope.truth();
     if (film.relaxes) truth.contact_force_uN = relaxing.add(frame->time_s, truth.contact_force_uN);

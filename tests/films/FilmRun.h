@@ -73,7 +73,8 @@ struct FilmRun {
   bool is_confident_and_wrong(const FrameError& error) const;
 };
 
-FilmRun run_film(const RandomFilm& film, const TrackerOptions& options = {});
+/// `is_commanded`: the tracker is told what a `FilmManipulator` reports.
+FilmRun run_film(const RandomFilm& film, const TrackerOptions& options = {}, bool is_commanded = false);
 
 /// The worst frame with the true contours and tip (green) and those found (red), as PNG.
 void draw_worst(const FilmRun& run, const std::string& file);

@@ -1,8 +1,8 @@
 // A developer's tool, not installed and no test: runs random films through tracker and force observer and prints what
 // came of it, by contrast and together.
 //   film_report --split tuning|validation|wide|unseen [--count N] [--first SEED] [--film SEED] [--jobs N] [--widest PX]
-//               [--family NAME] [--punctures] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--detection
-//               auto|lines|scene] [--quality live|high]
+//               [--family NAME] [--punctures] [--specimens FOLDER] [--each-once] [--relaxing] [--drawing] [--commanded]
+//               [--detection auto|lines|scene] [--quality live|high]
 //               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
 // Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
@@ -10,6 +10,7 @@
 // then says how the profile's own thickness, tip and holder would have done, and a table goes by what the specimens
 // are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --relaxing: the
 // force relaxes by a law of three arms, under a profile of two.
+// --commanded: the tracker is told what a manipulator reports, with errors of its own (`FilmManipulator`).
 // --drawing: plain bright field. --film: that one film alone. --family: films of that family alone. --punctures: films
 // whose membrane gives way alone, to say how soon that is told. --widest: no wider pictures. --csv:
 // a row a film. "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the
@@ -42,7 +43,7 @@ struct Choice {
   int jobs = 1, widest_px = 2048;
   std::string csv, sights, worst, sheets, family;
   std::vector<std::string> specimens;
-  bool frames = false, drawing = false, each_once = false, relaxing = false, punctures = false;
+  bool frames = false, drawing = false, each_once = false, relaxing = false, punctures = false, commanded = false;
   TrackerOptions tracker;
 };
 
@@ -96,6 +97,8 @@ Choice read_arguments(int count, char** arguments) {
       choice.relaxing = true;
     } else if (word == "--punctures") {
       choice.punctures = true;
+    } else if (word == "--commanded") {
+      choice.commanded = true;
     } else if (word == "--drawing") {
       choice.drawing = true;
     } else if (word == "--frames") {
@@ -324,7 +327,7 @@ void report(const Choice& choice) {
         test::RandomFilm film = test::draw_film(choice.split, seeds[k], choice.widest_px, specimens);
         film.drawing = choice.drawing;
         film.relaxes = choice.relaxing;
-        runs[k] = test::run_film(film, choice.tracker);
+        runs[k] = test::run_film(film, choice.tracker, choice.commanded);
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
       }

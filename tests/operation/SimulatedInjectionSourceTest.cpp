@@ -44,6 +44,15 @@ TEST(SimulatedInjectionSource, AGuidedInjectionGoesFromEndToEnd) {
   EXPECT_NEAR(measured_uN, ran.outcome.puncture_force_uN, 0.055 * ran.outcome.puncture_force_uN);
   EXPECT_LT(ran.measured.peak->measurement.time_s, ran.outcome.puncture_s + 1e-9);
 
+  // The manipulator's reports are in the rows and lie within its play and step of the tip that was seen.
+  int reported = 0;
+  for (const Measurement& row : ran.measured.rows) {
+    if (!std::isfinite(row.manipulator_x_um) || !std::isfinite(row.tip_x_um)) continue;
+    EXPECT_NEAR(row.manipulator_x_um, row.tip_x_um, 1.5) << row.frame;
+    ++reported;
+  }
+  EXPECT_GT(reported, 100);
+
   // In the end the needle is out again and the hand feels nothing.
   EXPECT_EQ(ran.measured.rows.back().state, CellState::kFree);
   EXPECT_LT(ran.ticks.back().contact_force_uN.eigen().norm(), 1e-9);

@@ -4,8 +4,10 @@
 #include <vtkCellData.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <thread>
@@ -15,8 +17,10 @@
 #include "pellucida/haptics/DeviceCatalog.h"
 #include "pellucida/operation/HapticPathBlock.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
+#include "pellucida/pipeline/BatchRun.h"
 #include "pellucida/session/SessionCheck.h"
 #include "pellucida/session/SessionReader.h"
+#include "pellucida/session/SessionSource.h"
 #include "pellucida/teleoperation/TeleoperationMap.h"
 #include "support/WaitUntil.h"
 
@@ -131,6 +135,20 @@ TEST(TeleoperationRun, TheHandFeelsTheCellAndTheSessionHoldsIt) {
   const auto* time = block->GetPointData()->GetArray("time_s");
   const double last_s = const_cast<vtkDataArray*>(time)->GetComponent(block->GetNumberOfPoints() - 1, 0);
   EXPECT_NEAR(last_s, session.measurements().back().time_s, 5.0);
+
+  // The rows say where the injector was at each frame's time, and what is measured by that again is the same.
+  const auto& rows = session.measurements();
+  const auto is_placed = [](const Measurement& row) { return std::isfinite(row.manipulator_x_um); };
+  EXPECT_GT(std::count_if(rows.begin(), rows.end(), is_placed), 10);
+  SessionSource source(folder / "s");
+  const BatchResult again = run_batch(source, {}, [](const Scene&) {});
+  ASSERT_EQ(again.rows.size(), rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_EQ(is_placed(again.rows[k]), is_placed(rows[k])) << k;
+    if (!rows[k].state || !std::isfinite(rows[k].tip_x_um)) continue;
+    EXPECT_NEAR(again.rows[k].tip_x_um, rows[k].tip_x_um, 1e-5) << k;
+    EXPECT_NEAR(again.rows[k].indentation_um, rows[k].indentation_um, 1e-5) << k;
+  }
 }
 
 TEST(TeleoperationRun, ASettingTheDeviceCannotHoldIsRefused) {

@@ -59,6 +59,25 @@ TEST(SessionSource, DeliversTheFramesAsTheyWereRecorded) {
   EXPECT_EQ(numbers_of(all_frames_of(source)), (std::vector<long>{0, 1, 2, 3}));
 }
 
+TEST(SessionSource, AManipulatorsPlaceComesBackToTheBit) {
+  const TemporaryFolder folder;
+  {
+    SessionWriter writer(folder / "s", make_info());
+    Scene scene = make_scene(0);
+    scene.measurement.manipulator_x_um = -12.345;
+    scene.measurement.manipulator_y_um = 1987.654;
+    writer.write(scene);
+    writer.write(make_scene(1));
+    writer.close();
+  }
+  SessionSource source(folder / "s");
+  const auto frames = all_frames_of(source);
+  ASSERT_EQ(frames.size(), 2U);
+  ASSERT_TRUE(frames[0].manipulator_um);
+  EXPECT_EQ(*frames[0].manipulator_um, Eigen::Vector2d(-12.345, 1987.654));
+  EXPECT_FALSE(frames[1].manipulator_um);
+}
+
 TEST(SessionSource, AnImageThatIsNotThereIsCountedAndShiftsNoTime) {
   const TemporaryFolder folder;
   write_session(folder / "s", 6);

@@ -194,8 +194,26 @@ TEST(NeedleTracker, TheCommandedMotionSaysSoAndHelps) {
   d.tip += 6.0 * d.direction() + 9.0 * d.direction();
   const Picture picture = draw(d);
   const FrameSampler image(picture.view());
-  ASSERT_TRUE(needle.track(image, noise_level(image), {34.0, true, 9.0 * d.direction()}));
+  // A manipulator whose commands it has followed so far, and now leaps by.
+  const NeedleEstimate before = needle.estimate();
+  CommandedMotion command;
+  for (int k = 10; k >= 0; --k) {
+    command.begin(Eigen::Vector2d(1.0 * d.direction()));
+    command.learn(before.tip - 1.0 * k * before.direction, before.direction, 0.1, k == 10);
+  }
+  command.begin(Eigen::Vector2d(9.0 * d.direction()));
+  ASSERT_TRUE(needle.track(image, noise_level(image), {34.0, true, &command}));
   EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.2);
+  EXPECT_TRUE(needle.estimate().evidence & kCommandedMotion);
+}
+
+TEST(NeedleTracker, HeldItIsWhereItWasSent) {
+  NeedleTracker needle;
+  ASSERT_FALSE(push({}, 1.0, 6, 0, needle).empty());
+  const NeedleEstimate before = needle.estimate();
+  needle.hold({.ahead_px = 4.0, .sigma_px = 0.7});
+  EXPECT_NEAR((needle.estimate().tip - before.tip - 4.0 * before.direction).norm(), 0.0, 1e-9);
+  EXPECT_EQ(needle.estimate().tip_sigma, 0.7);
   EXPECT_TRUE(needle.estimate().evidence & kCommandedMotion);
 }
 

@@ -64,6 +64,26 @@ TEST(TrackingStep, TellsTheStoryOfAPuncture) {
   EXPECT_NEAR(puncture_s, true_puncture_s, 0.07);
 }
 
+TEST(TrackingStep, TheWayAManipulatorWentIsEvidenceAndStaysInTheRow) {
+  const auto microscope = open_virtual("default");
+  TrackingStep step, without;
+  int told = 0;
+  for (int k = 0; k < 60; ++k) {
+    Scene scene;
+    scene.frame = microscope->next()->image;
+    ASSERT_FALSE(without.process(scene)->observation->needle->evidence & kCommandedMotion);
+    const PlainVector3 tip_um = microscope->truth().tip_um;
+    scene.measurement.manipulator_x_um = 500.0 + tip_um.x;
+    scene.measurement.manipulator_y_um = tip_um.y;
+    const auto result = step.process(scene);
+    EXPECT_EQ(result->measurement.manipulator_x_um, 500.0 + tip_um.x);
+    EXPECT_EQ(result->measurement.manipulator_y_um, tip_um.y);
+    told += result->observation->needle->evidence & kCommandedMotion ? 1 : 0;
+    EXPECT_LT((result->observation->needle->tip_um - tip_um.eigen().head<2>()).norm(), 0.6) << k;
+  }
+  EXPECT_GT(told, 30);
+}
+
 // A film with a second cell beside the one that is held.
 class Hints : public testing::Test {
  protected:

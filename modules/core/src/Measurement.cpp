@@ -64,6 +64,11 @@ constexpr Field<M> kColumns[] = {
      "force at which a cell of these sizes is expected to give way under this needle; log-normal about it, by 35 % and "
      "more ([method.md](method.md#38-from-the-contour-to-the-force))"},
     {"expected_puncture_um", "um", &M::expected_puncture_um, kAny, "indentation at which this cell bears that force"},
+    {"manipulator_x_um", "um", &M::manipulator_x_um, kAny,
+     "where the manipulator reported the tip at the frame's time, to 1 nm; only while one moves the needle. Known "
+     "before "
+     "the frame was measured: evidence for the tracker, not a measurement"},
+    {"manipulator_y_um", "um", &M::manipulator_y_um, kAny, "the same, down"},
 };
 
 double M::*number_of(const Field<M>& column) {

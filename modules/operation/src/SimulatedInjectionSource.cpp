@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 
+#include "pellucida/core/ManipulatorTrack.h"
 #include "pellucida/operation/VirtualInjectionSetup.h"
 #include "pellucida/simulation/OperatorPlan.h"
 #include "pellucida/simulation/SimulatedTeleoperation.h"
@@ -44,6 +45,7 @@ class SimulatedInjectionSource::Impl {
     while (now_s() <= exposure_s) tick();
     auto frame = microscope_->next();
     if (frame) {
+      frame->manipulator_um = manipulator_.at(frame->time_s);
       ++frame_count_;
       watch(microscope_->truth(), frame->time_s);
     }
@@ -119,6 +121,9 @@ class SimulatedInjectionSource::Impl {
       if (done_s_ < 0.0 && teleoperation_.simulated_operator().done()) done_s_ = now_s;
     }
     teleoperation_.turn_manipulator();
+    const PipetteState report = teleoperation_.reported();
+    if (report.known)
+      manipulator_.add(report.time_s, report.tip_um.eigen().head<2>(), report.velocity_um_per_s.eigen().head<2>());
   }
 
   // A frame's measurement is there: the hand feels by it, the operator sees it.
@@ -158,6 +163,7 @@ class SimulatedInjectionSource::Impl {
   std::unique_ptr<VirtualMicroscope> microscope_;
   SourceInfo info_;
   SimulatedTeleoperation teleoperation_;
+  ManipulatorTrack manipulator_;
   std::optional<InjectionPlan> plan_;
 
   std::deque<Measured> waiting_;  // measured, not yet at the hand

@@ -6,12 +6,25 @@ ContactTap::ContactTap(LiveRun& run) : newest_(std::make_shared<LatestValue<Cont
   run.set_contact_sink([newest = newest_](const ContactModel& contact) { newest->publish(contact); });
 }
 
+namespace {
+
+// The stage's, with the run told of every report.
+ManipulatorStageOptions reporting(ManipulatorStageOptions options, LiveRun& run) {
+  options.report = [&run](const PipetteState& state) {
+    if (!state.known) return;
+    run.manipulator().add(state.time_s, state.tip_um.eigen().head<2>(), state.velocity_um_per_s.eigen().head<2>());
+  };
+  return options;
+}
+
+}  // namespace
+
 TeleoperationRun::TeleoperationRun(LiveRun& run, ContactTap& contacts, HapticDevice& device, MotionMap& map,
                                    Manipulator& manipulator, const Options& options)
     : run_(run),
       contacts_(contacts),
       options_(options),
-      manipulator_(manipulator, run.clock(), options.manipulator),
+      manipulator_(manipulator, run.clock(), reporting(options.manipulator, run)),
       servo_(device, map, {contacts.newest(), manipulator_.states(), manipulator_.commands()}, options.haptics,
              contacts.known()),
       loop_(servo_, run.clock(), options.loop) {}

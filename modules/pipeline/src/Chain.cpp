@@ -32,6 +32,10 @@ Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
   scene.frame = frame.image;
   scene.measurement.frame = frame.frame_index;
   scene.measurement.time_s = frame.time_s;
+  if (frame.manipulator_um) {
+    scene.measurement.manipulator_x_um = frame.manipulator_um->x();
+    scene.measurement.manipulator_y_um = frame.manipulator_um->y();
+  }
   if (frame.gap_count > 0) {
     scene.events.push_back({frame.time_s, event_kind::kGap,
                             std::to_string(frame.gap_count) + " frames missing from the source before frame " +

@@ -1,10 +1,7 @@
 #include "pellucida/pipeline/LiveRun.h"
 
-#include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <thread>
 
@@ -22,8 +19,6 @@
 namespace pellucida {
 namespace {
 
-using SceneExchange = SharedLatest<Scene>;
-
 /// What has been measured is published, every frame in its order: so many may wait for their surface.
 constexpr std::size_t kMeasuredCount = 3;
 
@@ -31,6 +26,8 @@ constexpr std::size_t kMeasuredCount = 3;
 
 class LiveRun::Impl {
  public:
+  using SceneExchange = SharedLatest<Scene>;
+
   Impl(std::unique_ptr<FrameSource> source, PipelineOptions options, double speed_ratio)
       : source_(std::move(source)),
         info_(source_->info()),
@@ -113,9 +110,11 @@ class LiveRun::Impl {
     if (resumed_) tell_resumed(frame);
     next_index_ = frame.frame_index + 1;
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
-    const Scene scene = scene_of(frame, clock_.now_s(), run_index_);
+    const double arrival_s = clock_.now_s();
+    source_clock_.add(frame.time_s, arrival_s);
+    if (!frame.manipulator_um) frame.manipulator_um = manipulator_.at(frame.time_s + source_clock_.lag_s());
+    const Scene scene = scene_of(frame, arrival_s, run_index_);
     last_run_index_ = scene.run_index;
-    source_clock_.add(frame.time_s, scene.arrival_s);
     ++frame_count_;
     gap_count_ += static_cast<std::uint64_t>(frame.gap_count);
     recording_.announce(scene);
@@ -274,6 +273,7 @@ class LiveRun::Impl {
   SceneExchange to_track_;
   SceneExchange to_force_;
   Ring<MeasuredScene> to_surface_{kMeasuredCount};
+  ManipulatorTrack manipulator_;
   GrowingLog<Measurement> rows_;
   GrowingLog<Event> events_;
   ReaderPace pace_;
@@ -390,6 +390,9 @@ void LiveRun::forget_scale() {
 }
 void LiveRun::add_hint(const PersonHint& hint) {
   impl_->chain_.tracking.add_hint(hint);
+}
+ManipulatorTrack& LiveRun::manipulator() noexcept {
+  return impl_->manipulator_;
 }
 void LiveRun::set_plan(const std::string& plan_json) {
   impl_->recording_.set_plan(plan_json);

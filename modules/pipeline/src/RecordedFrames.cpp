@@ -141,6 +141,8 @@ class RecordedFrames::Impl {
     scene.membranes = out.recorded.membranes;
     scene.tools = out.recorded.tools;
     scene.measurement = measurement_from(*observation);
+    scene.measurement.manipulator_x_um = out.recorded.measurement.manipulator_x_um;
+    scene.measurement.manipulator_y_um = out.recorded.measurement.manipulator_y_um;
     if (scene.run_index != run_index_) state_.reset();
     run_index_ = scene.run_index;
     if (auto event = event_of_change(state_, *observation)) scene.events.push_back(std::move(*event));

@@ -213,6 +213,9 @@ class SessionSource::Impl {
     frame.time_s = stamped_time_s(image);
     frame.frame_index = step.frame_index;
     frame.gap_count = gap_before(index);
+    const Measurement& row = reader_.measurements()[index];
+    const Eigen::Vector2d manipulator_um(row.manipulator_x_um, row.manipulator_y_um);
+    if (manipulator_um.allFinite()) frame.manipulator_um = manipulator_um;
     frame.use = options_.all_frames || options_.backwards ? FrameUse::kMeasure : recorded_use(reader_, used_, index);
     frame.run_index = recorded_runs_before(step.frame_index) + static_cast<long>(pass_) * runs_in_pass();
     const auto stretch = std::find_if(damaged_stretches_.begin(), damaged_stretches_.end(), [&](const auto& one) {

@@ -131,6 +131,7 @@ void ManipulatorStage::lose(const std::string& reason, double now_s) {
 
 void ManipulatorStage::publish(const PipetteState& state) {
   states_.publish(state);
+  if (options_.report) options_.report(state);
   std::lock_guard lock(mutex_);
   newest_ = state;
 }

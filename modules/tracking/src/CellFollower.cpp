@@ -277,6 +277,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   const Eigen::Vector2d center_before = center_now();
   follow_rigid_motion(frame, jump.value_or(Eigen::Vector2d::Zero()));
   drift_.advance(jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
+  if (frame.command) frame.command->move_scene(center_now() - center_before);
   // The holder's fit says better than the picture as a whole how far a jump went.
   follow_needle(frame, jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "CellDetector.h"
+#include "CommandedMotion.h"
 #include "ContactLogic.h"
 #include "FrameSampler.h"
 #include "GlobalShiftEstimator.h"
@@ -25,14 +26,14 @@ namespace pellucida {
 /// One frame as the follower gets it.
 struct FrameInput {
   ImageView view;
-  FrameSampler image;                               ///< of `view`
-  double noise = 0.0;                               ///< standard deviation of a pixel, 0..1 of the range
-  std::optional<Eigen::Vector2d> needle_motion_px;  ///< commanded since the frame before
-  TrackerTimings* timings = nullptr;                ///< where the parts of `follow` put their time; not null
-  const SceneReading* seen = nullptr;               ///< what the network shows of it; null: it wasn't asked
-  const SceneReading* scene = nullptr;              ///< the same, to find cell and needle by; null: by lines
-  SceneReader* reader = nullptr;                    ///< to read membranes and tip by; null: their lines are known
-  SceneReader* networks = nullptr;                  ///< to ask for what lines alone don't say; null: not to be asked
+  FrameSampler image;                   ///< of `view`
+  double noise = 0.0;                   ///< standard deviation of a pixel, 0..1 of the range
+  CommandedMotion* command = nullptr;   ///< of the needle; null: unknown in this frame
+  TrackerTimings* timings = nullptr;    ///< where the parts of `follow` put their time; not null
+  const SceneReading* seen = nullptr;   ///< what the network shows of it; null: it wasn't asked
+  const SceneReading* scene = nullptr;  ///< the same, to find cell and needle by; null: by lines
+  SceneReader* reader = nullptr;        ///< to read membranes and tip by; null: their lines are known
+  SceneReader* networks = nullptr;      ///< to ask for what lines alone don't say; null: not to be asked
 };
 
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together
@@ -107,6 +108,8 @@ class CellFollower {
   bool is_before(const Eigen::Vector2d& center, double most_px) const;
   bool is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const;
   void read_tip_width(const FrameInput& frame, bool is_clear);
+  void begin_command(const FrameInput& frame);
+  void compare_with_command(const FrameInput& frame, bool is_seen);
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);

@@ -110,6 +110,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
     });
     holder_ = find_holder(frame.image, facing, circle, frame.noise, kNarrowestFacing_ratio);
   }
+  begin_command(frame);
   read_tip_width(frame, true);
 }
 
@@ -204,7 +205,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
   if (needle_.valid()) {
     const double clear_px = kClear_px + kClearBlurs * std::max(0.0, needle_.estimate().edge_blur - kSharp_px);
     const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
-    NeedleCue cue{34.0, clear, frame.needle_motion_px, jump, std::nullopt};
+    NeedleCue cue{34.0, clear, frame.command, jump, std::nullopt};
     if (zone().is_shade) cue.body = reach_of_cell();
     const Eigen::Vector2d before = needle_.motion();
     bool seen = needle_.is_read() ? needle_.follow_read(frame.networks->tips(), frame.image, cue)
@@ -224,14 +225,35 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
       if (is_free) {
         needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
       } else {
-        needle_.read_tip_in_contact(frame.networks->tips(), frame.image);
+        const bool is_pushing = contact_.state() == CellState::kContact;
+        needle_.read_tip_in_contact(frame.networks->tips(), frame.image, is_pushing ? frame.command : nullptr);
       }
     }
+    compare_with_command(frame, seen);
     read_tip_width(frame, is_free);
   } else if (frame.scene || (frame.reader == nullptr && (frames_followed_ % 3 == 0 || frames_followed_ < 10))) {
     const contour::Circle circle = resting_circle();
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
+    begin_command(frame);
   }
+}
+
+// Not seen, or misread in contact, it is where it was sent.
+void CellFollower::compare_with_command(const FrameInput& frame, bool is_seen) {
+  if (!frame.command || !needle_.valid()) return;
+  const NeedleEstimate& n = needle_.estimate();
+  const bool is_misread =
+      contact_.state() == CellState::kContact && is_seen && frame.command->contradicts(n.tip, n.tip_sigma);
+  if (is_seen && !is_misread) return frame.command->learn(n.tip, n.direction, n.tip_sigma, false);
+  if (is_misread) frame.command->misread();
+  if (const auto due = frame.command->due(n.tip)) needle_.hold(*due);
+}
+
+// A needle that was found just now.
+void CellFollower::begin_command(const FrameInput& frame) {
+  if (!frame.command || !needle_.valid()) return;
+  const NeedleEstimate& n = needle_.estimate();
+  frame.command->learn(n.tip, n.direction, n.tip_sigma, true);
 }
 
 // Where the membrane does not lie about the tip; in contact only if it was never read before.

@@ -32,8 +32,10 @@ class MembraneTracker::Impl {
     const ImageView laid = laid_.lay(whole);
     const FrameSampler image(laid);
     FrameInput frame{laid, image, laid.data == view.data ? noise : noise_level(image), {}, &timings_};
-    if (hints.needle_motion_um)
-      frame.needle_motion_px = laid_.laid_direction(*hints.needle_motion_um) / view.pixel_size_um;
+    std::optional<Eigen::Vector2d> motion_px;
+    if (hints.needle_motion_um) motion_px = laid_.laid_direction(*hints.needle_motion_um) / view.pixel_size_um;
+    command_.begin(motion_px);
+    if (motion_px) frame.command = &command_;
     if (options_.detection != Detection::kLines) frame.networks = &reader_;
     if (by_scene()) frame.reader = &reader_;
     ++frames_since_detection_;
@@ -316,17 +318,25 @@ class MembraneTracker::Impl {
   void follow_lone_needle(const FrameInput& frame) {
     const PartTimer timer(timings_.needle_us);
     if (lone_needle_.valid()) {
-      const NeedleCue cue{kNeedleReach_px, true, frame.needle_motion_px, {0.0, 0.0}, std::nullopt};
+      const NeedleCue cue{kNeedleReach_px, true, frame.command, {0.0, 0.0}, std::nullopt};
       const bool seen = lone_needle_.is_read() ? lone_needle_.follow_read(reader_.tips(), frame.image, cue)
                                                : lone_needle_.track(frame.image, frame.noise, cue);
       if (!seen && lone_needle_.estimate().confidence < kLeastNeedleConfidence) lone_needle_.reset();
       if (seen && by_scene() && !lone_needle_.is_read())
         lone_needle_.read_tip(reader_.tips(), frame.image, kLoneTipShare);
+      if (seen) learn_command(frame, false);
     } else if (by_scene()
                    ? frame.scene == nullptr || !start_lone_needle(frame)
                    : frames_since_detection_ == 0 && !lone_needle_.start_anywhere(frame.image, whole_, frame.noise)) {
       lone_needle_.reset();
+    } else {
+      learn_command(frame, true);
     }
+  }
+
+  void learn_command(const FrameInput& frame, bool is_new) {
+    const NeedleEstimate& n = lone_needle_.estimate();
+    if (frame.command && lone_needle_.valid()) frame.command->learn(n.tip, n.direction, n.tip_sigma, is_new);
   }
 
   bool start_lone_needle(const FrameInput& frame) {
@@ -352,6 +362,7 @@ class MembraneTracker::Impl {
   NeedleSearch needle_search_;
   PersonHints hints_;
   HintOutcomes outcomes_;
+  CommandedMotion command_;
   bool has_cell_ = false, ever_ = false;
   bool scene_chosen_ = false;        // by kAuto
   bool is_start_confirmed_ = false;  // the cell that lines follow, by the networks at its first sight

@@ -26,6 +26,8 @@ constexpr double kSameRead_px = 3.0, kSameReadHalfWidths = 0.3;
 // with the membrane; so many readings in a row of that kind, and it is there.
 constexpr double kSprung_px = 5.0, kSprungSigmas = 3.0;
 constexpr int kSprungReadings = 4;
+// Likewise of a tip read where it was not sent.
+constexpr int kUncommandedReadings = 12;
 // A bevel's tip lies so far beside the middle of the needle's end, px and in half widths of it; and no further.
 constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidths = 1.4;
 
@@ -106,7 +108,8 @@ bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, dou
   return true;
 }
 
-bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image) {
+bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image,
+                                        const CommandedMotion* command) {
   doubted_.reset();
   if (!valid_) return false;
   double share = 1.0;
@@ -115,8 +118,10 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
-  if (back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px && ++sprung_readings_ < kSprungReadings) {
-    doubted_ = *seen;
+  const bool is_against = command && command->contradicts(seen->tip, seen->along_sigma_px);
+  const bool has_sprung = back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px;
+  if ((is_against || has_sprung) && ++sprung_readings_ < (is_against ? kUncommandedReadings : kSprungReadings)) {
+    if (!is_against) doubted_ = *seen;
     return false;
   }
   sprung_readings_ = 0;
@@ -190,7 +195,9 @@ bool NeedleTracker::go_on_read(TipNetwork& network, const FrameSampler& image) {
 
 bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue) {
   axis_before_ = axis_;
-  const Eigen::Vector2d expected = cue.commanded_px.value_or(kGoesOn * motion_) + cue.scene_jump_px;
+  const auto sent = cue.command ? cue.command->due(axis_.tip + cue.scene_jump_px) : std::nullopt;
+  const Eigen::Vector2d going = sent ? Eigen::Vector2d(sent->ahead_px * axis_.direction) : kGoesOn * motion_;
+  const Eigen::Vector2d expected = going + cue.scene_jump_px;
   TipReading seen;
   for (const Eigen::Vector2d& from : {Eigen::Vector2d(axis_.tip + expected), axis_.tip}) {
     const TipReading there = network.read(image, {from, axis_.direction}, read_half_width_);
@@ -225,7 +232,7 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   now_.edge_blur = kReadBlur_px;
   now_.tip_sigma = seen.along_sigma_px;
   now_.confidence = seen.share;
-  now_.evidence = kTipEnd;
+  now_.evidence = sent ? kTipEnd | kCommandedMotion : kTipEnd;
   return true;
 }
 

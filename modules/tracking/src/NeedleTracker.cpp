@@ -115,15 +115,16 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   axis_before_ = before;
   const double unit = model_.unit_px;
 
-  // Predict: what was commanded, else on as before.
+  // Predict: where it was sent, else on as before.
   const Eigen::Vector2d sideways = motion_ - motion_.dot(axis_.direction) * axis_.direction;
-  const Eigen::Vector2d expected = cue.commanded_px.value_or(sideways + speed_ * axis_.direction);
-  if (cue.commanded_px) speed_ = expected.dot(axis_.direction);
+  const auto sent = cue.command ? cue.command->due(tip() + cue.scene_jump_px) : std::nullopt;
+  if (sent) speed_ = sent->ahead_px;
+  const Eigen::Vector2d expected = sideways + speed_ * axis_.direction;
   axis_.tip += expected + cue.scene_jump_px;
   ahead_ = 0.0;
   Eigen::Matrix2d transition;
   transition << 1.0, 1.0, 0.0, 1.0;
-  const double change = cue.commanded_px ? 0.2 + 0.1 * cue.commanded_px->norm() : std::max(0.15, unrest_);
+  const double change = sent ? std::max(0.15, sent->sigma_px) : std::max(0.15, unrest_);
   Eigen::Matrix2d process;
   process << 0.25, 0.5, 0.5, 1.0;
   covariance_ = transition * covariance_ * transition.transpose() + change * change * process;
@@ -181,7 +182,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
     speed_ = 0.0;
     return false;
   }
-  now_.evidence = evidence | (cue.commanded_px ? kCommandedMotion : kNoNeedleEvidence);
+  now_.evidence = evidence | (sent ? kCommandedMotion : kNoNeedleEvidence);
   // Learning costs more than following: once the look is known, a frame now and then is enough.
   const bool due = model_.frames < 12 || ++frames_since_learning_ >= 6;
   if (cue.in_the_clear && due && end.valid && shaft.support > 0.7 && std::abs(end.ahead - ahead_) < unit)
@@ -225,6 +226,17 @@ void NeedleTracker::rest_on(const Eigen::Vector2d& apex, double sigma_px) {
   take_width();
   now_.tip_sigma = sigma_px;
   now_.evidence = now_.evidence | kDimple;
+}
+
+void NeedleTracker::hold(const CommandedMotion::Along& due) {
+  if (!valid_) return;
+  axis_.tip += due.ahead_px * axis_.direction;
+  motion_ += due.ahead_px * axis_.direction;
+  covariance_(0, 0) = due.sigma_px * due.sigma_px;
+  covariance_(0, 1) = covariance_(1, 0) = 0.0;
+  now_.tip = tip();
+  now_.tip_sigma = due.sigma_px;
+  now_.evidence = now_.evidence | kCommandedMotion;
 }
 
 Eigen::Vector2d NeedleTracker::tip() const {

@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "CommandedMotion.h"
 #include "ContourMath.h"
 #include "FrameSampler.h"
 #include "MembraneSnakes.h"
@@ -32,9 +33,9 @@ struct NeedleEstimate {
 
 /// What is known of a frame before its needle is looked for.
 struct NeedleCue {
-  double reach_px = 34.0;                       ///< how far the tip may be from where it is expected
-  bool in_the_clear = false;                    ///< nothing touches or covers the tip, so its cone may be learnt
-  std::optional<Eigen::Vector2d> commanded_px;  ///< the motion commanded since the last frame
+  double reach_px = 34.0;                    ///< how far the tip may be from where it is expected
+  bool in_the_clear = false;                 ///< nothing touches or covers the tip, so its cone may be learnt
+  const CommandedMotion* command = nullptr;  ///< where the tip was sent; null: no manipulator says
   Eigen::Vector2d scene_jump_px = Eigen::Vector2d::Zero();  ///< the whole picture jumped by about this
   /// A body ahead that must not be confused with a needle far out of focus: where that ends is looked for in front of
   /// the body, and not at all where little room is left.
@@ -66,6 +67,9 @@ class NeedleTracker {
   /// needle far out of focus is known no better than by what it begins to push.
   void rest_on(const Eigen::Vector2d& apex, double sigma_px);
 
+  /// The tip is where it was sent, so far ahead of where this frame has it: it wasn't seen, or misread.
+  void hold(const CommandedMotion::Along& due);
+
   /// Half its width as a whole picture shows it, px: what scales the networks' looks at its tip.
   void expect_half_width(double half_width_px) noexcept { scene_half_width_ = half_width_px; }
 
@@ -75,8 +79,9 @@ class NeedleTracker {
   bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
 
   /// The same for a needle in contact, whose tip a membrane that springs back seems to take along: where the shaft has
-  /// not gone back with it, such a reading is doubted until it lasts.
-  bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image);
+  /// not gone back with it, such a reading is doubted until it lasts. `command` (may be null) doubts it longer, and by
+  /// less.
+  bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image, const CommandedMotion* command);
   /// Takes this frame's doubted reading after all: the membrane has not sprung back. Nothing happens without one.
   void believe_reading();
 

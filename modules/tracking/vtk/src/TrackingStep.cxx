@@ -118,8 +118,8 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
   const double time_s = stamped_time_s(scene.frame.get());
   const std::vector<PersonHint> hints = due_hints(time_s);
   for (const PersonHint& hint : hints) give(tracker_, hint);
-  auto tracked = std::make_shared<Observation>(
-      tracker_.process(view_of(scene.frame.get()), time_s, stamped_frame_index(scene.frame.get())));
+  auto tracked = std::make_shared<Observation>(tracker_.process(
+      view_of(scene.frame.get()), time_s, stamped_frame_index(scene.frame.get()), hints_of(scene.measurement)));
   // What a session can't hold, no later step sees: a recording gives the same force as the live image.
   round_as_stored(*tracked);
   const std::shared_ptr<const Observation> observation = std::move(tracked);
@@ -128,6 +128,8 @@ expected<Scene, StepFailure> TrackingStep::process(const Scene& scene) {
   result.membranes = Frozen<vtkPolyData>(make_membranes(*observation));
   result.tools = Frozen<vtkPolyData>(make_tools(*observation));
   result.measurement = measurement_from(*observation);
+  result.measurement.manipulator_x_um = scene.measurement.manipulator_x_um;
+  result.measurement.manipulator_y_um = scene.measurement.manipulator_y_um;
   for (const PersonHint& hint : hints) {
     std::string detail = describe(hint);
     if (const std::string& outcome = outcome_of(hint.kind, tracker_.hint_outcomes()); !outcome.empty())
@@ -161,8 +163,17 @@ std::vector<PersonHint> TrackingStep::due_hints(double time_s) {
   return due;
 }
 
+FrameHints TrackingStep::hints_of(const Measurement& row) {
+  const Eigen::Vector2d now_um(row.manipulator_x_um, row.manipulator_y_um);
+  FrameHints hints;
+  if (now_um.allFinite() && manipulator_um_) hints.needle_motion_um = now_um - *manipulator_um_;
+  manipulator_um_ = now_um.allFinite() ? std::optional(now_um) : std::nullopt;
+  return hints;
+}
+
 void TrackingStep::reset() {
   tracker_.reset();
+  manipulator_um_.reset();
   state_.reset();
 }
 

@@ -48,6 +48,8 @@ struct Measurement {
   double contact_force_scale_upper_uN = kNotMeasured;
   double expected_puncture_uN = kNotMeasured;
   double expected_puncture_um = kNotMeasured;
+  double manipulator_x_um = kNotMeasured;
+  double manipulator_y_um = kNotMeasured;
 };
 
 /// The two parts of a force's uncertainty as standard deviations over the force, from their 95 % intervals; NaN where

@@ -10,6 +10,7 @@
 
 #include "pellucida/core/Clock.h"
 #include "pellucida/core/ContactModel.h"
+#include "pellucida/core/ManipulatorTrack.h"
 #include "pellucida/core/PaceFigures.h"
 #include "pellucida/core/PersonHint.h"
 #include "pellucida/core/SharedLatest.h"
@@ -100,6 +101,9 @@ class LiveRun {
   /// Writes the next block of the hand's recording to the running recording; true when there is none. False when the
   /// recorder has no room: to be tried again, nothing is dropped.
   bool record_hand(const Frozen<vtkPolyData>& block, double time_s);
+  /// Takes a manipulator's reports, on the run's clock, from any thread: the place that they give at a frame's time
+  /// goes into its row, and to the tracker. Of a frame whose source has a place for it, that one does.
+  ManipulatorTrack& manipulator() noexcept;
   /// The plan that guides the hand, JSON text: written to the running recording and later ones.
   void set_plan(const std::string& plan_json);
   /// A measurement of this cell's own scale, which counts from a moment later on (`since_s` is set to that); into the

@@ -14,8 +14,7 @@ namespace pellucida {
 
 /// A simulated operator at the workstation, in simulated time: hand -> `HapticServo` at 1 kHz -> `TeleoperationMap` ->
 /// manipulator at 100 Hz, put together as a live run does. The owner has the cell and the camera, turns the parts in
-/// the order in which its world needs them, and brings in what was measured. No thread and no wall clock: the same
-/// calls, the same bits.
+/// the order in which its world needs them, and brings in what was measured. The same calls give the same bits.
 ///
 ///     SimulatedTeleoperation teleoperation(injector, motion);
 ///     teleoperation.start(operator_options, plan, ArmOptions{}, seed, settings_for);
@@ -55,6 +54,7 @@ class SimulatedTeleoperation {
   /// Once started.
   const SimulatedOperator& simulated_operator() const noexcept { return hand_->simulated_operator(); }
 
+  PipetteState reported() const { return stage_.newest_state(); }  ///< the manipulator's newest
   double scale_um_per_m() const noexcept { return map_.scale_um_per_m(); }
   long tick_count() const noexcept { return tick_count_; }
 

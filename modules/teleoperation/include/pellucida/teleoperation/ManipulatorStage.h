@@ -1,6 +1,7 @@
 #pragma once
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <stop_token>
 #include <string>
@@ -16,6 +17,8 @@ struct ManipulatorStageOptions {
   double rate_Hz = 100.0;          ///< turns per second; the manipulator's own rate if that is lower
   double command_timeout_s = 0.1;  ///< without a newer command for this long the pipette is commanded to stop
   double reopen_after_s = 1.0;     ///< interval at which a lost manipulator is tried again
+  /// Gets every report, on the stage's thread; may be empty.
+  std::function<void(const PipetteState&)> report;
 };
 
 /// The work of the stage so far.

@@ -1,6 +1,8 @@
 #pragma once
 #include <vtkImageData.h>
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +37,8 @@ struct Frame {
   long run_index = 0;          ///< increases where the frames begin anew: steps with memory then reset
   FrameUse use = FrameUse::kMeasure;
   FrameDamage damage;  ///< a damaged frame is kept, not measured
+  /// Where a manipulator reported the needle's tip at this frame's time, frame W, um; nothing where none moves it.
+  std::optional<Eigen::Vector2d> manipulator_um;
 };
 
 /// Anything that delivers frames: video, folder, multi-page TIFF, still, camera, virtual microscope. Used by one thread

@@ -11,8 +11,9 @@
 namespace pellucida {
 
 /// The tracker as a step: a scene with a frame becomes a scene with contours, tools, the tracker's part of the
-/// measurement and the events of this frame: `contact`, `release`, `puncture`, `lost`, `found`, `hint`. Has memory:
-/// frames in order, one thread at a time.
+/// measurement and the events of this frame: `contact`, `release`, `puncture`, `lost`, `found`, `hint`. Where the
+/// scene's row says where a manipulator had the needle, in this frame and the one processed before, the way between is
+/// the motion commanded, and stays in the row. Has memory: frames in order, one thread at a time.
 class TrackingStep {
  public:
   using Input = Scene;
@@ -32,11 +33,13 @@ class TrackingStep {
 
  private:
   std::vector<PersonHint> due_hints(double time_s);
+  FrameHints hints_of(const Measurement& row);
 
   MembraneTracker tracker_;
   std::mutex mutex_;
   std::vector<PersonHint> hints_;  // still to come
   std::optional<CellState> state_;
+  std::optional<Eigen::Vector2d> manipulator_um_;  // in the frame before
   long run_index_ = 0;
 };
 
