@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/pipeline/RunProvenance.h"
 
 namespace pellucida {
@@ -53,6 +54,14 @@ Scene scene_of(const Frame& frame, double arrival_s, long run_index) {
          "over, after " + std::to_string(damage.count_before) + (damage.count_before == 1 ? " frame" : " frames")});
   }
   return scene;
+}
+
+void number_on(Frame& frame, long index_offset, double time_offset_s) {
+  frame.frame_index += index_offset;
+  frame.time_s += time_offset_s;
+  auto image = frame.image.shallow_copy();
+  stamp(image, frame.time_s, frame.frame_index);
+  frame.image = Frozen<vtkImageData>(image);
 }
 
 void stamp_age(Scene& scene, const Clock& clock) {

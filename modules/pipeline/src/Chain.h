@@ -36,6 +36,9 @@ struct Chain {
 /// A scene that holds only its frame, as it enters the chain. `run_index`: that of the run; the frame's own adds to it.
 Scene scene_of(const Frame& frame, double arrival_s, long run_index);
 
+/// After a restart numbers and times go on from where they were, in the image's stamp too.
+void number_on(Frame& frame, long index_offset, double time_offset_s);
+
 /// Stamps the age of the frame into the row: as soon as it has its force, or ends without one.
 void stamp_age(Scene& scene, const Clock& clock);
 

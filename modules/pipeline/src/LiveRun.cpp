@@ -106,7 +106,7 @@ class LiveRun::Impl {
   }
 
   void hand_out(Frame frame) {
-    if (run_index_ > 0) number_on(frame);
+    if (run_index_ > 0) number_on(frame, index_offset_, time_offset_s_);
     if (resumed_) tell_resumed(frame);
     next_index_ = frame.frame_index + 1;
     next_time_s_ = frame.time_s + 1.0 / info_.frame_rate_hz;
@@ -132,15 +132,6 @@ class LiveRun::Impl {
     add_event({frame.time_s, event_kind::kResumed,
                frame.gap_count > 0 ? std::to_string(frame.gap_count) + " frames were not taken during the pause" : ""});
     frame.gap_count = 0;
-  }
-
-  // After a restart numbers and times go on from where they were, in the image's stamp too.
-  void number_on(Frame& frame) const {
-    frame.frame_index += index_offset_;
-    frame.time_s += time_offset_s_;
-    auto image = frame.image.shallow_copy();
-    stamp(image, frame.time_s, frame.frame_index);
-    frame.image = Frozen<vtkImageData>(image);
   }
 
   // A newer frame came first: this one is kept with what is known of it so far, be it nothing but its image.

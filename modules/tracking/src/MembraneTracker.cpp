@@ -82,20 +82,8 @@ class MembraneTracker::Impl {
     return out;
   }
 
-  void expect_cell(const CellHint& hint) {
-    check(hint);
-    hints_.add_cell(hint);
-  }
-  void expect_needle(const Eigen::Vector2d& tip_um) {
-    check_place(tip_um);
-    hints_.add_tip(tip_um);
-  }
-  void expect_holder(const Eigen::Vector2d& place_um) {
-    check_place(place_um);
-    hints_.add_holder(place_um);
-  }
+  PersonHints& hints() noexcept { return hints_; }
   void exclude_cell(const Eigen::Vector2d& place_um) {
-    check_place(place_um);
     hints_.add_no_cell(place_um);
     search_again();
     ever_ = false;
@@ -383,13 +371,13 @@ Observation MembraneTracker::process(const ImageView& image, double time_s, long
   return impl_->process(image, time_s, frame_index, hints);
 }
 void MembraneTracker::expect_cell(const CellHint& hint) {
-  impl_->expect_cell(hint);
+  impl_->hints().add_cell(hint);
 }
 void MembraneTracker::expect_needle(const Eigen::Vector2d& tip_um) {
-  impl_->expect_needle(tip_um);
+  impl_->hints().add_tip(tip_um);
 }
 void MembraneTracker::expect_holder(const Eigen::Vector2d& place_um) {
-  impl_->expect_holder(place_um);
+  impl_->hints().add_holder(place_um);
 }
 void MembraneTracker::exclude_cell(const Eigen::Vector2d& place_um) {
   impl_->exclude_cell(place_um);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "TrackerChecks.h"
+
 namespace pellucida {
 namespace {
 
@@ -16,21 +18,25 @@ std::optional<Eigen::Vector2d> take(std::optional<Eigen::Vector2d>& place_um, co
 }  // namespace
 
 void PersonHints::add_cell(const CellHint& hint) {
+  check(hint);
   cell_ = hint;
   given_.push_back({Kind::kCell, {0.0, 0.0}});
 }
 
 void PersonHints::add_tip(const Eigen::Vector2d& tip_um) {
+  check_place(tip_um);
   tip_um_ = tip_um;
   given_.push_back({Kind::kTip, tip_um});
 }
 
 void PersonHints::add_holder(const Eigen::Vector2d& place_um) {
+  check_place(place_um);
   holder_um_ = place_um;
   given_.push_back({Kind::kHolder, place_um});
 }
 
 void PersonHints::add_no_cell(const Eigen::Vector2d& place_um) {
+  check_place(place_um);
   given_.push_back({Kind::kNoCell, place_um});
 }
 
