@@ -18,10 +18,8 @@
 
 namespace pellucida {
 namespace {
-
-/// What has been measured is published, every frame in its order: so many may wait for their surface.
+// Every measured frame is published, in its order: so many may wait for their surface.
 constexpr std::size_t kMeasuredCount = 3;
-
 }  // namespace
 
 class LiveRun::Impl {

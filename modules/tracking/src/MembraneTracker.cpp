@@ -61,7 +61,6 @@ class MembraneTracker::Impl {
     }
 
     has_cell_ ? lone_needle_.reset() : follow_lone_needle(frame);
-
     if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
       outcomes_.needle = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
 

@@ -15,6 +15,7 @@ class PersonHints {
  public:
   enum class Kind { kCell, kTip, kHolder, kNoCell };
 
+  /// Each throws UsageError for a place that is not finite, an outline of fewer than 3 points, or neither.
   void add_cell(const CellHint& hint);
   void add_tip(const Eigen::Vector2d& tip_um);
   void add_holder(const Eigen::Vector2d& place_um);
