@@ -1,6 +1,7 @@
 #include "pellucida/bench/LiveBench.h"
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <thread>
 
@@ -12,13 +13,17 @@ namespace pellucida {
 
 LiveFigures measure_live(FrameSource& source, const PipelineOptions& options, double seconds) {
   constexpr auto kLook = std::chrono::milliseconds(50);
+  constexpr std::uint64_t kLeastFrames = 20;  // some beyond the search
   const std::vector<Frame> frames = read_frames(source);
   LiveFigures figures;
   const SteadyClock clock;
   while (clock.now_s() < seconds) {
     LiveRun run(std::make_unique<MemorySource>(source.info(), frames), options);
     run.start();
-    while (!run.status().finished && clock.now_s() < seconds) std::this_thread::sleep_for(kLook);
+    for (LiveStatus now = run.status(); !now.finished && (clock.now_s() < seconds || now.measured_count < kLeastFrames);
+         now = run.status()) {
+      std::this_thread::sleep_for(kLook);
+    }
     run.stop();
     const auto rows = run.measurements_since(0);
     if (!rows.empty()) {

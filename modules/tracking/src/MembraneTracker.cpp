@@ -205,8 +205,8 @@ class MembraneTracker::Impl {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
     const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
-    // Nothing to choose: both see the same, and the network is not at home here.
-    if (has_lines && verdict.is_same() && verdict.is_strange) return follow_lines(verdict);
+    // Both see the same, and the network is not at home here, or the lines are the finer.
+    if (has_lines && verdict.is_same() && (verdict.is_strange || verdict.is_fine)) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
     const bool has_seen = start_seen(frame, hint);

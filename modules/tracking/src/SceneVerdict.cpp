@@ -15,6 +15,10 @@ constexpr double kSameCell_ratio = 0.07, kLeastApart_px = 2.5, kSameTip_px = 11.
 // where lines had a cell right to 0.2 px, the network read its boundary within 0.0205 of the radius of them in the
 // mean, where they were 2 px or more off 0.0215 and more away.
 constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
+// On 118 pictures in looks of the optical model (tuning and wide) lines and network were 0.0107 of the radius or more
+// apart wherever lines had the cell at all, and the lines were then the worse; in plain drawings 0.009 at most but for
+// one in 26, and the lines the better.
+constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
 // What lines follow is one wall of a needle where, so far behind the tip, it is thinner than this share of the needle.
 constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
 // On 229 pictures of tuning and wide families the network's score was above kFamiliarScore for three in four contours
@@ -91,6 +95,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   }
   const ReadAbout seen = read_about(outline_of(by_lines), image, reader.boundaries());
   verdict.is_same_outline = seen.apart_px < most_apart_px(outline_of(by_lines));
+  verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, kFine_ratio * radius_px(outline_of(by_lines)));
   verdict.is_strange = seen.confidence < kStrangeScore;
   by_lines.take_bevel(image, reader.tips());
   verdict.is_same_needle =

@@ -9,6 +9,7 @@ namespace pellucida {
 struct LinesVerdict {
   bool is_same_cell = false;     ///< the scene has a cell with about this outline
   bool is_same_outline = false;  ///< and on each normal the outer boundary lies where the lines have it
+  bool is_fine = false;          ///< and so near that the lines, which measure to a tenth of a pixel, are the finer
   bool is_same_needle = false;   ///< neither sees a needle, or both the same one with its tip in the same place
   bool is_bubble = false;        ///< the scene has no cell at all, and no membrane is as strong and even as these lines
   bool is_strange = false;       ///< the network knows this look less surely than those it has learnt from

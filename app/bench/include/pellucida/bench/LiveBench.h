@@ -13,7 +13,7 @@ struct LiveFigures {
 };
 
 /// Holds the first 300 frames of `source` in memory and runs them live, again and again until `seconds` have passed;
-/// the last run is cut off there. Throws NothingMeasuredError when there is no frame.
+/// the last run is cut off there, after 20 frames at the earliest. Throws NothingMeasuredError when there is no frame.
 LiveFigures measure_live(FrameSource& source, const PipelineOptions& options, double seconds);
 
 }  // namespace pellucida

@@ -1,0 +1,542 @@
+#!/usr/bin/python3
+"""Films of an injection by optical path, with sub-pixel truth, for validation only.
+
+    python3 path_films.py --specimens FOLDER [FOLDER ...] --out FILMS [--frames N] [--seed N] [NAME ...]
+    python3 path_films.py --specimens FOLDER [FOLDER ...] --list
+
+Shares no code and no formula with the virtual microscope. The cell, its needle and its holder are bodies of revolution
+whose axes lie in the plane of focus. Shapes and forces are those of finite-element specimens, in the tables that
+tests/specimens/solid_specimens.py writes, scaled by s in length and s^2 in force (the same modulus). Each body is
+integrated along the line of sight with a weight for the depth of field; what lies outside that depth is blurred. The
+optical path becomes bright field (its curvature and absorption, or mere dark lines), relief (a saturating slope along
+a shear direction) or phase contrast (the path less its wide blur). There are ten films of each contrast and three
+without a cell. Each film is a folder: frame_00000.png ..., film.json (pixel size, contrast), t.csv and t_contours.csv in
+the columns of a simulated recording's truth. A film depends on the seed and on the specimens that the folders hold.
+Nothing in the tracker may be set against these films but for those with the seed 20261124, whose failures were looked at.
+Needs Debian's python3-numpy, python3-scipy and python3-opencv.
+"""
+import argparse
+import csv
+import json
+import os
+import re
+import zlib
+
+import cv2
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+
+LOOKED_AT_SEED = 20261124
+GRID_UM = 0.2                # spacing at which bodies are projected: finer than every pixel
+MARGIN_UM = 10.0             # of a tool's grid before the tool's end, room for its blur
+FINE_PIXEL_UM = 0.45         # pixels above this size are drawn at twice the resolution, then averaged
+GLASS_RAD_PER_UM = 1.6       # optical path of glass in water: 2 pi 0.14 / 0.55 um
+TOOL_BLUR_UM = 2.5           # of the parts of a tool outside the depth of field
+SHAFT_UM = 22.0              # greatest radius of the needle's shaft
+CELL_REACH_UM = 54.0         # middle radius of a specimen of scale 1, and half its zona, rounded up
+REST_TOP_UM = 48.0           # where the needle would touch in a film without a cell
+SIZES_PX = [(640, 480), (800, 600), (1024, 768), (720, 576)]
+CONTRASTS = ["bright", "relief", "phase"]
+FILMS_EACH = 10
+NO_CELL = {"thickness_um": 5.0, "tip_radius_um": 2.5, "holder_ring_um": 15.0, "holder_half_width_um": 5.0, "aspect_ratio": 1.0}
+
+
+def read_table(folder, number, table):
+    return np.loadtxt(os.path.join(folder, f"specimen-{number}-1-{table}.csv"), delimiter=",", skiprows=1, ndmin=2)
+
+
+def suitable(folder, number, geometry):
+    """Neither sucked in nor stiffening, a zona that can be scaled to a sensible one, and indented deep enough, um."""
+    return (geometry["suction_kPa"] == 0 and geometry["stiffening"] == 0 and 2.5 < geometry["thickness_um"] < 13.5
+            and read_table(folder, number, "force")[-1, 0] > 24)
+
+
+def find_specimens(folders, first, last):
+    """(number, folder, geometry) of every suitable specimen, by number; the first folder that has a number counts."""
+    found = {}
+    for folder in folders:
+        for name in os.listdir(folder):
+            match = re.fullmatch(r"specimen-(\d+)-geometry\.json", name)
+            if not match or not (first or 0) <= int(match[1]) <= (last or 10 ** 9):
+                continue
+            tables = (os.path.join(folder, f"specimen-{match[1]}-1-{table}.csv") for table in ("profile", "force"))
+            if all(map(os.path.exists, tables)):
+                found.setdefault(int(match[1]), (match[1], folder, name))
+    specimens = []
+    for _, (number, folder, name) in sorted(found.items()):
+        with open(os.path.join(folder, name)) as file:
+            geometry = json.load(file)
+        # Tables of specimens whose zona can yield is the only kind that has these two.
+        if {"suction_kPa", "stiffening"} <= geometry.keys() and suitable(folder, number, geometry):
+            specimens.append((number, folder, geometry))
+    return specimens
+
+
+class Specimen:
+    """Half sections (rho, z) of both faces of the zona by depth, and forces; the needle comes from +z; um, uN."""
+
+    def __init__(self, number, folder, scale):
+        profile, force = read_table(folder, number, "profile"), read_table(folder, number, "force")
+        rest_depths = np.unique(profile[:, 0])
+        self.depths_um = rest_depths * scale
+        self.sections_um = np.array([profile[profile[:, 0] == depth][:, 2:6] for depth in rest_depths]) * scale
+        self.force_uN = PchipInterpolator(force[:, 0] * scale, force[:, 1] * scale * scale)
+        self.deepest_force_um = force[-1, 0] * scale
+        self.top_um = self.sections_um[0][0, 1]
+
+    def sections_at(self, depth_um):
+        """Outer and inner half section, from the needle's pole to the holder's; tables are interpolated linearly."""
+        k = int(np.clip(np.searchsorted(self.depths_um, depth_um) - 1, 0, len(self.depths_um) - 2))
+        t = np.clip((depth_um - self.depths_um[k]) / (self.depths_um[k + 1] - self.depths_um[k]), 0, 1)
+        both = (1 - t) * self.sections_um[k] + t * self.sections_um[k + 1]
+        return both[:, :2], both[:, 2:]
+
+    def force_at(self, depth_um):
+        return float(self.force_uN(min(depth_um, self.deepest_force_um)))
+
+    def height_at(self, radius_um):
+        """Of the resting outer face on the holder's side: where a holder's ring of this radius touches."""
+        outer = self.sections_um[0]
+        low = outer[outer[:, 1] < 0]
+        return np.interp(radius_um, low[::-1, 0], low[::-1, 1])
+
+
+def blurred(field, sigma):
+    return cv2.GaussianBlur(field, (0, 0), sigma)
+
+
+def mirrored(half):
+    """A field over (z, rho) continued to negative rho."""
+    return np.concatenate([half[:, ::-1], half], 1)
+
+
+class Projector:
+    """Integrates a body of revolution, given over its half section (z, rho), along the line of sight."""
+
+    def __init__(self, reach_um, field_depth_um):
+        self.count = n = int(np.ceil(reach_um / GRID_UM))
+        lateral_um, sight_um = (np.arange(n) + .5) * GRID_UM, (np.arange(2 * n) + .5) * GRID_UM / 2
+        radius = np.hypot(lateral_um[:, None], sight_um[None, :]) / GRID_UM - .5      # in cells of the grid
+        in_focus = np.exp(-.5 * (sight_um / field_depth_um) ** 2)
+        below = np.clip(np.floor(radius).astype(int), 0, n - 1)
+        part, inside = radius - below, radius < n - 1
+        column = np.broadcast_to(np.arange(n)[:, None], below.shape)
+        self.matrices = [np.zeros((n, n), np.float32) for _ in range(2)]              # in and out of the depth of field
+        for matrix, weight in zip(self.matrices, (in_focus, 1 - in_focus)):
+            # Half a cell per step, before and behind the axis alike.
+            step_um = np.broadcast_to(weight * GRID_UM, below.shape)
+            np.add.at(matrix, (np.maximum(below, 0)[inside], column[inside]), (step_um * (1 - part))[inside])
+            np.add.at(matrix, (np.minimum(below + 1, n - 1)[inside], column[inside]), (step_um * part)[inside])
+
+    def path(self, half, blur_um):
+        sharp, soft = (half @ matrix for matrix in self.matrices)
+        return mirrored(sharp) + blurred(mirrored(soft), blur_um / GRID_UM)
+
+
+def coverage(polygon_um, low_um, rows, columns, over=4):
+    """Share of each cell of the grid (z from low_um up, rho from 0 up) inside a polygon (rho, z)."""
+    mask = np.zeros((rows * over, columns * over), np.uint8)
+    at = np.c_[polygon_um[:, 0] / GRID_UM * over - .5, (polygon_um[:, 1] - low_um) / GRID_UM * over - .5]
+    cv2.fillPoly(mask, [np.round(at * 64).astype(np.int32)], 255, cv2.LINE_8, 6)
+    return cv2.resize(mask, (columns, rows), interpolation=cv2.INTER_AREA).astype(np.float32) / 255
+
+
+def sphere_chord_um(shape, center_px, radius_um, pixel_um):
+    y, x = np.ogrid[:shape[0], :shape[1]]
+    across_um2 = ((x - center_px[0]) ** 2 + (y - center_px[1]) ** 2) * pixel_um * pixel_um
+    return 2 * np.sqrt(np.maximum(radius_um * radius_um - across_um2, 0)).astype(np.float32)
+
+
+class Plan:
+    """All that is drawn once for a film. The order of the draws is part of what a seed means."""
+
+    def __init__(self, name, index, contrast, random, specimen):
+        uniform = random.uniform
+        self.name, self.contrast, self.style = name, contrast, index % 4
+        self.frame_rate_hz = int(random.choice([25, 30]))
+        self.size_px = SIZES_PX[index % 4]
+        self.number, self.folder, geometry = specimen
+        scale = uniform(36, 58) / 50
+        # Zona at most 12 um, tip at most 6 um, holder at most 35 um; none of them vanishes.
+        scale = min(scale, 12 / geometry["thickness_um"], 6 / geometry["tip_radius_um"], 35 / (1.29 * geometry["holder_ring_um"]))
+        self.scale = max(scale, 3 / geometry["thickness_um"], .5 / geometry["tip_radius_um"], .72)
+        across_um = 2 * CELL_REACH_UM * self.scale * geometry["aspect_ratio"] ** .5
+        self.pixel_um = float(np.clip(across_um / (self.size_px[1] * uniform(.34, .62)), .3, 1.0))
+        self.axis_rad = np.radians(uniform(-40, 40) if index % 3 == 2 else uniform(-12, 12)) + (np.pi if random.random() < .45 else 0)
+        self.tilt_rad = np.radians(uniform(-9, 9))                   # of the needle's shaft about its tip
+        self.taper, self.lumen = uniform(.03, .14), uniform(.55, .82)   # radius per length; share of the needle's radius
+        self.rounded = uniform(.2, .9)                               # length of the needle's rim, in tip radii
+        self.field_depth_um, self.defocus_um = uniform(2.5, 7), uniform(2.5, 6)
+        self.gap_um = 0 if index % 4 == 3 else uniform(.8, 5)        # between zona and ooplasm
+        self.grain_rad, self.grain_um = uniform(.1, 1.2), uniform(.4, 1.1)
+        self.spread_um = uniform(.3, .65)                            # point spread, as a standard deviation
+        self.noise, self.shot = uniform(1.5, 5.5), uniform(0, 2.5)   # grey levels; shot noise at level 150
+        self.level = uniform(120, 190) if contrast == "bright" else uniform(100, 150)
+        self.uneven = uniform(.02, .16)
+        self.speed_um_s = uniform(5, 20)
+        self.free_frames, self.frames = int(random.integers(8, 21)), int(random.integers(66, 106))
+        self.outcome = ["puncture", "hold", "retract"][index % 3] if index < 9 else "puncture"
+        self.polar_body, self.other_cell = random.random() < .3, index in (4, 7)
+        self.debris, self.dust = int(random.integers(0, 10)), int(random.integers(0, 7))
+        self.shift = (uniform(-.05, .05), uniform(-.07, .07))        # of the cell, in widths and heights of the image
+        self.soft_shaft = random.random() < .4
+        self.sign = 1 if index % 2 else -1
+        self.shear_rad = np.radians(uniform(0, 360))
+        self.edge = uniform(.16, .34)                                # contrast of the zona's edge
+        if contrast == "phase":
+            self.edge = uniform(.22, .36)
+        self.halo_um = uniform(3.5, 9)
+        self.zona_dark, self.ooplasm_dark = uniform(-.04, .10), uniform(0, .16)
+        self.zona_rad, self.ooplasm_rad = uniform(.13, .23), uniform(.23, .42)   # optical path per um
+        self.tip_um = geometry["tip_radius_um"] * self.scale
+        self.ring_um, self.half_um = geometry["holder_ring_um"] * self.scale, geometry["holder_half_width_um"] * self.scale
+        self.bubbles, self.has_cell = [], True
+
+    def without_cell(self, random, bubbles):
+        self.has_cell = self.other_cell = self.polar_body = False
+        self.outcome, self.pixel_um, self.frames, self.debris = "none", .6, 60, 14
+        self.tip_um, self.ring_um, self.half_um = (NO_CELL[k] for k in ("tip_radius_um", "holder_ring_um", "holder_half_width_um"))
+        for _ in range(bubbles):                                     # place in widths and heights, radius, optical path
+            self.bubbles.append((random.uniform(.1, .9), random.uniform(.1, .9), random.uniform(4, 14), random.uniform(.3, 1.2)))
+        return self
+
+    def path(self, specimen):
+        """By frame: how far the tip is beyond the resting pole and how deep the membrane is, um; force, uN; state."""
+        if specimen is None:
+            yield from ((-25 + .4 * k, 0, 0.0, "free") for k in range(self.frames))
+            return
+        step = self.speed_um_s / self.frame_rate_hz
+        push = int((self.frames - self.free_frames) * (.62 if self.outcome != "retract" else .45))
+        step = min(step, min(specimen.depths_um[-1], .82 * specimen.top_um) / push)
+        tip = -self.free_frames * step - .2
+        for frame in range(self.frames):
+            k = frame - self.free_frames
+            if k <= push:
+                tip = k * step + .3 * step
+            elif self.outcome == "puncture":
+                tip += step * .35 if k < push + 8 else 0
+            elif self.outcome == "retract" and k > push + 6:
+                tip -= 1.15 * step
+            if self.outcome == "puncture" and k > push:
+                # The membrane springs back at once, or in two frames.
+                slow = k == push + 1 and self.sign > 0
+                yield tip, max(0, push * step * (.35 if slow else 0)), 0.0, "punctured"
+            else:
+                membrane = max(tip, 0)
+                yield tip, membrane, specimen.force_at(membrane) if tip > 0 else 0.0, "contact" if tip > 0 else "free"
+
+
+class Contrast:
+    """Turns optical path into light, 1 where there is nothing; its gain is set in the film's first frame."""
+
+    def __init__(self, plan, pixel_um, edge_zone):
+        self.plan, self.pixel_um, self.edge_zone, self.gain = plan, pixel_um, edge_zone, None
+
+    def light(self, path, zona, ooplasm):
+        light = {"bright": self.bright, "relief": self.relief, "phase": self.phase}[self.plan.contrast](path)
+        if zona is not None and self.plan.contrast != "relief":
+            light = light * (1 - self.plan.zona_dark * zona - self.plan.ooplasm_dark * ooplasm)
+        return light
+
+    def bright(self, path):
+        plan, pixel_um = self.plan, self.pixel_um
+        curvature = -cv2.Laplacian(blurred(path, .2 / pixel_um), cv2.CV_32F, ksize=3) / (4 * pixel_um * pixel_um)
+        gain = self.set_gain(curvature, 99.2)
+        if plan.style in (0, 3):      # thin dark lines, whichever side is denser
+            lines = 1 - np.exp(-np.abs(blurred(np.abs(curvature), .3 / pixel_um)) / gain)
+            return 1 - plan.edge * 1.3 * lines + .12 * plan.sign * np.tanh(curvature / gain)
+        return 1 - plan.sign * plan.edge * 1.2 * np.tanh(curvature / gain)      # pairs of a dark and a bright line
+
+    def relief(self, path):
+        plan, pixel_um = self.plan, self.pixel_um
+        smooth = path if plan.style % 2 else blurred(path, .25 / pixel_um)
+        across, down = cv2.Scharr(smooth, cv2.CV_32F, 1, 0), cv2.Scharr(smooth, cv2.CV_32F, 0, 1)
+        slope = (np.cos(plan.shear_rad) * across + np.sin(plan.shear_rad) * down) / (32 * pixel_um)
+        gain = self.set_gain(slope, 99.0)
+        shade = blurred(path, 3 / pixel_um) * .004 * plan.sign
+        response = np.tanh(slope / gain) if plan.style < 2 else np.sin(np.clip(.9 * slope / gain, -1.9, 1.9))
+        return 1 + plan.edge * 1.7 * response + shade
+
+    def phase(self, path):
+        plan = self.plan
+        small = cv2.resize(path, None, fx=.25, fy=.25, interpolation=cv2.INTER_AREA)
+        wide = cv2.resize(blurred(small, plan.halo_um / self.pixel_um / 4), path.shape[::-1], interpolation=cv2.INTER_LINEAR)
+        denser = path - (.75 + .2 * (plan.style % 2)) * wide
+        gain = self.set_gain(denser, 98)
+        halos = np.where(denser > 0, denser, 2.2 * denser)           # halos stand out
+        return 1 - plan.edge * 1.9 * np.tanh(1.2 * halos / gain)
+
+    def set_gain(self, response, percent):
+        """From the zone of the cell's edge alone, or from all there is where there is no cell."""
+        if self.gain is None:
+            strength = np.abs(response)
+            if self.edge_zone is not None:
+                self.gain = float(np.percentile(strength[self.edge_zone], percent * .96))
+            else:
+                self.gain = float(np.percentile(strength[strength > .02 * strength.max()], 70))
+        return self.gain
+
+
+class Film:
+    """Draws a film; fields over the image have `over` fine pixels to a pixel."""
+
+    def __init__(self, plan, seed):
+        self.plan = plan
+        self.random = np.random.default_rng(zlib.crc32(plan.name.encode()) + seed)
+        self.over = 2 if plan.pixel_um > FINE_PIXEL_UM else 1
+        width, height = plan.size_px
+        self.fine_size, self.fine_um = (width * self.over, height * self.over), plan.pixel_um / self.over
+        self.along, _ = axes(plan.axis_rad)
+        middle = np.array([width * (.5 + plan.shift[0]), height * (.5 + plan.shift[1])])
+        self.center_px = middle - self.along * 4 / plan.pixel_um
+        self.diagonal_um = np.hypot(width, height) * plan.pixel_um
+        self.specimen = Specimen(plan.number, plan.folder, plan.scale) if plan.has_cell else None
+        self.top_um = self.specimen.top_um if plan.has_cell else REST_TOP_UM
+        if plan.has_cell:
+            outer = self.specimen.sections_um
+            reach_um = max(outer[..., 0].max(), outer[..., 1].max(), -outer[..., 1].min()) + 4 + 2.5 * plan.defocus_um
+            self.projector = Projector(reach_um, plan.field_depth_um)
+        self.contrast = Contrast(plan, self.fine_um, self.edge_zone() if plan.has_cell else None)
+        self.draw_needle()
+        self.draw_holder()
+        self.draw_loose()
+        self.draw_light()
+        self.drawn_depth = None
+        if plan.has_cell:
+            self.draw_grains()
+
+    def edge_zone(self):
+        y, x = np.ogrid[:self.fine_size[1], :self.fine_size[0]]
+        center = self.center_px * self.over
+        radius_um = np.hypot(x - center[0], y - center[1]) * self.fine_um
+        return (radius_um > .93 * self.top_um) & (radius_um < 1.05 * self.top_um)
+
+    def place(self, points_um):
+        """Pixels of points (rho, z)."""
+        along, across = axes(self.plan.axis_rad)
+        return self.center_px + (points_um[..., :1] * across + points_um[..., 1:] * along) / self.plan.pixel_um
+
+    def placed(self, field, left_um, low_um, axis_rad, origin_px):
+        """A field over (z, rho) that begins at (low, left), in fine pixels of the image."""
+        along, across = axes(axis_rad)
+        origin, step = origin_px * self.over + (self.over - 1) / 2, self.fine_um / GRID_UM
+        rows = [[v[0] * step, v[1] * step, -(v @ origin) * step - start / GRID_UM - .5] for v, start in ((across, left_um), (along, low_um))]
+        return cv2.warpAffine(field, np.array(rows), self.fine_size, flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP, borderValue=0)
+
+    def tool(self, outer_um, lumen_um, reach_um):
+        """Optical path of a glass tool over (z, rho), and where it begins across; half sections begin at the tool's end."""
+        projector = Projector(int(np.ceil(reach_um / GRID_UM)) * GRID_UM, self.plan.field_depth_um)
+        rows = int((self.diagonal_um + MARGIN_UM) / GRID_UM)
+        glass = coverage(outer_um, -MARGIN_UM, rows, projector.count)
+        if lumen_um is not None:
+            glass = glass - coverage(lumen_um, -MARGIN_UM, rows, projector.count)
+        path = projector.path(glass, TOOL_BLUR_UM) * GLASS_RAD_PER_UM
+        return blurred(path, self.plan.spread_um / GRID_UM), -projector.count * GRID_UM
+
+    def draw_needle(self):
+        plan, tip_um, end = self.plan, self.plan.tip_um, [[0, self.diagonal_um]]
+        rim_um = plan.rounded * tip_um
+        turn = np.linspace(0, np.pi / 2, 30)
+        rim = np.c_[tip_um * np.sin(turn) ** .6, rim_um * (1 - np.cos(turn))]
+        behind_um = np.linspace(0, self.diagonal_um, 400)
+        radius_um = np.minimum(tip_um + plan.taper * behind_um, SHAFT_UM)
+        radius_um = np.maximum(radius_um - plan.taper * rim_um, tip_um)
+        shaft = behind_um > rim_um
+        outer = np.r_[rim, np.c_[radius_um[shaft], behind_um[shaft]], end]
+        mouth_um = .4 * rim_um + .15
+        lumen = np.r_[[[0, mouth_um]], [[plan.lumen * tip_um * .9, mouth_um]],
+                      np.c_[radius_um[shaft] * plan.lumen, behind_um[shaft]], end]
+        self.needle, self.needle_left_um = self.tool(outer, lumen, radius_um.max() + 9)
+        if plan.soft_shaft:           # the shaft leaves the focus from 70 um behind its tip on
+            soft = blurred(self.needle, 2.2 / GRID_UM)
+            part = np.clip((np.arange(len(soft)) * GRID_UM - 70) / 150, 0, 1)[:, None].astype(np.float32)
+            self.needle = self.needle * (1 - part) + soft * part
+
+    def draw_holder(self):
+        """Its z runs down the tube, from its mouth."""
+        ring_um, half_um, lip_um = self.plan.ring_um, self.plan.half_um, self.plan.half_um * .95
+        turn = np.linspace(0, np.pi, 40)
+        lip = np.c_[ring_um - half_um * np.cos(turn), lip_um - lip_um * np.sin(turn)]
+        wall = np.r_[lip, [[ring_um + half_um, self.diagonal_um], [ring_um - half_um, self.diagonal_um]]]
+        path, left_um = self.tool(wall, None, ring_um + half_um + 9)
+        height_um = self.specimen.height_at(ring_um) if self.specimen else -REST_TOP_UM
+        self.fixed = self.placed(path, left_um, -MARGIN_UM, self.plan.axis_rad + np.pi, self.place(np.array([0.0, height_um])))
+
+    def draw_loose(self):
+        """Debris away from the cell and the tools, another cell, bubbles."""
+        plan, random, pixel_um = self.plan, self.random, self.fine_um
+        center, shape = self.center_px * self.over, self.fine_size[::-1]
+        radius = (self.top_um if self.specimen else 55) / pixel_um
+        self.loose = np.zeros(shape, np.float32)
+        for _ in range(plan.debris):
+            for _ in range(20):
+                at = random.uniform(0, 1, 2) * self.fine_size
+                x, y = at - center
+                if np.hypot(x, y) > 1.3 * radius and abs(x * self.along[1] - y * self.along[0]) > 35 / pixel_um:
+                    self.loose += sphere_chord_um(shape, at, random.uniform(.8, 3), pixel_um) * random.uniform(.1, .5)
+                    break
+        if plan.other_cell:
+            across = np.array([-self.along[1], self.along[0]]) * random.choice([-1, 1])
+            at = center + across * radius * 2.1 - self.along * radius * random.uniform(.2, .7)
+            path = sphere_chord_um(shape, at, .93 * radius * pixel_um, pixel_um) * plan.zona_rad
+            path += sphere_chord_um(shape, at, .75 * radius * pixel_um, pixel_um) * (plan.ooplasm_rad - plan.zona_rad)
+            self.loose += blurred(path, 1.6 / pixel_um) * .5
+        for x, y, radius_um, strength in plan.bubbles:
+            self.loose -= sphere_chord_um(shape, (x * shape[1], y * shape[0]), radius_um, pixel_um) * strength
+        self.loose = blurred(self.loose, plan.spread_um / pixel_um)
+
+    def draw_light(self):
+        """Uneven lamp, and specks on the camera's window."""
+        random, (width, height) = self.random, self.plan.size_px
+        y, x = np.mgrid[:height, :width].astype(np.float32)
+        turn = random.uniform(0, 2 * np.pi)
+        ramp = (x / width - .5) * np.cos(turn) + (y / height - .5) * np.sin(turn)
+        bowl = (x / width - .5) ** 2 + (y / height - .5) ** 2
+        self.lamp = 1 + self.plan.uneven * ramp - self.plan.uneven * random.uniform(0, 1.2) * bowl
+        for _ in range(self.plan.dust):
+            radius = np.hypot(x - random.uniform(0, width), y - random.uniform(0, height)) / random.uniform(3, 9)
+            self.lamp *= 1 - random.uniform(.03, .1) * np.exp(-radius ** 4) * (.5 + radius)
+
+    def draw_grains(self):
+        size = 2 * self.projector.count
+        noise = self.random.normal(size=(size, size)).astype(np.float32)
+        fine, coarse = blurred(noise, self.plan.grain_um / GRID_UM), blurred(noise[::-1], 2.2 / GRID_UM)
+        self.grains = fine / fine.std() + .6 * coarse / coarse.std()
+
+    def cell(self, depth_um):
+        """Optical path, sections of zona and of ooplasm over (z, rho)."""
+        plan, n = self.plan, self.projector.count
+        outer, inner = self.specimen.sections_at(depth_um)
+        low_um = -n * GRID_UM
+        whole, inside = coverage(outer, low_um, 2 * n, n), coverage(inner, low_um, 2 * n, n)
+        z, rho = (np.arange(2 * n) + .5) * GRID_UM + low_um, (np.arange(n) + .5) * GRID_UM
+        # The gap between zona and ooplasm closes where the needle presses.
+        wall_um = cv2.distanceTransform((mirrored(inside) > .5).astype(np.uint8), cv2.DIST_L2, 5) * GRID_UM
+        near = np.exp(-(rho[None, :] ** 2 + (z[:, None] - inner[0, 1]) ** 2) / (.5 * self.top_um) ** 2)
+        gap_um = plan.gap_um * (1 - near * min(1, depth_um / (plan.gap_um + .1)) * .9) + .3
+        filled = np.clip((wall_um[:, n:] - gap_um) / GRID_UM + .5, 0, 1).astype(np.float32)
+        path = self.projector.path(plan.zona_rad * (whole - inside) + plan.ooplasm_rad * filled, plan.defocus_um)
+        # Grains move with the dimple.
+        x, z = np.meshgrid(np.r_[-rho[::-1], rho], z)
+        lag_um = depth_um * np.exp(-(x ** 2 + (z - self.top_um + depth_um) ** 2) / (.6 * self.top_um) ** 2)
+        grains = cv2.remap(self.grains, (x / GRID_UM + n - .5).astype(np.float32), ((z + lag_um) / GRID_UM + n - .5).astype(np.float32),
+                           cv2.INTER_LINEAR)
+        ooplasm = mirrored(filled)
+        path = path + grains * blurred(ooplasm, 1 / GRID_UM) * plan.grain_rad * .22
+        return [blurred(field, plan.spread_um / GRID_UM) for field in (path, mirrored(whole - inside), ooplasm)]
+
+    def outlines(self, depth_um):
+        """Both faces of the zona as closed polygons, pixels; no point comes twice."""
+        if not self.specimen:
+            return None, None
+        return [self.place(np.r_[half, (half * [-1, 1])[-2:0:-1]]) for half in self.specimen.sections_at(depth_um)]
+
+    def frame(self, tip_px, depth_um):
+        plan, random = self.plan, self.random
+        path = self.fixed + self.loose + self.placed(self.needle, self.needle_left_um, -MARGIN_UM, plan.axis_rad + plan.tilt_rad, tip_px)
+        zona = ooplasm = None
+        if self.specimen:
+            if self.drawn_depth != depth_um:
+                low_um, self.drawn_depth = -self.projector.count * GRID_UM, depth_um
+                self.drawn = [self.placed(field, low_um, low_um, plan.axis_rad, self.center_px) for field in self.cell(depth_um)]
+            cell, zona, ooplasm = self.drawn
+            path = path + cell
+        if plan.polar_body:
+            at = self.place(np.array([[-.86, -.18]]) * (self.specimen.sections_um[0][:, 2].max() - 4))[0] * self.over
+            path = path + sphere_chord_um(path.shape, at, 4.2, self.fine_um) * .2
+        light = self.contrast.light(path, zona, ooplasm)
+        light = cv2.resize(light, plan.size_px, interpolation=cv2.INTER_AREA) if self.over > 1 else light
+        level = plan.level * self.lamp * light * random.normal(1, .004)      # the lamp flickers
+        shot = plan.shot * np.sqrt(np.maximum(level, 1) / 150)
+        level = level + random.normal(size=level.shape) * np.hypot(plan.noise, shot)
+        return np.clip(np.round(level), 0, 255).astype(np.uint8)
+
+    def write(self, folder, most_frames):
+        plan, pixel_um = self.plan, self.plan.pixel_um
+        os.makedirs(folder)
+        with open(os.path.join(folder, "film.json"), "w") as file:
+            json.dump({"pixel_size_um": pixel_um, "contrast": plan.contrast, "specimen": int(plan.number) if plan.has_cell else None,
+                       "scale": plan.scale, "outcome": plan.outcome, "cell_radius_um": self.top_um if plan.has_cell else None,
+                       "frame_rate_hz": plan.frame_rate_hz}, file, indent=1)
+        with open(os.path.join(folder, "t.csv"), "w") as truth, open(os.path.join(folder, "t_contours.csv"), "w") as shapes:
+            rows, contours = csv.writer(truth), csv.writer(shapes)
+            rows.writerow(["frame", "time_s", "state", "tip_x_um", "tip_y_um", "indentation_um", "force_uN"])
+            contours.writerow(["frame", "membrane", "point", "x_um", "y_um"])
+            for k, (tip_um, depth_um, force_uN, state) in enumerate(plan.path(self.specimen)):
+                if k == most_frames:
+                    break
+                tip_px = self.place(np.array([0.0, self.top_um - tip_um]))
+                image = self.frame(tip_px, depth_um)
+                cv2.imwrite(os.path.join(folder, f"frame_{k:05d}.png"), image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
+                at = tip_px * pixel_um
+                rows.writerow([k, k / plan.frame_rate_hz, state, at[0], at[1], depth_um, force_uN])
+                for name, outline in zip(("outer", "inner"), self.outlines(depth_um)):
+                    for i, point in enumerate([] if outline is None else outline * pixel_um):
+                        contours.writerow([k, name, i, round(point[0], 4), round(point[1], 4)])
+
+
+def axes(angle_rad):
+    """Unit vectors along an axis and across it, in the image."""
+    return np.array([np.cos(angle_rad), np.sin(angle_rad)]), np.array([-np.sin(angle_rad), np.cos(angle_rad)])
+
+
+def catalogue(specimens, seed):
+    """Plans of all films: a specimen each, in turns where there are too few."""
+    random = np.random.default_rng(seed)
+    chosen = random.permutation(len(specimens))
+    plans = []
+    for c, contrast in enumerate(CONTRASTS):
+        for k in range(FILMS_EACH):
+            specimen = specimens[chosen[(len(CONTRASTS) * k + c) % len(chosen)]]
+            plans.append(Plan(f"{contrast}{k:02d}", k, contrast, random, specimen))
+    for k, contrast in enumerate(CONTRASTS):
+        plan = Plan(f"empty_{contrast}", k, contrast, random, (0, "", NO_CELL))
+        plans.append(plan.without_cell(random, 0 if contrast == "relief" else 5))
+    return plans
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
+def main():
+    parser = Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="films to make; all when none is named")
+    parser.add_argument("--specimens", nargs="+", required=True, metavar="FOLDER", help="tables of finite-element specimens")
+    parser.add_argument("--first", type=int, help="smallest number of a specimen")
+    parser.add_argument("--last", type=int, help="greatest number of a specimen")
+    parser.add_argument("--out", help="folder for the films")
+    parser.add_argument("--seed", type=int, default=LOOKED_AT_SEED)
+    parser.add_argument("--frames", type=int, help="make at most so many frames of each film")
+    parser.add_argument("--list", action="store_true", help="print what the films are and make none")
+    options = parser.parse_intermixed_args()
+    if not options.list and not options.out:
+        parser.error("--out is needed, or --list")
+    if options.frames is not None and options.frames < 1:
+        parser.error("--frames must be at least 1")
+    if options.seed < 0:
+        parser.error("--seed must not be negative")
+    for folder in options.specimens:
+        if not os.path.isdir(folder):
+            parser.error(f"no such folder: {folder}")
+    specimens = find_specimens(options.specimens, options.first, options.last)
+    if not specimens:
+        parser.error(f"no suitable specimen in {' '.join(options.specimens)}")
+    plans = catalogue(specimens, options.seed)
+    for name in options.names:
+        if name not in [plan.name for plan in plans]:
+            parser.error(f"no film is called {name} (--list names them)")
+    plans = [plan for plan in plans if not options.names or plan.name in options.names]
+    for plan in plans:
+        if not options.list and os.path.exists(os.path.join(options.out, plan.name)):
+            parser.error(f"{os.path.join(options.out, plan.name)} is there already")
+    for plan in plans:
+        print(f"{plan.name} specimen {plan.number if plan.has_cell else '-'} pixel {plan.pixel_um:.3f} um, {plan.frame_rate_hz} Hz, "
+              f"{plan.frames} frames, {plan.outcome}", flush=True)
+        if not options.list:
+            Film(plan, options.seed).write(os.path.join(options.out, plan.name), options.frames)
+
+
+if __name__ == "__main__":
+    main()
