@@ -312,7 +312,8 @@ TEST(MechanicsStep, TheForceComesBeforeTheSurface) {
     EXPECT_EQ(to_csv(drawn.measurement), to_csv(measured->scene.measurement));
     EXPECT_TRUE(drawn.model);
     const auto surface = drawn.surface.shallow_copy();
-    for (vtkDataArray* array : written.forces_on(scene.surface, measured->estimate).arrays()) {
+    const SurfaceForces forces = written.forces_on(scene.surface, measured->estimate);
+    for (vtkDataArray* array : forces.arrays()) {
       ASSERT_TRUE(array);
       vtkDataArray* expected = surface->GetPointData()->GetArray(array->GetName());
       ASSERT_TRUE(expected) << array->GetName();

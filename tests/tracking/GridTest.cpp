@@ -27,7 +27,7 @@ struct Exception {
   Limits limits;
 };
 constexpr std::array kExceptions{
-    Exception{"diameter 64 px", {.coverage_low = 0.3}},
+    Exception{"diameter 64 px", {.coverage_low = 0.25}},
     Exception{"debris touching", {.coverage_low = 0.5}},
     Exception{"defocus 1 um", {.coverage_high = 0.9}},
 };
