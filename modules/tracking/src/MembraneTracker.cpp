@@ -200,7 +200,8 @@ class MembraneTracker::Impl {
       return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
         const bool is_meant = hint ? contour::contains(seen.outer, hint->inside) : !is_excluded(frame, seen);
         return seen.share > kLeastCellShare && is_meant &&
-               is_bystander(frame, seen.center, seen.radius_px) == bystander && cell_.start(frame, detected(seen));
+               is_bystander({seen.center, seen.radius_px, 1.0, 0.0}, scene_) == bystander &&
+               cell_.start(frame, detected(seen));
       });
     };
     return start_one(false) || start_one(true);
@@ -218,8 +219,9 @@ class MembraneTracker::Impl {
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
     const bool has_seen = start_seen(frame, hint);
-    const bool strays = has_lines && has_seen && is_bystander(frame, cell_) && !is_bystander(frame, lines);
-    if (has_seen && !strays && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_)))) return true;
+    const bool strays = has_lines && has_seen && is_bystander(cell_, scene_) && !is_bystander(lines, scene_);
+    if (has_seen && !strays && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_))))
+      return true;
     // Where the whole picture gives the network no start, the lines may.
     if (!has_seen && has_lines && !verdict.is_same() && cell_.start(frame, detected(lines)) && is_known(cell_))
       return true;
@@ -287,23 +289,14 @@ class MembraneTracker::Impl {
 
   // The cell on the holding pipette is the one that is worked on, not a bystander or a bubble that looks as round.
   bool start_at_tools(const FrameInput& frame, const DetectedCell& found) {
-    const bool is_elsewhere = is_bystander(frame, found.circle.center, found.circle.radius);
+    const bool is_elsewhere = frame.seen != nullptr && is_bystander(found.circle, *frame.seen);
     const bool started = cell_.start(frame, found);
     if (started && has_tools() && !is_elsewhere) return true;
     const std::optional<DetectedCell> other = detect_cell(whole_, options_, nullptr, &found.circle);
-    const bool may_be = other && !is_excluded(frame, other->circle) &&
-                        !(is_elsewhere && is_bystander(frame, other->circle.center, other->circle.radius));
-    if (may_be && cell_.start(frame, *other) && has_tools()) return true;
+    const bool is_meant =
+        other && !is_excluded(frame, other->circle) && !(is_elsewhere && is_bystander(other->circle, *frame.seen));
+    if (is_meant && cell_.start(frame, *other) && has_tools()) return true;
     return started && cell_.start(frame, found);
-  }
-
-  // The tools that the scene shows are elsewhere.
-  bool is_bystander(const FrameInput& frame, const Eigen::Vector2d& center, double radius_px) const {
-    const bool has_tools = frame.seen != nullptr && !(frame.seen->holders.empty() && frame.seen->needles.empty());
-    return has_tools && !is_worked_on(*frame.seen, center, radius_px);
-  }
-  bool is_bystander(const FrameInput& frame, const CellFollower& cell) const {
-    return is_bystander(frame, cell.center_now(), cell.rest().outer_radius);
   }
 
   // By lines: where they aren't to be trusted alone, or something pushes and isn't seen.

@@ -36,6 +36,7 @@ struct SceneReading {
   std::vector<SceneCell> cells;
   std::vector<SceneTool> needles;
   std::vector<SceneTool> holders;
+  bool has_tools() const noexcept { return !(needles.empty() && holders.empty()); }
 };
 
 /// Whether a holding pipette ends at the circle or a needle points into it: the cell that is worked on, no bystander.

@@ -118,4 +118,12 @@ bool is_known(const CellFollower& by_scene) {
   return by_scene.snakes().outer().score > kKnownScore;
 }
 
+bool is_bystander(const contour::Circle& cell, const SceneReading& scene) {
+  return scene.has_tools() && !is_worked_on(scene, cell.center, cell.radius);
+}
+
+bool is_bystander(const CellFollower& cell, const SceneReading& scene) {
+  return is_bystander({cell.center_now(), cell.rest().outer_radius, 1.0, 0.0}, scene);
+}
+
 }  // namespace pellucida

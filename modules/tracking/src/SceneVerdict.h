@@ -36,6 +36,10 @@ bool is_known(const CellFollower& by_scene);
 /// The cell that is followed by its lines as a first guess for the networks.
 DetectedCell detected(const CellFollower& by_lines);
 
+/// The tools that the scene shows are at another cell than this one, or at none.
+bool is_bystander(const contour::Circle& cell, const SceneReading& scene);
+bool is_bystander(const CellFollower& cell, const SceneReading& scene);
+
 /// Whether lines and scene see the same needle, or neither sees one; a scene without a needle contradicts no other.
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene);
 
