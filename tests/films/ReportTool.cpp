@@ -252,7 +252,8 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
           << s.membrane_sigma_um << ',' << s.depth_um << ',' << s.true_tip_um << ',' << s.true_membrane_um << ','
           << s.residual_um << ',' << s.dimple_residual_um << ',' << s.noise_um << ',' << s.flank_um << ','
           << run.errors[k].outer_px << ',' << run.errors[k].tip_px << ',' << run.film.scenario.image.pixel_size_um
-          << ',' << s.force_uN << ',' << s.lower_uN << ',' << s.upper_uN << ',' << s.expected_uN << ',' << s.true_uN << '\n';
+          << ',' << s.force_uN << ',' << s.lower_uN << ',' << s.upper_uN << ',' << s.expected_uN << ',' << s.true_uN
+          << '\n';
     }
   }
   if (!out.flush()) throw OutputError(file + " can't be written");

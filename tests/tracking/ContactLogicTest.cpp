@@ -31,11 +31,8 @@ TEST(ContactLogic, OneFrameOfTheMembraneAloneDoesNotDecide) {
 
 TEST(ContactLogic, TipAndMembranePastTheRestingOutlineDecideAtOnceWhereBothAreSure) {
   const auto state = [](double sigma_px, double tip_sigma_px) {
-    return fresh().update({.tip_px = 3.0,
-                           .membrane_px = 3.0,
-                           .needle_seen = true,
-                           .sigma_px = sigma_px,
-                           .tip_sigma_px = tip_sigma_px});
+    return fresh().update(
+        {.tip_px = 3.0, .membrane_px = 3.0, .needle_seen = true, .sigma_px = sigma_px, .tip_sigma_px = tip_sigma_px});
   };
   EXPECT_EQ(state(0.25, 0.25), CellState::kContact);
   EXPECT_EQ(state(0.25, 1.5), CellState::kFree);

@@ -254,9 +254,13 @@ void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vect
 // pushes deep the far side bulges. What is farther from there than that has moved.
 void CellFollower::follow_seat() {
   const bool is_free = contact_.state() == CellState::kFree;
-  const double bulge = (is_free ? kDent_ratio : holder_ ? kHeldBulge_ratio : kBulge_ratio) * std::max(0.0, membrane_depth_);
+  const double bulge = (is_free   ? kDent_ratio
+                        : holder_ ? kHeldBulge_ratio
+                                  : kBulge_ratio) *
+                       std::max(0.0, membrane_depth_);
   const Eigen::Vector2d gap = seat_ - drift_.place();
-  const double seat = std::hypot(is_free ? kOutlineSigma_px : kSeatSigma_px, bulge), drift = drift_.sigma_px(), both = std::hypot(seat, drift);
+  const double seat = std::hypot(is_free ? kOutlineSigma_px : kSeatSigma_px, bulge), drift = drift_.sigma_px(),
+               both = std::hypot(seat, drift);
   const bool has_moved = !may_be_pushed() || gap.norm() > kMoved_sigmas * both;
   motion_.shift += (has_moved ? seat_ : drift_.place() + std::pow(drift / both, 2) * gap) - center_now();
   seat_sigma_ = has_moved ? seat : seat * drift / both;

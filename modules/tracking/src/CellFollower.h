@@ -146,7 +146,7 @@ class CellFollower {
   RigidMotion rigid_;
   RigidMove motion_;
   SteadyDrift drift_;
-  double seat_sigma_ = 0.0;  // px, of the shift in contact where no holder shows it
+  double seat_sigma_ = 0.0;                         // px, of the shift in contact where no holder shows it
   Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;
   ContactLogic contact_;

@@ -22,11 +22,11 @@ class ContactLogic {
   };
 
   /// The state after this frame.
-  /// Contact: a cumulative sum test (Page 1954) on the membrane's depth in units of its sigma; a depth below `contact_px`
-  /// counts for nothing, and a single frame decides only where the tip is seen to have passed the resting membrane too. Release: two frames in a row with the membrane back or the tip
-  /// away. Puncture: the membrane leaves the tip behind by `puncture_drop_ratio` of its depth, and the dimple beside it
-  /// is not pushed any more; it ends when the tip has left the cell, or three frames in a row show the tip on the
-  /// membrane again or that dimple pushed.
+  /// Contact: a cumulative sum test (Page 1954) on the membrane's depth in units of its sigma; a depth below
+  /// `contact_px` counts for nothing, and a single frame decides only where the tip is seen to have passed the resting
+  /// membrane too. Release: two frames in a row with the membrane back or the tip away. Puncture: the membrane leaves
+  /// the tip behind by `puncture_drop_ratio` of its depth, and the dimple beside it is not pushed any more; it ends
+  /// when the tip has left the cell, or three frames in a row show the tip on the membrane again or that dimple pushed.
   CellState update(const Depths& now) {
     const double floor_px = 4.0 * options_.contact_px;
     if (state_ == CellState::kPunctured) {
@@ -39,7 +39,8 @@ class ContactLogic {
       const bool near = now.needle_seen && now.tip_px > -std::max(options_.contact_px, 3.0 * now.sigma_px);
       const double depth =
           now.membrane_px >= options_.contact_px ? now.membrane_px / std::max(now.sigma_px, 0.05) : 0.0;
-      const bool has_passed = now.tip_px > std::max(options_.contact_px, kSure * std::hypot(now.tip_sigma_px, now.sigma_px));
+      const bool has_passed =
+          now.tip_px > std::max(options_.contact_px, kSure * std::hypot(now.tip_sigma_px, now.sigma_px));
       const double most = has_passed ? kDecision : kMostOfOneFrame;
       evidence_ = near ? std::max(0.0, evidence_ + std::min(depth - kAllowance, most)) : 0.0;
       if (evidence_ >= kDecision) {

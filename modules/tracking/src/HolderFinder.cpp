@@ -8,10 +8,10 @@
 namespace pellucida {
 namespace {
 
-constexpr double kStraight = 0.4;    // of the cell's radius: how far its axis at the cell and further out may differ
+constexpr double kStraight = 0.4;  // of the cell's radius: how far its axis at the cell and further out may differ
 // A tool that another faces, so much broader and so much as strong, is the needle.
 constexpr double kBroader = 1.2, kAsStrong = 0.4, kFacing = -0.5;
-constexpr double kAlike = 0.6;       // correlation that still is the pipette
+constexpr double kAlike = 0.6;  // correlation that still is the pipette
 // A wall ends in a rounded rim, and stops looking like a wall half its thickness before that: for the usual walls, a
 // fifth of the half width thick, this share of the half width.
 constexpr double kRimShare = 0.1;

@@ -19,7 +19,7 @@ struct ForceErrors {
   double geometry_ratio = 0.0;  ///< radius, thickness, tools at rest
   /// How much more a wall bears that stiffens with strain: it counts upwards only.
   double stiffening_ratio = 0.0;
-  double scale_ratio = 0.0;     ///< of this kind of cell; of this cell, once its own scale was measured
+  double scale_ratio = 0.0;  ///< of this kind of cell; of this cell, once its own scale was measured
 
   double absolute_uN() const noexcept;
   double relative() const noexcept;
