@@ -44,11 +44,12 @@ TEST(SimulatedInjectionSource, AGuidedInjectionGoesFromEndToEnd) {
   EXPECT_NEAR(measured_uN, ran.outcome.puncture_force_uN, 0.055 * ran.outcome.puncture_force_uN);
   EXPECT_LT(ran.measured.peak->measurement.time_s, ran.outcome.puncture_s + 1e-9);
 
-  // The manipulator's reports are in the rows and lie within its play and step of the tip that was seen.
+  // The manipulator's reports are in the rows, beside the tip that was seen: by its play, and, where it gains speed, by
+  // what it goes within a report's age.
   int reported = 0;
   for (const Measurement& row : ran.measured.rows) {
     if (!std::isfinite(row.manipulator_x_um) || !std::isfinite(row.tip_x_um)) continue;
-    EXPECT_NEAR(row.manipulator_x_um, row.tip_x_um, 1.5) << row.frame;
+    EXPECT_NEAR(row.manipulator_x_um, row.tip_x_um, 4.0) << row.frame;
     ++reported;
   }
   EXPECT_GT(reported, 100);

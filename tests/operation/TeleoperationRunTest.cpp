@@ -141,7 +141,7 @@ TEST(TeleoperationRun, TheHandFeelsTheCellAndTheSessionHoldsIt) {
   const auto is_placed = [](const Measurement& row) { return std::isfinite(row.manipulator_x_um); };
   EXPECT_GT(std::count_if(rows.begin(), rows.end(), is_placed), 10);
   SessionSource source(folder / "s");
-  const BatchResult again = run_batch(source, {});
+  const BatchResult again = run_batch(source, {}, [](const Scene&) {});
   ASSERT_EQ(again.rows.size(), rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
     EXPECT_EQ(is_placed(again.rows[k]), is_placed(rows[k])) << k;

@@ -175,7 +175,7 @@ TEST(SessionWriter, WritesOnlyThePartsThatAreThere) {
   EXPECT_FALSE(fs::exists(folder / "s/frames/frame_00000001.vti"));
   EXPECT_TRUE(fs::is_empty(folder / "s/surface"));
   EXPECT_TRUE(fs::is_empty(folder / "s/membranes"));
-  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,,,,,,,,,");
   EXPECT_EQ(writer.counts().step_count, 2U);
   EXPECT_EQ(writer.counts().files(SessionPart::kFrame), 1U);
   EXPECT_TRUE(check_session(folder / "s", false).fine());
