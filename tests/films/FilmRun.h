@@ -73,7 +73,7 @@ struct FilmRun {
   bool is_confident_and_wrong(const FrameError& error) const;
 };
 
-/// `is_commanded`: the tracker is told what a `FilmManipulator` reports.
+/// `is_commanded`: the tracker receives the reports of a `FilmManipulator`.
 FilmRun run_film(const RandomFilm& film, const TrackerOptions& options = {}, bool is_commanded = false);
 
 /// The worst frame with the true contours and tip (green) and those found (red), as PNG.

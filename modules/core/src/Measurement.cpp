@@ -66,8 +66,7 @@ constexpr Field<M> kColumns[] = {
     {"expected_puncture_um", "um", &M::expected_puncture_um, kAny, "indentation at which this cell bears that force"},
     {"manipulator_x_um", "um", &M::manipulator_x_um, kAny,
      "where the manipulator reported the tip at the frame's time, to 1 nm; only while one moves the needle. Known "
-     "before "
-     "the frame was measured: evidence for the tracker, not a measurement"},
+     "before the frame was measured: evidence for the tracker, not a measurement"},
     {"manipulator_y_um", "um", &M::manipulator_y_um, kAny, "the same, down"},
 };
 

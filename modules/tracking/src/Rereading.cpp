@@ -7,8 +7,6 @@
 
 namespace pellucida {
 
-Rereading::~Rereading() = default;
-
 void Rereading::ask(const ImageView& image, const CellFollower& by_lines) {
   const std::size_t row_bytes =
       (image.format == PixelFormat::kGray8 ? 1U : 2U) * static_cast<std::size_t>(image.width_px);

@@ -23,8 +23,6 @@ class Rereading {
     bool is_same_needle = false;  ///< also where the network is sure of no tip
   };
 
-  ~Rereading();
-
   /// Copies image and cell. What was asked before must have been taken or dropped.
   void ask(const ImageView& image, const CellFollower& by_lines);
   /// Waits for it; nothing where nothing was asked. Throws what reading a network threw.

@@ -28,13 +28,14 @@ struct Ranges {
   using Range = std::array<double, 2>;
   static constexpr Range kNone{VTK_DOUBLE_MAX, VTK_DOUBLE_MIN};
   explicit Ranges(int component_count) : components(static_cast<std::size_t>(component_count), kNone) {}
-  void widen(Range& range, double value) noexcept {
-    range[0] = std::min(range[0], value);
-    range[1] = std::max(range[1], value);
-  }
   std::vector<Range> components;
   Range squared_norm = kNone;
 };
+
+void widen(Ranges::Range& range, double value) noexcept {
+  range[0] = std::min(range[0], value);
+  range[1] = std::max(range[1], value);
+}
 
 // As VTK has them: NaN widens no range; the finite ones leave infinite numbers, and tuples with one, out.
 template <class T>
@@ -46,12 +47,12 @@ void find_ranges(const T* values, vtkIdType tuple_count, Ranges& all, Ranges& fi
       const auto value = static_cast<double>(*values++);
       squares += value * value;
       if (std::isnan(value)) continue;
-      all.widen(all.components[c], value);
-      if (std::isfinite(value)) finite.widen(finite.components[c], value);
+      widen(all.components[c], value);
+      if (std::isfinite(value)) widen(finite.components[c], value);
     }
     if (std::isnan(squares)) continue;
-    all.widen(all.squared_norm, squares);
-    if (std::isfinite(squares)) finite.widen(finite.squared_norm, squares);
+    widen(all.squared_norm, squares);
+    if (std::isfinite(squares)) widen(finite.squared_norm, squares);
   }
 }
 

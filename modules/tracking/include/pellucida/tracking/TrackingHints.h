@@ -11,7 +11,7 @@ namespace pellucida {
 struct FrameHints {
   /// How far a manipulator moved the needle, by its own report, since the frame processed before, um in frame W. Held
   /// against what the film shows before it is believed, so that scale and axes may be off, and the film late by a
-  /// frame: then a tip that seems to jump uncommanded is misread, and one that isn't seen is where it was sent.
+  /// frame: then a tip that seems to go back uncommanded in contact is misread, and one not seen is where it was sent.
   std::optional<Eigen::Vector2d> needle_motion_um;
 };
 
