@@ -10,9 +10,9 @@
 // then says how the profile's own thickness, tip and holder would have done, and a table goes by what the specimens
 // are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --relaxing: the
 // force relaxes by a law of three arms, under a profile of two.
-// --commanded: the tracker is told what a manipulator reports, with errors of its own (`FilmManipulator`).
+// --commanded: the tracker receives the reports of a manipulator with errors of its own (`FilmManipulator`).
 // --drawing: plain bright field. --film: that one film alone. --family: films of that family alone. --punctures: films
-// whose membrane gives way alone, to say how soon that is told. --widest: no wider pictures. --csv:
+// whose membrane gives way alone, for how soon that is reported. --widest: no wider pictures. --csv:
 // a row a film. "given": frames in contact with a force; "in 95 %": of these, those whose picture's interval holds the
 // true force (with --specimens) or the one that the true contours and tip give. --sights: a row a frame, of what the
 // verdict on a puncture saw and of the force. --worst: pictures of the ten worst films, truth green, found red.

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Measures films drawn by path_films.py or wave_films.py with the program, and compares with their truth.
 
-    python3 measure_films.py FILMS WORK [--pellucida PROGRAM] [--options "--detection scene"]
+    python3 measure_films.py FILMS WORK [--pellucida PROGRAM] [--options="--detection scene"]
 
 FILMS holds a folder for each film (frame_*.png, film.json, t.csv, t_contours.csv). For each of them `pellucida analyze` and
 `pellucida export` run once, into WORK; what is there already is taken. Prints a line for each film and the medians by
@@ -59,19 +59,24 @@ def distances(points, polygon):
     return np.where(inside, -away, away)
 
 
+def run(*command):
+    """Its last line is printed where it fails."""
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        print(f"{command[1]}: {(done.stderr or done.stdout).strip().splitlines()[-1:]}", file=sys.stderr)
+
+
 def measure(film, work, options):
-    """The folder of exported tables; None where nothing was measured."""
+    """What film.json says, and the folder of exported tables; None for this where nothing was measured."""
     name = os.path.basename(film)
     with open(os.path.join(film, "film.json")) as file:
         about = json.load(file)
     session, tables = os.path.join(work, "sessions", name), os.path.join(work, "tables", name)
     if not os.path.exists(tables):
         os.makedirs(os.path.join(work, "sessions"), exist_ok=True)
-        subprocess.run([options.pellucida, "analyze", film, "--output", session, "--pixel-size-um", str(about["pixel_size_um"]),
-                        "--fps", str(about["frame_rate_hz"]), "--no-frames", *shlex.split(options.options)],
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        subprocess.run([options.pellucida, "export", session, "--output", tables, "--no-picture"],
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run(options.pellucida, "analyze", film, "--output", session, "--pixel-size-um", str(about["pixel_size_um"]),
+            "--fps", str(about["frame_rate_hz"]), "--no-frames", *shlex.split(options.options))
+        run(options.pellucida, "export", session, "--output", tables, "--no-picture")
     return about, tables if os.path.exists(os.path.join(tables, "measurements.csv")) else None
 
 

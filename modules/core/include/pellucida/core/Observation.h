@@ -86,7 +86,8 @@ struct Observation {
   double rotation_rad = 0.0;          ///< rigid rotation of cell and holder since the cell was found, +x towards +y
   double rest_outer_radius_um = 0.0;  ///< radius of the outer membrane at rest
   double rest_inner_radius_um = 0.0;  ///< of the inner one; 0 when it was not seen at rest
-  /// Standard deviation of the distance between the two, where it was not taken from contours; else 0.
+  /// Standard deviation of the distance between the two, where it was not taken from contours that follow lines; else
+  /// 0.
   double rest_thickness_sigma_um = 0.0;
   /// Where no inner membrane was seen at rest: from this distance on one would have been; 0: nothing is known.
   double rest_thickness_limit_um = 0.0;
