@@ -79,6 +79,23 @@ TEST(CellPassport, ACellHasTheNameThatWasGivenLast) {
   EXPECT_NE(table.find(",A-2\n"), std::string::npos) << table;
 }
 
+// The camera is late: no row comes between the name and the note that begins another cell.
+TEST(CellPassport, ANameBeforeTheNoteOfANewCellIsNotHandedOn) {
+  SyntheticRows rows;
+  rows.approach(5);
+  rows.pass(0.3);
+  rows.event(event_kind::kNote, std::string(kCellNameNote) + "A-1");
+  rows.pass(0.3);
+  rows.event(event_kind::kNote, std::string(kNewCellNote));
+  rows.pass(0.3);
+  rows.approach(5);
+  const auto cells = rows.passports();
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(cells[0].name, "A-1");
+  EXPECT_EQ(cells[1].name, "");
+  EXPECT_GT(cells[0].named_until_s, cells[0].last_seen_s);
+}
+
 TEST(CellPassport, StiffnessGrowsWithDepthWhereTheForceBends) {
   const auto contact = only_contact(push_and_pull(44.0, square, square));
   EXPECT_NEAR(contact.stiffness_5um_uN_per_um, 0.04, 0.002);

@@ -62,6 +62,8 @@ class SyntheticRows {
   void lost(int count) {
     for (int i = 0; i < count; ++i) add(CellState::kLost);
   }
+  /// Time without a row: a camera that is late.
+  void pass(double duration_s) { time_s_ += duration_s; }
   void event(const char* kind, const std::string& detail) { events_.push_back({time_s_, kind, detail}); }
 
   std::size_t size() const { return rows_.size(); }

@@ -65,5 +65,25 @@ TEST(CellLog, IsWhatTheReportOfTheSameRowsSays) {
   EXPECT_LT(log.pending().rows.size(), rows.size()) << "settled cells are forgotten";
 }
 
+// What has settled keeps its name when the next evaluation comes, although no row lies between name and new cell.
+TEST(CellLog, ANameGivenBetweenTwoRowsStays) {
+  SyntheticRows rows;
+  rows.approach(5);
+  rows.pass(0.3);
+  rows.event(event_kind::kNote, std::string(kCellNameNote) + "A-1");
+  rows.pass(0.3);
+  rows.event(event_kind::kNote, std::string(kNewCellNote));
+  rows.pass(0.3);
+  rows.approach(5);
+  CellLog log("mouse-oocyte");
+  log.take(rows.rows(), rows.events());
+  for (int k = 0; k < 2; ++k) {
+    log.settle(CellLog::evaluate(log.pending()));
+    ASSERT_EQ(log.cells().size(), 2U);
+    EXPECT_EQ(cell_row(log.cells()[0]).name, "A-1");
+    EXPECT_EQ(cell_row(log.cells()[1]).name, "2");
+  }
+}
+
 }  // namespace
 }  // namespace pellucida

@@ -8,6 +8,7 @@
 #include "ContactNumbers.h"
 #include "PassportDoubts.h"
 #include "pellucida/core/CellNameNote.h"
+#include "pellucida/core/NewCellNote.h"
 
 namespace pellucida {
 namespace {
@@ -30,12 +31,25 @@ double rest_radius_um(const PassportInput& input, const RowRange& range) {
   return ContactPassport::kNone;
 }
 
-// A note names the cell that is there, or the next one that comes: the last one up to its last row counts.
+// Up to when a name is that of the cell in `spans[index]`: its last row, or the note after it that begins another cell
+// where no row lies between; a camera that was slow does not hand a name on.
+double named_until_s(const PassportInput& input, const std::vector<CellSpan>& spans, std::size_t index) {
+  const RowRange& rows = spans[index].rows;
+  const double last_s = input.rows[rows.end - 1].time_s;
+  if (index + 1 == spans.size() || spans[index + 1].rows.begin != rows.end) return last_s;
+  const double next_s = input.rows[rows.end].time_s;
+  for (const Event& event : input.events) {
+    if (event.time_s <= last_s || event.time_s > next_s || !begins_new_cell(event)) continue;
+    return std::nextafter(event.time_s, last_s);
+  }
+  return last_s;
+}
+
+// A note names the cell that is there, or the next one that comes; the last note counts.
 std::string name_of_cell(const PassportInput& input, const std::vector<CellSpan>& spans, std::size_t index) {
   constexpr double kEver = std::numeric_limits<double>::infinity();
-  const auto last_s = [&](const CellSpan& span) { return input.rows[span.rows.end - 1].time_s; };
-  const double after_s = index > 0 ? last_s(spans[index - 1]) : -kEver;
-  const double until_s = index + 1 < spans.size() ? last_s(spans[index]) : kEver;
+  const double after_s = index > 0 ? named_until_s(input, spans, index - 1) : -kEver;
+  const double until_s = index + 1 < spans.size() ? named_until_s(input, spans, index) : kEver;
   std::string name;
   for (const Event& event : input.events) {
     if (event.time_s <= after_s || event.time_s > until_s) continue;
@@ -55,6 +69,7 @@ CellPassport passport_of(const PassportInput& input, const std::vector<CellSpan>
   cell.rows = span.rows;
   cell.found_s = input.rows[span.rows.begin].time_s;
   cell.last_seen_s = input.rows[span.rows.end - 1].time_s;
+  cell.named_until_s = named_until_s(input, spans, index);
   cell.radius_um = rest_radius_um(input, span.rows);
   cell.losses = span.losses;
   for (const ContactSpan& one : span.contacts) {

@@ -87,7 +87,7 @@ std::vector<CellPassport> CellLog::evaluate(Pending pending) {
 void CellLog::settle(std::vector<CellPassport> cells) {
   cells_.resize(settled_count_);
   // By their times: rows may have come since.
-  const double settled_until_s = cells.size() > 1 ? cells[cells.size() - 2].last_seen_s : -HUGE_VAL;
+  const double settled_until_s = cells.size() > 1 ? cells[cells.size() - 2].named_until_s : -HUGE_VAL;
   for (CellPassport& cell : cells) {
     cell.cell = static_cast<int>(cells_.size()) + 1;
     for (ContactPassport& contact : cell.contact_list) contact.cell = cell.cell;

@@ -89,6 +89,7 @@ struct CellPassport {
   std::string name;     ///< as a note gives it (core/CellNameNote.h); empty without one
   double found_s = ContactPassport::kNone;
   double last_seen_s = ContactPassport::kNone;
+  double named_until_s = ContactPassport::kNone;  ///< a name given later is the next cell's; >= last_seen_s
   double radius_um = ContactPassport::kNone;
   int losses = 0;
   int contacts = 0;
