@@ -3,11 +3,11 @@
 //   film_samples --out FOLDER [--split tuning|wide|validation|unseen] [--count N] [--first SEED] [--plain yes]
 //                [--specimens FOLDER]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
-// 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file, outer or
-// inner, then x and y of the boundary's points, px); NNNNN is the film's seed. Several of them may run at once with
-// other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual microscope's plain
-// drawing instead of a look. --specimens: cells of finite-element tables (tests/specimens), with zonae from thin to
-// thick; else each zona is a tenth of its cell's radius thick.
+// 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file; outer,
+// inner, needle or holder; then x and y of the outline's points, px); NNNNN is the film's seed. Several of them may run
+// at once with other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual
+// microscope's plain drawing instead of a look. --specimens: cells of finite-element tables (tests/specimens), with
+// zonae from thin to thick; else each zona is a tenth of its cell's radius thick.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -133,6 +133,8 @@ int main(int count, char** arguments) {
         csv << ",,,";
       if (seen.outer) write(contours, stem, "outer", seen.outer->points_um, pixel_um);
       if (seen.inner) write(contours, stem, "inner", seen.inner->points_um, pixel_um);
+      write(contours, stem, "needle", seen.needle->outline_um, pixel_um);
+      if (seen.holder) write(contours, stem, "holder", seen.holder->outline_um, pixel_um);
       csv << film.contrast << ',' << film.family << ',' << seen.frame_index << std::endl;
     } catch (const Error& error) {
       return std::fprintf(stderr, "film_samples: film %llu: %s\n", static_cast<unsigned long long>(seed), error.what()),
