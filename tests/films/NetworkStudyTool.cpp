@@ -84,10 +84,16 @@ void study(const std::string& name, const cv::Mat& grey, const Eigen::Matrix2Xd&
     read(std::to_string(size).substr(0, 4).c_str(), (size * (outer.colwise() - middle)).colwise() + middle);
   const double side = middle.x() < 0.5 * grey.cols ? 1.0 : -1.0;
   read("beside", outer.colwise() + Eigen::Vector2d(side * kBeside_radii * radius_px(outer), 0.0));
-  MembraneTracker tracker;
-  const Observation seen = tracker.process(view, 0.0, 0);
-  std::printf("%s,tracker,%.4f,%.3f\n", name.c_str(), seen.confidence,
-              away_percent(seen.outer ? seen.outer->points_um : Eigen::Matrix2Xd(2, 0), outer));
+  using Detection = TrackerOptions::Detection;
+  for (const auto& [start_name, detection] :
+       {std::pair{"auto", Detection::kAuto}, {"lines", Detection::kLines}, {"scene", Detection::kScene}}) {
+    TrackerOptions options;
+    options.detection = detection;
+    MembraneTracker tracker(options);
+    const Observation seen = tracker.process(view, 0.0, 0);
+    std::printf("%s,%s,%.4f,%.3f\n", name.c_str(), start_name, seen.confidence,
+                away_percent(seen.outer ? seen.outer->points_um : Eigen::Matrix2Xd(2, 0), outer));
+  }
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace pellucida::test {
 namespace {
 
 constexpr std::uint64_t kFirst = 3001, kFilms = 16;
+constexpr double kAtFirst_ratio = 0.013;  // of the radius, RMS
 
 double share_of(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
@@ -94,6 +95,25 @@ TEST(SceneTracking, DepthsCountFromTheSeatAndTheTipHasItsRadius) {
     ASSERT_GT(off_um.size(), 20U);
     EXPECT_LT(share_of(off_um, 0.9), 7.0);
     EXPECT_NEAR(std::log(run.seen_sizes.tip_radius_um / run.true_sizes.tip_radius_um), 0.0, 0.45);
+  }
+}
+
+// The tracker begins with the needle deep in the cell, as it does after it has lost one; in the last film the membrane
+// has given way. Read from the outline as detection gave it, contours were off by 1.7 to 4.3 % of the radius, but for
+// the fourth, which cut across the dimple by 0.9 %.
+TEST(SceneTracking, ADimpleIsFollowedFromItsFirstSight) {
+  const std::vector<std::string> specimens = specimens_in(std::string(PELLUCIDA_SOURCE_DIR) + "/resources/reference");
+  for (const auto& [seed, skipped] : {std::pair{173005, 20}, {173017, 19}, {173023, 26}, {173012, 15}, {173035, 22}}) {
+    SCOPED_TRACE(seed);
+    const RandomFilm film = draw_film(Split::kTuning, static_cast<std::uint64_t>(seed), 1024, specimens);
+    VirtualMicroscope microscope(film.scenario, film.look);
+    for (int k = 0; k < skipped; ++k) microscope.skip();
+    const auto frame = microscope.next();
+    MembraneTracker tracker;
+    const Observation seen = tracker.process(view_of(frame->image.get()), 0.0, 0);
+    const Observation& truth = microscope.truth().observation;
+    std::printf("state %d of %d, %.2f %%\n", int(seen.state), int(truth.state),100 * compare(seen, truth, 1.0).outer_px / truth.rest_outer_radius_um);
+    EXPECT_LT(compare(seen, truth, 1.0).outer_px, kAtFirst_ratio * truth.rest_outer_radius_um);
   }
 }
 

@@ -34,6 +34,7 @@ constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.15
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
+constexpr double kKeptArea_ratio = 0.9;
 // A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
 // of films 27025 and 28025 less.
 constexpr double kPoorStart = 0.25;
@@ -141,6 +142,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   astray_frames_ = 0;
   seat_ = circle.center;
   learn_holder_motion(frame);
+  if (is_read_ && needle_.valid() && tip_depth() > kEntered_px) read_dimples(frame);
   membrane_depth_ = measure_membrane_depth();
   // Where a mere shade ends is not known well enough to say that it has entered an untouched outline.
   const bool certain = !zone().is_shade || membrane_depth_ > 0.5 * kEntered_px;
@@ -179,7 +181,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
       snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
     snakes_.track(frame.image, frame.noise, from_rest ? Eigen::Vector2d::Zero() : shift, needle_.motion(), with, reach);
     const double now = quality_now();
-    if (now > quality_ + 0.05 && !(touching_ && cuts_dimple())) {
+    if (now > quality_ + 0.05 && keeps_area() && !(touching_ && cuts_dimple())) {
       quality_ = now;
       best_outer = snakes_.outer();
       best_inner = snakes_.inner();
@@ -358,11 +360,18 @@ Eigen::Vector2d CellFollower::seat_center() const {
   return center;
 }
 
+// From one frame to the next a cell is not dented so deep that its outline loses a tenth of its area: the contour would
+// have gone over to an edge within, the zona's inner one or the oolemma.
+bool CellFollower::keeps_area() const {
+  return outer_before_.points.cols() == 0 ||
+         contour::signed_area(snakes_.outer().points) > kKeptArea_ratio * contour::signed_area(outer_before_.points);
+}
+
 // A contour that encloses far too little or too much, or crosses itself, is none.
 bool CellFollower::plausible() const {
   const Eigen::Matrix2Xd& points = snakes_.outer().points;
   const double area = contour::signed_area(points), rest = M_PI * rest_.outer_radius * rest_.outer_radius;
-  return area > 0.5 * rest && area < 1.4 * rest && !contour::self_intersects(points);
+  return area > 0.5 * rest && area < 1.4 * rest && keeps_area() && !contour::self_intersects(points);
 }
 
 }  // namespace pellucida

@@ -115,6 +115,8 @@ class CellFollower {
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
   void read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
   void read_unpushed(const FrameInput& frame, const NeedleZone* needle);
+  void read_dimples(const FrameInput& frame);
+  SnakeContour dimpled(SnakeContour snake, double reach_px) const;
   void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
   void take_dimple();
@@ -134,6 +136,7 @@ class CellFollower {
   double local_score(const SnakeContour& snake) const;
   double local_score() const;
   double quality_now() const;
+  bool keeps_area() const;
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;

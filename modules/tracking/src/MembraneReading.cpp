@@ -21,11 +21,11 @@ constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with e
 constexpr double kReadRigidity = 20.0, kDimpleRadii = 1.0;
 
 // Of the radius: an outline that is as near to what was read needs no further round.
-constexpr double kSettledShare = 0.004;
+constexpr double kSettledShare = 0.003;
 // Rounds from a rough outline, and the score below which that showed no boundary. Set on 229 pictures of
 // tuning and wide families: 0.84 and more in 95 % of the contours that ended on the boundary, 0.58 at most beside a
 // cell.
-constexpr int kRoundsAtFirst = 3;
+constexpr int kRoundsAtFirst = 6;
 constexpr double kLeastAtFirst = 0.76;
 
 // The places of the network's normals on others of the same contour, both evenly spaced from the same point on.

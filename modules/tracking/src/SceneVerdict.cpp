@@ -24,9 +24,9 @@ constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
 // On 229 pictures of tuning and wide families the network's score was above kFamiliarScore for three in four contours
 // on the boundary, above kKnownScore for nine in ten; for one in ten that ended elsewhere in the cell it was above
 // 0.84. The lines' is 0.999 for bubbles.
-constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.90, kKnownScore = 0.86, kBubbleScore = 0.99;
+constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.86, kKnownScore = 0.82, kBubbleScore = 0.99;
 // Of a reading about the lines, holder and needle included: below, none about the network's own outline is familiar.
-constexpr double kStrangeScore = 0.84;
+constexpr double kStrangeScore = 0.80;
 
 // Mean distance of an outline's points from the nearest points of a contour, px.
 double distance_px(const Eigen::Matrix2Xd& outline, const Eigen::Matrix2Xd& contour) {
