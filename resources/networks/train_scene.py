@@ -16,11 +16,13 @@ import numpy as np
 import torch
 from torch import nn
 
-from training import Block, UNetwork, arguments_of, draw_batch, export, normalised, other_look, rows_of, train
+from any_contrast import SHIFT, Drawings, drawn_anew, moved
+from training import Block, UNetwork, arguments_of, draw_batch, export, normalised, other_look, outlines_in, rows_of, train
 
 CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
 SIDE = 192             # of a training picture, network pixels
 CACHE_SIDE = 720       # longest side of a sample kept in memory, pixels
+ANEW = 0.5             # share of the pictures drawn from the outlines alone
 TIP_SIGMA = 1.5        # of the tip's heat spot, output pixels
 CLASS_WEIGHTS = [0.5, 2.0, 1.0, 2.5, 1.0, 1.0]
 
@@ -34,16 +36,17 @@ class Samples:
     """Pictures and labels of a folder; `load` takes in what has been added since."""
 
     def __init__(self, folder):
-        self.folder, self.items, self.known = folder, [], set()
+        self.folder, self.items, self.known, self.drawings = folder, [], set(), Drawings()
         self.load()
 
     def load(self):
+        outlines = outlines_in(self.folder)
         for row in rows_of(self.folder):
-            if row["file"] not in self.known:
+            if row["file"] not in self.known and row["file"] in outlines:
                 self.known.add(row["file"])
-                self.items.append(self.read(row))
+                self.items.append(self.read(row, outlines[row["file"]]))
 
-    def read(self, row):
+    def read(self, row, outlines):
         path = os.path.join(self.folder, row["file"])
         image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
         label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
@@ -52,11 +55,20 @@ class Samples:
         image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
         label = cv2.resize(label, size, interpolation=cv2.INTER_NEAREST)
         number = lambda key: float(row[key]) * ratio if row[key] else None
-        return (image, label, (number("tip_x_px"), number("tip_y_px")),
+        outlines = moved(outlines, ratio * np.eye(2), [0.5 * ratio - 0.5] * 2)
+        return (image, label, outlines, (number("tip_x_px"), number("tip_y_px")),
                 (number("center_x_px"), number("center_y_px"), number("outer_radius_px")))
 
     def draw(self, random):
-        image, label, tip, cell = self.items[random.integers(len(self.items))]
+        if random.random() < ANEW:
+            x, y, heat = self.drawings.pick(lambda: self.view(random, True), random)
+        else:
+            x, y, heat = self.view(random, False)
+        return normalised(other_look(x, 1.0, random)), y, heat
+
+    def view(self, random, is_anew):
+        """A part of a sample as the network sees it, turned; labels and heat of the tip."""
+        image, label, outlines, tip, cell = self.items[random.integers(len(self.items))]
         h, w = image.shape
         whole = SIDE / max(h, w)
         if cell[2] is not None and random.random() < 0.6:
@@ -73,18 +85,32 @@ class Samples:
         if random.random() < 0.5:
             a[:, 0] *= -1
         m = np.hstack([a, (np.array([SIDE, SIDE]) / 2 - a @ middle)[:, None]])
-        if scale < 0.7:
-            image = cv2.GaussianBlur(image, (0, 0), 0.42 / scale)
-        x = cv2.warpAffine(image, m, (SIDE, SIDE), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REFLECT_101)
-        y = cv2.warpAffine(label, m, (SIDE, SIDE), flags=cv2.INTER_NEAREST, borderMode=cv2.BORDER_REFLECT_101)
-        x = x.astype(np.float32)
-        x = other_look(x, 1.0, random)
+        # Beyond the picture there is nothing to draw but what an outline holds.
+        border = cv2.BORDER_CONSTANT if is_anew else cv2.BORDER_REFLECT_101
+        y = cv2.warpAffine(label, m, (SIDE, SIDE), flags=cv2.INTER_NEAREST, borderMode=border)
+        if is_anew:
+            outlines = moved(outlines, m[:, :2], m[:, 2])
+            y = labels_of(outlines, y)
+            x = drawn_anew(outlines, y, random, 1.0)
+        else:
+            if scale < 0.7:
+                image = cv2.GaussianBlur(image, (0, 0), 0.42 / scale)
+            x = cv2.warpAffine(image, m, (SIDE, SIDE), flags=cv2.INTER_LINEAR, borderMode=border).astype(np.float32)
         heat = np.zeros((SIDE // 2, SIDE // 2), np.float32)
         if tip[0] is not None and 0 <= tip[0] < w and 0 <= tip[1] < h:
             at = (m @ np.array([*tip, 1.0])) / 2
             u, v = np.meshgrid(np.arange(SIDE // 2), np.arange(SIDE // 2))
             heat = np.exp(-((u - at[0]) ** 2 + (v - at[1]) ** 2) / (2 * TIP_SIGMA ** 2)).astype(np.float32)
-        return normalised(x), y[::2, ::2].astype(np.int64), heat
+        return x, y[::2, ::2].astype(np.int64), heat
+
+
+def labels_of(outlines, label):
+    """The other bodies of a label picture, and what the outlines hold."""
+    label = np.where(label == 5, np.uint8(5), np.uint8(0))
+    for name, value in (("outer", 1), ("inner", 2), ("holder", 4), ("needle", 3)):
+        if name in outlines:
+            cv2.fillPoly(label, [np.round(outlines[name].T * (1 << SHIFT)).astype(np.int32)], value, cv2.LINE_8, SHIFT)
+    return label
 
 
 def loss_of(out, labels, heat, weights):

@@ -30,7 +30,7 @@ def tip_network(widths=(12, 24, 40, 56)):
 
 class Samples(TipSamples):
     def draw(self, random):
-        image, tip, way, half, _ = self.items[random.integers(len(self.items))]
+        image, tip, way, half, _ = self.pick(self.items, random)
         if random.random() < 0.5:
             image, width = image[:, ::-1], image.shape[1]
             tip, way = np.array([width - 1 - tip[0], tip[1]]), way * (-1, 1)
@@ -72,7 +72,7 @@ def loss_of(logits, truth):
 def main():
     options = arguments_of(__doc__, 30)
     random = np.random.default_rng(1)
-    samples = Samples(options.samples)
+    samples = Samples(options.samples, WIDTH_SAMPLES)
     network = tip_network()
 
     def loss_of_batch():

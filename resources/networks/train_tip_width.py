@@ -42,7 +42,7 @@ class Samples(TipSamples):
         (self.held_out if len(self.known) % HELD_OUT == 0 else self.items).append(item)
 
     def draw(self, items, random):
-        image, tip, way, half, radius = items[random.integers(len(items))]
+        image, tip, way, half, radius = self.pick(items, random)
         if random.random() < 0.5:
             image, width = image[:, ::-1], image.shape[1]
             tip, way = np.array([width - 1 - tip[0], tip[1]]), way * (-1, 1)
@@ -76,7 +76,7 @@ def loss_of(answer, truth):
 def main():
     options = arguments_of(__doc__, 25)
     random = np.random.default_rng(1)
-    samples = Samples(options.samples)
+    samples = Samples(options.samples, WIDTH_SAMPLES)
     network = WidthNetwork()
 
     def loss_of_batch():

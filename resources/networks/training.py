@@ -13,6 +13,8 @@ import numpy as np
 import torch
 from torch import nn
 
+from any_contrast import Drawings, drawn_anew, moved, outlines_of
+
 REDUCING_BLUR = 0.42   # before samples further apart than a pixel, in samples
 
 
@@ -163,6 +165,14 @@ def sampled(part, x, y):
     return cv2.remap(part, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
 
 
+def outlines_in(folder):
+    """The outlines of all pictures of a folder, as outlines_of gives them."""
+    outlines = {}
+    for path in sorted(glob.glob(os.path.join(folder, "contours*.csv"))):
+        outlines.update(outlines_of(path))
+    return outlines
+
+
 def rows_of(folder):
     """The rows of the samples*.csv of a folder that are whole."""
     for path in sorted(glob.glob(os.path.join(folder, "samples*.csv"))):
@@ -172,19 +182,40 @@ def rows_of(folder):
 
 class TipSamples:
     """Pictures of a folder that show a needle's tip, each with its tip, direction, half width some way behind and radius at the
-    tip, px; `load` takes in what has been added since."""
+    tip, px, its labels and outlines; `load` takes in what has been added since."""
+    ANEW = 0.5        # share of the pictures drawn from the outlines alone
+    REACH = 210       # of a drawing about the tip, in samples
 
-    def __init__(self, folder):
-        self.folder, self.items, self.held_out, self.known = folder, [], [], set()
+    def __init__(self, folder, width_samples):
+        """`width_samples`: of a needle's half width."""
+        self.folder, self.items, self.held_out, self.known, self.drawings = folder, [], [], set(), Drawings()
+        self.width_samples = width_samples
         self.load()
 
     def load(self):
+        outlines = outlines_in(self.folder)
         for row in rows_of(self.folder):
-            if row["file"] not in self.known:
+            if row["file"] not in self.known and row["file"] in outlines:
                 self.known.add(row["file"])
-                self.read(row)
+                self.read(row, outlines[row["file"]])
 
-    def read(self, row):
+    def pick(self, items, random):
+        """Picture, tip, direction, half width and radius of one of `items`, as it is or drawn anew."""
+        item = items[random.integers(len(items))]
+        if items is self.held_out or random.random() > self.ANEW:
+            return item[:5]
+        return self.drawings.pick(lambda: self.anew(item, random), random)
+
+    def anew(self, item, random):
+        _, tip, way, half, radius, label, outlines = item
+        unit = half / self.width_samples
+        reach = min(self.REACH * unit, 400)
+        low = np.maximum(np.floor(tip - reach).astype(int), 0)
+        high = np.minimum(np.ceil(tip + reach).astype(int), label.shape[::-1])
+        picture = drawn_anew(moved(outlines, np.eye(2), -low), label[low[1]:high[1], low[0]:high[0]], random, unit)
+        return picture, tip - low, way, half, radius
+
+    def read(self, row, outlines):
         tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
                     (("tip_x_px", "tip_y_px"), ("direction_x", "direction_y")))
         path = os.path.join(self.folder, row["file"])
@@ -199,7 +230,7 @@ class TipSamples:
         inside = (x >= 0) & (y >= 0) & (x < image.shape[1]) & (y < image.shape[0])
         half = 0.25 * np.count_nonzero(label[y[inside], x[inside]] == 3)
         if half >= 0.5:
-            self.keep((image, tip, way, half, float(row["tip_radius_px"])))
+            self.keep((image, tip, way, half, float(row["tip_radius_px"]), label, outlines))
 
     def keep(self, item):
         self.items.append(item)
