@@ -13,6 +13,7 @@ COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the ou
 sample ZERO. Its four planes: grey values (median 0, mean deviation 1), the normal's x and y, and how many pixels a
 sample takes (SPACING_OF of train and program alike).
 """
+import glob
 import os
 
 import cv2
@@ -20,14 +21,12 @@ import numpy as np
 import torch
 from torch import nn
 
-from any_contrast import Drawings, drawn_anew, moved
-from training import UNetwork, arguments_of, draw_batch, export, normalised, outlines_in, sampled, spacing_of, train, varied
+from training import UNetwork, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
 
 NORMALS, WRAP, COLUMNS, ZERO, RADIUS_SAMPLES = 128, 16, 96, 58, 160
 LABEL_SIGMA = 1.0      # of the label's spot, samples
 ON_INNER = 0.12        # share of the outlines that lie on the inner boundary
 TIGHT = 0.5            # share of the loss for the mean of the spot
-ANEW = 0.5             # share of the strips from pictures drawn from the outlines alone
 
 
 def boundary_network(widths=(12, 24, 40, 56)):
@@ -75,39 +74,31 @@ class Samples:
     """Pictures of a folder that show a cell, with both boundaries; `load` takes in what has been added since."""
 
     def __init__(self, folder):
-        self.folder, self.items, self.known, self.drawings = folder, [], set(), Drawings()
+        self.folder, self.items, self.known = folder, [], set()
         self.load()
 
     def load(self):
-        for name, outlines in outlines_in(self.folder).items():
-            if name in self.known or "outer" not in outlines or "inner" not in outlines:
-                continue
-            path = os.path.join(self.folder, name)
-            image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
-            if image is None or label is None:
-                continue
-            for key in ("outer", "inner"):
-                if area(outlines[key]) < 0:
-                    outlines[key] = outlines[key][:, ::-1]
-            self.known.add(name)
-            self.items.append((image, label, outlines))
+        for path in sorted(glob.glob(os.path.join(self.folder, "contours*.csv"))):
+            found = {}
+            with open(path) as file:
+                for line in file:
+                    if not line.endswith("\n"):
+                        continue
+                    name, which, *values = line.strip().split(",")
+                    found.setdefault(name, {})[which] = np.array(values, float).reshape(-1, 2).T
+            for name, both in found.items():
+                if name in self.known or "outer" not in both or "inner" not in both:
+                    continue
+                image = cv2.imread(os.path.join(self.folder, name), cv2.IMREAD_GRAYSCALE)
+                if image is None:
+                    continue
+                both = {key: value if area(value) > 0 else value[:, ::-1] for key, value in both.items()}
+                self.known.add(name)
+                self.items.append((image, both["outer"], both["inner"]))
 
     def draw(self, random):
-        image, label, outlines = self.items[random.integers(len(self.items))]
-        if random.random() < ANEW:
-            return strip_of(*self.drawings.pick(lambda: anew(label, outlines, random), random), random)
-        return strip_of(image, outlines["outer"], outlines["inner"], random)
-
-
-def anew(label, outlines, random):
-    """The surroundings of a cell, drawn from its outlines, with its outer and inner boundary."""
-    outer = outlines["outer"]
-    reach = np.sqrt(area(outer) / np.pi)
-    low = np.maximum(np.floor(outer.min(1) - 0.9 * reach).astype(int), 0)
-    high = np.minimum(np.ceil(outer.max(1) + 0.9 * reach).astype(int), label.shape[::-1])
-    outlines = moved(outlines, np.eye(2), -low)
-    picture = drawn_anew(outlines, label[low[1]:high[1], low[0]:high[0]], random, reach / RADIUS_SAMPLES)
-    return picture, outlines["outer"], outlines["inner"]
+        image, outer, inner = self.items[random.integers(len(self.items))]
+        return strip_of(image, outer, inner, random)
 
 
 def rough(outer, random):

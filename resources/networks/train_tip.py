@@ -29,6 +29,8 @@ def tip_network(widths=(12, 24, 40, 56)):
 
 
 class Samples(TipSamples):
+    ANEW = 0.0  # with half of them drawn anew, tips inside an ooplasm were read 4 um short
+
     def draw(self, random):
         image, tip, way, half, _ = self.pick(self.items, random)
         if random.random() < 0.5:
