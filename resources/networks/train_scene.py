@@ -7,7 +7,8 @@ another body, background; and where the needle's tip is.
 
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only;
 the validation families stay unseen. The picture is scaled so that the cell covers 14 to 190 network pixels, turned,
-mirrored, its grey values stretched, bent and inverted: nothing of polarity or brightness is left to learn.
+mirrored, its grey values stretched, bent and inverted: nothing of polarity or brightness is left to learn. Half of
+the pictures are drawn from the samples' outlines alone (any_contrast.py).
 """
 import os
 
