@@ -3,8 +3,8 @@
 //   network_study FOLDER > FILE.csv
 // A row each time an outline is read, from the true one, one too small or too large, or one beside the cell (`start`:
 // its size, or `beside`): the network's score, and how far the outer contour it ends on lies from the true one, RMS in
-// % of the radius. And a row for the whole picture (`start`: tracker): the confidence of the tracker's first frame, and
-// the same distance of its contour; 100 where it has no cell.
+// % of the radius. And rows for the whole picture (`start`: auto, lines, scene, the ways of detection): the confidence
+// of the tracker's first frame, and the same distance of its contour; 100 where it has no cell.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -81,15 +81,7 @@ TEST(CellPassport, ACellHasTheNameThatWasGivenLast) {
 
 // The camera is late: no row comes between the name and the note that begins another cell.
 TEST(CellPassport, ANameBeforeTheNoteOfANewCellIsNotHandedOn) {
-  SyntheticRows rows;
-  rows.approach(5);
-  rows.pass(0.3);
-  rows.event(event_kind::kNote, std::string(kCellNameNote) + "A-1");
-  rows.pass(0.3);
-  rows.event(event_kind::kNote, std::string(kNewCellNote));
-  rows.pass(0.3);
-  rows.approach(5);
-  const auto cells = rows.passports();
+  const auto cells = SyntheticRows::named_without_a_row().passports();
   ASSERT_EQ(cells.size(), 2U);
   EXPECT_EQ(cells[0].name, "A-1");
   EXPECT_EQ(cells[1].name, "");

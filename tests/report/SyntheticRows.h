@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "pellucida/core/CellNameNote.h"
+#include "pellucida/core/NewCellNote.h"
 #include "pellucida/report/CellPassport.h"
 
 namespace pellucida::test {
@@ -62,9 +64,21 @@ class SyntheticRows {
   void lost(int count) {
     for (int i = 0; i < count; ++i) add(CellState::kLost);
   }
-  /// Time without a row: a camera that is late.
-  void pass(double duration_s) { time_s_ += duration_s; }
   void event(const char* kind, const std::string& detail) { events_.push_back({time_s_, kind, detail}); }
+
+  /// Two cells, the first named A-1, of a camera so late that no row lies between that and the note of the second.
+  static SyntheticRows named_without_a_row() {
+    constexpr double kLate_s = 0.3;
+    SyntheticRows rows;
+    rows.approach(5);
+    for (const std::string& note : {std::string(kCellNameNote) + "A-1", std::string(kNewCellNote)}) {
+      rows.time_s_ += kLate_s;
+      rows.event(event_kind::kNote, note);
+    }
+    rows.time_s_ += kLate_s;
+    rows.approach(5);
+    return rows;
+  }
 
   std::size_t size() const { return rows_.size(); }
   Measurement& row(std::size_t i) { return rows_[i]; }

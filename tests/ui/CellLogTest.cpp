@@ -67,14 +67,7 @@ TEST(CellLog, IsWhatTheReportOfTheSameRowsSays) {
 
 // What has settled keeps its name when the next evaluation comes, although no row lies between name and new cell.
 TEST(CellLog, ANameGivenBetweenTwoRowsStays) {
-  SyntheticRows rows;
-  rows.approach(5);
-  rows.pass(0.3);
-  rows.event(event_kind::kNote, std::string(kCellNameNote) + "A-1");
-  rows.pass(0.3);
-  rows.event(event_kind::kNote, std::string(kNewCellNote));
-  rows.pass(0.3);
-  rows.approach(5);
+  const SyntheticRows rows = SyntheticRows::named_without_a_row();
   CellLog log("mouse-oocyte");
   log.take(rows.rows(), rows.events());
   for (int k = 0; k < 2; ++k) {

@@ -34,6 +34,7 @@ constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.15
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
+// Of an outline's area, what is left of it in the next frame at least.
 constexpr double kKeptArea_ratio = 0.9;
 // A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
 // of films 27025 and 28025 less.
@@ -363,8 +364,7 @@ Eigen::Vector2d CellFollower::seat_center() const {
 // From one frame to the next a cell is not dented so deep that its outline loses a tenth of its area: the contour would
 // have gone over to an edge within, the zona's inner one or the oolemma.
 bool CellFollower::keeps_area() const {
-  return outer_before_.points.cols() == 0 ||
-         contour::signed_area(snakes_.outer().points) > kKeptArea_ratio * contour::signed_area(outer_before_.points);
+  return contour::signed_area(snakes_.outer().points) > kKeptArea_ratio * contour::signed_area(outer_before_.points);
 }
 
 // A contour that encloses far too little or too much, or crosses itself, is none.
