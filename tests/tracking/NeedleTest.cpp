@@ -11,6 +11,7 @@
 #include "GrayImage.h"
 #include "HolderFinder.h"
 #include "NeedleTracker.h"
+#include "SceneVerdict.h"
 #include "ToolFinder.h"
 
 namespace pellucida {
@@ -315,6 +316,20 @@ TEST(HolderFinder, AxisWidthAndMouthAreThoseDrawn) {
   EXPECT_TRUE(holder->mouth_seen);
   EXPECT_NEAR(holder->mouth.x(), center.x() - mouth, 2.0);
   EXPECT_GT(holder->confidence, 0.5);
+}
+
+// The scene's width is the mean over its length: a needle that tapers is as wide half-way along.
+TEST(Needle, OneOfItsWallsIsFarThinnerThanItself) {
+  SceneTool seen;
+  seen.length_px = 200.0;
+  seen.half_width_px = 14.0;
+  NeedleEstimate lines;
+  lines.tip_half_width = 0.6;
+  lines.widening = 0.01;
+  EXPECT_TRUE(is_one_wall(lines, seen));
+  lines.tip_half_width = 4.0;
+  lines.widening = 0.1;
+  EXPECT_FALSE(is_one_wall(lines, seen));
 }
 
 }  // namespace

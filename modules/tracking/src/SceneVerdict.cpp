@@ -19,8 +19,9 @@ constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
 // apart wherever lines had the cell at all, and the lines were then the worse; in plain drawings 0.009 at most but for
 // one in 26, and the lines the better.
 constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
-// What lines follow is one wall of a needle where, so far behind the tip, it is thinner than this share of the needle.
-constexpr double kWidthBehind_px = 40.0, kWall_ratio = 0.4;
+// What lines follow is one wall of a needle where, half its length behind the tip, it is thinner than this share of its
+// mean width.
+constexpr double kWall_ratio = 0.4;
 // Lines are held against a network whose mean confidence is above these. Set on 112 pictures of tuning, wide and plain
 // drawings and 60 of another renderer (docs/method.md, 1.6); with 0.04 less of each a picture in 172 is seen better.
 // The lines' score is 0.999 for bubbles.
@@ -68,6 +69,10 @@ bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image,
   return read_about(outline, image, boundaries).apart_px < most_apart_px(outline);
 }
 
+bool is_one_wall(const NeedleEstimate& lines, const SceneTool& needle) {
+  return lines.tip_half_width + 0.5 * needle.length_px * lines.widening < kWall_ratio * needle.half_width_px;
+}
+
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene) {
   const NeedleTracker& followed = by_lines.needle();
   bool has_tip = false;
@@ -77,9 +82,7 @@ bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene
     const double near_px = std::max(kSameTip_px, 2.0 * needle.half_width_px);
     if (!followed.valid()) continue;
     const NeedleEstimate& lines = followed.estimate();
-    // Lines may run along one of the needle's walls.
-    const bool is_wall = lines.tip_half_width + kWidthBehind_px * lines.widening < kWall_ratio * needle.half_width_px;
-    if (!is_wall && (needle.tip - lines.tip).norm() < near_px) return true;
+    if (!is_one_wall(lines, needle) && (needle.tip - lines.tip).norm() < near_px) return true;
   }
   return !has_tip;
 }
