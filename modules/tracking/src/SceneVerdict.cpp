@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <vector>
 
 #include "ContourMath.h"
+#include "Median.h"
 
 namespace pellucida {
 namespace {
@@ -19,6 +20,9 @@ constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
 // apart wherever lines had the cell at all, and the lines were then the worse; in plain drawings 0.009 at most but for
 // one in 26, and the lines the better.
 constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
+// Lines that follow the oolemma for the zona's inner boundary, or the other way round: their thickness differs by this
+// share and this many px from that of a network whose mean confidence about the inner boundary is above `kSureInner`.
+constexpr double kSameInner_ratio = 0.25, kLeastInner_px = 1.2, kSureInner = 0.75;
 // What lines follow is one wall of a needle where, half its length behind the tip, it is thinner than this share of its
 // mean width.
 constexpr double kWall_ratio = 0.4;
@@ -46,13 +50,26 @@ bool is_same(const CellFollower& by_lines, const SceneCell& seen) {
   return distance_px(seen.outer, outline) < std::max(kLeastApart_px, kSameCell_ratio * radius_px(outline));
 }
 
-// The outer boundary as the network reads it about the lines, means over the normals.
+// The boundaries as the network reads them about the lines: the outer one's mean distance from them, the median
+// distance between the two, and how sure they are in the mean.
 struct ReadAbout {
-  double apart_px = 0.0, confidence = 0.0;
+  double apart_px = 0.0, thickness_px = 0.0, confidence = 0.0, inner_confidence = 0.0;
 };
 ReadAbout read_about(const Eigen::Matrix2Xd& outline, const FrameSampler& image, BoundaryNetwork& boundaries) {
-  const BoundaryPlaces seen = boundaries.read(image, outline).outer;
-  return {seen.offset_px.cwiseAbs().mean(), confidence_of(seen.sigma_px, radius_px(outline)).mean()};
+  const BoundaryReading seen = boundaries.read(image, outline);
+  const Eigen::VectorXd apart = seen.outer.offset_px - seen.inner.offset_px;
+  std::vector<double> thickness(apart.begin(), apart.end());
+  const auto sureness = [&](const BoundaryPlaces& places) {
+    return confidence_of(places.sigma_px, radius_px(outline)).mean();
+  };
+  return {seen.outer.offset_px.cwiseAbs().mean(), median_of(thickness), sureness(seen.outer), sureness(seen.inner)};
+}
+
+// Whether lines that follow an inner boundary follow the one that the network reads; so it is where it isn't sure.
+bool is_same_inner(const CellFollower& by_lines, const ReadAbout& seen) {
+  if (by_lines.zona().valid() || !by_lines.snakes().has_inner() || seen.inner_confidence < kSureInner) return true;
+  const double apart_px = std::abs(by_lines.snakes().thickness_px() - seen.thickness_px);
+  return apart_px < std::max(kLeastInner_px, kSameInner_ratio * seen.thickness_px);
 }
 
 double most_apart_px(const Eigen::Matrix2Xd& outline) {
@@ -99,6 +116,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   const ReadAbout seen = read_about(outline_of(by_lines), image, reader.boundaries());
   verdict.is_same_outline = seen.apart_px < most_apart_px(outline_of(by_lines));
   verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, kFine_ratio * radius_px(outline_of(by_lines)));
+  verdict.is_same_inner = is_same_inner(by_lines, seen);
   verdict.is_strange = seen.confidence < kStrangeScore;
   by_lines.take_bevel(image, reader.tips());
   verdict.is_same_needle =

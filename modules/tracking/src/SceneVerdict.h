@@ -9,13 +9,14 @@ namespace pellucida {
 struct LinesVerdict {
   bool is_same_cell = false;     ///< the scene has a cell with about this outline
   bool is_same_outline = false;  ///< and on each normal the outer boundary lies where the lines have it
+  bool is_same_inner = true;     ///< and the zona is as thick, where the network is sure of that
   bool is_fine = false;          ///< and so near that the lines, which measure to a tenth of a pixel, are the finer
   bool is_same_needle = false;   ///< neither sees a needle, or both the same one with its tip in the same place
   bool is_bubble = false;        ///< the scene has no cell at all, and no membrane is as strong and even as these lines
   bool is_strange = false;       ///< the network knows this look less surely than those it has learnt from
   bool is_sure = false;          ///< the lines were seen well enough to be believed at all
   /// Lines and networks see the same cell, and the same needle too.
-  bool is_same() const noexcept { return is_same_cell && is_same_outline; }
+  bool is_same() const noexcept { return is_same_cell && is_same_outline && is_same_inner; }
   bool is_confirmed() const noexcept { return is_same() && is_same_needle && is_sure; }
 };
 
@@ -42,7 +43,8 @@ DetectedCell detected(const CellFollower& by_lines);
 bool is_bystander(const contour::Circle& cell, const SceneReading& scene);
 bool is_bystander(const CellFollower& cell, const SceneReading& scene);
 
-/// Whether lines run along one of the walls of a needle of the scene: half its length behind the tip they are far apart.
+/// Whether lines run along one of the walls of a needle of the scene: half its length behind the tip they are far
+/// apart.
 bool is_one_wall(const NeedleEstimate& lines, const SceneTool& needle);
 
 /// Whether lines and scene see the same needle, or neither sees one; a scene without a needle contradicts no other.
