@@ -54,6 +54,8 @@ class CellFollower {
   bool expect_holder(const FrameInput& frame, const Eigen::Vector2d& place);
   /// See `NeedleTracker`; false in contact.
   bool take_bevel(const FrameSampler& image, TipNetwork& network);
+  /// Its lines are one wall of a needle half as wide as that: its tip is read at that scale.
+  void expect_needle_width(double half_width_px, const FrameSampler& image, TipNetwork& network);
   void forget_needle() { needle_.reset(); }
 
   /// Follows into the next frame. False when the cell has been out of sight for too long.

@@ -9,7 +9,6 @@
 #include "ContourMath.h"
 #include "HintedHolder.h"
 #include "HintedNeedle.h"
-#include "SceneVerdict.h"
 
 namespace pellucida {
 namespace {
@@ -137,7 +136,6 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
     if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
     const auto expected = seen ? std::optional(expected_tip(*seen)) : std::nullopt;
     if (!needle_.start(frame.image, tool, frame.noise, expected ? &*expected : nullptr)) return false;
-    if (seen && is_one_wall(needle_.estimate(), *seen)) return false;
     needle_.expect_half_width(seen ? seen->half_width_px : 0.0);
     if (frame.scene && frame.networks) needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
     return is_plausible();
@@ -190,6 +188,11 @@ bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d&
   walls_slide_ = false;
   learn_holder_motion(frame);
   return true;
+}
+
+void CellFollower::expect_needle_width(double half_width_px, const FrameSampler& image, TipNetwork& network) {
+  needle_.expect_half_width(half_width_px);
+  needle_.read_tip(network, image, 1.0);
 }
 
 bool CellFollower::take_bevel(const FrameSampler& image, TipNetwork& network) {

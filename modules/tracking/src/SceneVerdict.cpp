@@ -76,6 +76,11 @@ double most_apart_px(const Eigen::Matrix2Xd& outline) {
   return std::max(kLeastOutline_px, kSameOutline_ratio * radius_px(outline));
 }
 
+bool is_near(const NeedleTracker& followed, const SceneTool& needle) {
+  return followed.valid() &&
+         (needle.tip - followed.estimate().tip).norm() < std::max(kSameTip_px, 2.0 * needle.half_width_px);
+}
+
 }  // namespace
 
 const Eigen::Matrix2Xd& outline_of(const CellFollower& by_lines) {
@@ -91,15 +96,11 @@ bool is_one_wall(const NeedleEstimate& lines, const SceneTool& needle) {
 }
 
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene) {
-  const NeedleTracker& followed = by_lines.needle();
   bool has_tip = false;
   for (const SceneTool& needle : scene.needles) {
     if (needle.tip_share < kLeastNeedleTipShare) continue;
     has_tip = true;
-    const double near_px = std::max(kSameTip_px, 2.0 * needle.half_width_px);
-    if (!followed.valid()) continue;
-    const NeedleEstimate& lines = followed.estimate();
-    if (!is_one_wall(lines, needle) && (needle.tip - lines.tip).norm() < near_px) return true;
+    if (is_near(by_lines.needle(), needle) && !is_one_wall(by_lines.needle().estimate(), needle)) return true;
   }
   return !has_tip;
 }
@@ -118,6 +119,10 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, kFine_ratio * radius_px(outline_of(by_lines)));
   verdict.is_same_inner = is_same_inner(by_lines, seen);
   verdict.is_strange = seen.confidence < kStrangeScore;
+  const auto whole = std::find_if(scene.needles.begin(), scene.needles.end(), [&](const SceneTool& needle) {
+    return is_near(by_lines.needle(), needle) && is_one_wall(by_lines.needle().estimate(), needle);
+  });
+  if (whole != scene.needles.end()) by_lines.expect_needle_width(whole->half_width_px, image, reader.tips());
   by_lines.take_bevel(image, reader.tips());
   verdict.is_same_needle =
       is_needle_confirmed(by_lines, scene) && by_lines.needle().is_where_read(reader.tips(), image);
