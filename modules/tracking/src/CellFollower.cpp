@@ -115,7 +115,9 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   is_read_ = frame.reader != nullptr;
   is_doubtful_ = false;
   if (is_read_) {
-    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known)) return false;
+    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known,
+                       frame.least_score))
+      return false;
   } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {
     return false;
   }

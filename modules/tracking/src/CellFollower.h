@@ -26,14 +26,15 @@ namespace pellucida {
 /// One frame as the follower gets it.
 struct FrameInput {
   ImageView view;
-  FrameSampler image;                   ///< of `view`
-  double noise = 0.0;                   ///< standard deviation of a pixel, 0..1 of the range
-  CommandedMotion* command = nullptr;   ///< of the needle; null: unknown in this frame
-  TrackerTimings* timings = nullptr;    ///< where the parts of `follow` put their time; not null
-  const SceneReading* seen = nullptr;   ///< what the network shows of it; null: it wasn't asked
-  const SceneReading* scene = nullptr;  ///< the same, to find cell and needle by; null: by lines
-  SceneReader* reader = nullptr;        ///< to read membranes and tip by; null: their lines are known
-  SceneReader* networks = nullptr;      ///< to ask for what lines alone don't say; null: not to be asked
+  FrameSampler image;                                  ///< of `view`
+  double noise = 0.0;                                  ///< standard deviation of a pixel, 0..1 of the range
+  CommandedMotion* command = nullptr;                  ///< of the needle; null: unknown in this frame
+  TrackerTimings* timings = nullptr;                   ///< where the parts of `follow` put their time; not null
+  const SceneReading* seen = nullptr;                  ///< what the network shows of it; null: it wasn't asked
+  const SceneReading* scene = nullptr;                 ///< the same, to find cell and needle by; null: by lines
+  SceneReader* reader = nullptr;                       ///< to read membranes and tip by; null: their lines are known
+  SceneReader* networks = nullptr;                     ///< to ask for what lines alone don't say; null: not to be asked
+  double least_score = MembraneSnakes::kLeastAtFirst;  ///< of membranes that are read, at first sight
 };
 
 /// One cell followed from frame to frame: contours, needle, holder, rigid motion, rest shape and state belong together

@@ -22,11 +22,7 @@ constexpr double kReadRigidity = 20.0, kDimpleRadii = 1.0;
 
 // Of the radius: an outline that is as near to what was read needs no further round.
 constexpr double kSettledShare = 0.003;
-// Rounds from a rough outline, and the score below which that showed no boundary. Set on 229 pictures of
-// tuning and wide families: 0.84 and more in 95 % of the contours that ended on the boundary, 0.58 at most beside a
-// cell.
-constexpr int kRoundsAtFirst = 6;
-constexpr double kLeastAtFirst = 0.76;
+constexpr int kRoundsAtFirst = 6;  // from a rough outline
 
 // The places of the network's normals on others of the same contour, both evenly spaced from the same point on.
 void spread_out(const Eigen::VectorXd& places, Eigen::VectorXd& out) {
@@ -76,14 +72,14 @@ void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, doubl
 }
 
 bool MembraneSnakes::start(const FrameSampler& image, BoundaryNetwork& network, const Eigen::Matrix2Xd& outline,
-                           double share, const NeedleZone* needle) {
+                           double share, const NeedleZone* needle, double least_score) {
   outer_ = inner_ = {};
   outer_look_ = inner_look_ = {};
   thickness_ = 0.0;
   if (outline.cols() < 3) return false;
   outer_.points = contour::resample(contour::positively_oriented(outline), options_.contour_point_count);
   sureness_ = read(image, network, needle, kRoundsAtFirst) * share;
-  return outer_.score >= kLeastAtFirst;
+  return outer_.score >= least_score;
 }
 
 double MembraneSnakes::read(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone* needle, int rounds) {

@@ -209,10 +209,10 @@ class MembraneTracker::Impl {
     if (has_lines && verdict.is_same() && (verdict.is_strange || verdict.is_fine)) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
+    frame.least_score = least_score(verdict);
     const bool has_seen = start_seen(frame, hint);
     const bool strays = has_lines && has_seen && is_bystander(cell_, scene_) && !is_bystander(lines, scene_);
-    if (has_seen && !strays && (!has_lines || is_familiar(cell_) || (!verdict.is_same() && is_known(cell_))))
-      return true;
+    if (has_seen && !strays && (!has_lines || is_preferred(cell_, verdict))) return true;
     // Where the whole picture gives the network no start, the lines may.
     if (!has_seen && has_lines && !verdict.is_same() && cell_.start(frame, detected(lines)) && is_known(cell_))
       return true;

@@ -23,6 +23,9 @@ constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
 // Lines that follow the oolemma for the zona's inner boundary, or the other way round: their thickness differs by this
 // share and this many px from that of a network whose mean confidence about the inner boundary is above `kSureInner`.
 constexpr double kSameInner_ratio = 0.25, kLeastInner_px = 1.2, kSureInner = 0.75;
+// Where lines and network have different cells, the network's mean confidence in its own has to be this much above that
+// in the lines', and above this: beside a cell it was 0.61 at most (173001 to 173150).
+constexpr double kSurerThanLines = 0.1, kLeastDisputed = 0.63;
 // What lines follow is one wall of a needle where, half its length behind the tip, it is thinner than this share of its
 // mean width.
 constexpr double kWall_ratio = 0.4;
@@ -118,6 +121,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   verdict.is_same_outline = seen.apart_px < most_apart_px(outline_of(by_lines));
   verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, kFine_ratio * radius_px(outline_of(by_lines)));
   verdict.is_same_inner = is_same_inner(by_lines, seen);
+  verdict.confidence = seen.confidence;
   verdict.is_strange = seen.confidence < kStrangeScore;
   const auto whole = std::find_if(scene.needles.begin(), scene.needles.end(), [&](const SceneTool& needle) {
     return is_near(by_lines.needle(), needle) && is_one_wall(by_lines.needle().estimate(), needle);
@@ -139,12 +143,20 @@ DetectedCell detected(const CellFollower& by_lines) {
   return cell;
 }
 
-bool is_familiar(const CellFollower& by_scene) {
-  return by_scene.snakes().outer().score > kFamiliarScore;
-}
-
 bool is_known(const CellFollower& by_scene) {
   return by_scene.snakes().outer().score > kKnownScore;
+}
+
+bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict) {
+  const double score = by_scene.snakes().outer().score;
+  const bool is_surer = score > verdict.confidence + kSurerThanLines;
+  return score > kFamiliarScore || (!verdict.is_same() && (is_known(by_scene) || is_surer));
+}
+
+double least_score(const LinesVerdict& verdict) {
+  return verdict.is_same()
+             ? MembraneSnakes::kLeastAtFirst
+             : std::clamp(verdict.confidence + kSurerThanLines, kLeastDisputed, MembraneSnakes::kLeastAtFirst);
 }
 
 bool is_bystander(const contour::Circle& cell, const SceneReading& scene) {

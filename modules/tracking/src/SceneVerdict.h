@@ -14,6 +14,7 @@ struct LinesVerdict {
   bool is_same_needle = false;   ///< neither sees a needle, or both the same one with its tip in the same place
   bool is_bubble = false;        ///< the scene has no cell at all, and no membrane is as strong and even as these lines
   bool is_strange = false;       ///< the network knows this look less surely than those it has learnt from
+  double confidence = 1.0;       ///< the network's in the lines' outline, mean over the normals
   bool is_sure = false;          ///< the lines were seen well enough to be believed at all
   /// Lines and networks see the same cell, and the same needle too.
   bool is_same() const noexcept { return is_same_cell && is_same_outline && is_same_inner; }
@@ -30,11 +31,15 @@ const Eigen::Matrix2Xd& outline_of(const CellFollower& by_lines);
 /// Whether the network reads the outer boundary there, on each normal.
 bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image, BoundaryNetwork& boundaries);
 
-/// Whether the network saw the membranes, as it followed them into the first frame, as surely as those it has learnt
-/// from. It is then the better of the two; of other looks it has the outline to some pixels.
-bool is_familiar(const CellFollower& by_scene);
-/// The same, less surely: enough to be believed where lines have the cell elsewhere.
+/// Whether the network saw the membranes as surely as those it has learnt from, enough to be believed where lines have
+/// the cell elsewhere.
 bool is_known(const CellFollower& by_scene);
+/// Whether the network's cell is the better of the two: where it saw the membranes quite as surely as those it has
+/// learnt from, or less surely, and lines have the cell elsewhere; or so much more surely than it sees any in the
+/// lines' outline.
+bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict);
+/// The score from which on its cell is worth that question.
+double least_score(const LinesVerdict& verdict);
 
 /// The cell that is followed by its lines as a first guess for the networks.
 DetectedCell detected(const CellFollower& by_lines);
