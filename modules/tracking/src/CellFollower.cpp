@@ -30,7 +30,7 @@ constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // of the needle's depth, which dents the one and bulges the far side of the other, with a holder in view and without;
 // how far from its drift a cell has moved.
 constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
-constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.15, kMoved_sigmas = 3.0;
+constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4, kMoved_sigmas = 3.0;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
