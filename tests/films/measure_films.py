@@ -6,7 +6,7 @@
 FILMS holds a folder for each film (frame_*.png, film.json, t.csv, t_contours.csv). For each of them `pellucida analyze` and
 `pellucida export` run once, into WORK; what is there already is taken. Prints a line for each film and the medians by
 contrast: frames with a cell, RMS distance of the outer contour from the true one (median and 95 % of the frames) and its
-mean (outwards above 0), tip (median, 95 %), frames surer than 0.8 and of them wrong (outer above 2 px or tip above 3 px),
+mean (outwards above 0), the zona's thickness over the true one less 1, in % (median of the frames without contact), tip (median, 95 %), frames surer than 0.8 and of them wrong (outer above 2 px or tip above 3 px),
 frames in contact that are seen as such, punctures reported (+ frames late) and false, force RMS in % of the film's peak
 over the frames in contact that have a force, and the frames in contact whose 95 % interval holds the true force. The
 truth has the modulus of the profile that is measured with. Needs Debian's python3-numpy.
@@ -23,7 +23,7 @@ import numpy as np
 
 SURE, WRONG_OUTER_PX, WRONG_TIP_PX = 0.8, 2.0, 3.0
 LATEST_FRAMES = 15   # a puncture reported later than this is none
-MEDIANS = ["found", "outer50", "outer95", "mean", "tip50", "tip95", "seen", "force", "holds"]
+MEDIANS = ["found", "outer50", "outer95", "mean", "thick", "tip50", "tip95", "seen", "force", "holds"]
 
 
 def rows_of(*path):
@@ -35,13 +35,19 @@ def number(text):
     return float(text) if text else np.nan
 
 
-def contours_of(rows, outer, pixel_um):
-    """{frame: (n, 2) px} of the outer membrane, which the two tables name differently."""
+def contours_of(rows, membrane, pixel_um):
+    """{frame: (n, 2) px} of a membrane, which the two tables name differently."""
     contours = {}
     for row in rows:
-        if row["membrane"] == outer:
+        if row["membrane"] == membrane:
             contours.setdefault(int(row["frame"]), []).append((float(row["x_um"]) / pixel_um, float(row["y_um"]) / pixel_um))
     return {frame: np.array(points) for frame, points in contours.items()}
+
+
+def mean_radius(polygon):
+    """Of the circle with the area of a closed polygon (n, 2)."""
+    x, y = polygon.T
+    return np.sqrt(abs(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / (2 * np.pi))
 
 
 def distances(points, polygon):
@@ -83,10 +89,12 @@ def measure(film, work, options):
 def compare(film, about, tables):
     pixel_um = about["pixel_size_um"]
     truth = rows_of(film, "t.csv")
-    true_outer = contours_of(rows_of(film, "t_contours.csv"), "outer", pixel_um)
+    true_outer, true_inner = (contours_of(rows_of(film, "t_contours.csv"), which, pixel_um) for which in ("outer", "inner"))
     rows = {int(row["frame"]): row for row in rows_of(tables, "measurements.csv")}
     has_contours = os.path.exists(os.path.join(tables, "contours.csv"))
-    outer = contours_of(rows_of(tables, "contours.csv"), "0", pixel_um) if has_contours else {}
+    outer, inner = (contours_of(rows_of(tables, "contours.csv"), which, pixel_um) if has_contours else {} for which in "01")
+    thickness = [(mean_radius(outer[k]) - mean_radius(inner[k])) / (mean_radius(true_outer[k]) - mean_radius(true_inner[k]))
+                 for k, true in enumerate(truth) if true["state"] == "free" and all(k in c for c in (outer, inner, true_outer, true_inner))]
     off, mean, tip, sure, wrong = {}, [], {}, 0, 0
     for k, true in enumerate(truth):
         row = rows.get(k)
@@ -114,7 +122,7 @@ def compare(film, about, tables):
     percentile = lambda values, share: np.percentile(list(values), share) if len(values) else np.nan
     share = lambda mask: 100 * np.mean(mask) if len(mask) else np.nan
     return {"found": 100 * len(outer) / len(truth), "outer50": percentile(off.values(), 50), "outer95": percentile(off.values(), 95),
-            "mean": np.mean(mean) if mean else np.nan, "tip50": percentile(tip.values(), 50), "tip95": percentile(tip.values(), 95),
+            "mean": np.mean(mean) if mean else np.nan, "thick": 100 * (percentile(thickness, 50) - 1), "tip50": percentile(tip.values(), 50), "tip95": percentile(tip.values(), 95),
             "sure": sure, "wrong": wrong, "seen": share([rows[k]["state"] == "contact" for k in contact]),
             "puncture": "-" if given_way is None else f"+{real[0] - given_way}" if real else "missed",
             "false": len(reported) - len(real[:1]),
@@ -132,7 +140,7 @@ def main():
     films = sorted(entry.path for entry in os.scandir(options.films) if os.path.exists(os.path.join(entry.path, "film.json")))
     if not films:
         parser.error(f"{options.films} holds no film (a folder with film.json)")
-    print(f"{'film':<14}{'found':>6}{'outer px':>14}{'mean':>7}{'tip px':>13}{'sure':>6}{'wrong':>6}{'seen':>6}{'puncture':>9}{'false':>6}"
+    print(f"{'film':<14}{'found':>6}{'outer px':>14}{'mean':>7}{'thick %':>8}{'tip px':>13}{'sure':>6}{'wrong':>6}{'seen':>6}{'puncture':>9}{'false':>6}"
           f"{'force %':>8}{'holds':>6}")
     contrasts = {}
     for film in films:
@@ -152,7 +160,7 @@ def main():
 
 
 def line_of(name, r):
-    return (f"{name:<14}{r['found']:>6.0f}{r['outer50']:>7.2f}{r['outer95']:>7.2f}{r['mean']:>+7.2f}{r['tip50']:>7.2f}{r['tip95']:>6.1f}"
+    return (f"{name:<14}{r['found']:>6.0f}{r['outer50']:>7.2f}{r['outer95']:>7.2f}{r['mean']:>+7.2f}{r['thick']:>+8.0f}{r['tip50']:>7.2f}{r['tip95']:>6.1f}"
             f"{r['sure']:>6}{r['wrong']:>6}{r['seen']:>6.0f}{r['puncture']:>9}{r['false']:>6}{r['force']:>8.1f}{r['holds']:>6.0f}")
 
 
