@@ -5,8 +5,6 @@ says where in it the tip is, in any contrast.
     build/release/bin/film_samples --count 3200 --first 20001 --out samples     (a test program of this project draws them)
     python3 train_tip.py samples tip.onnx --minutes 30
 
-The network shipped is the mean (`average.py`, 0.5) of one trained without pictures drawn from outlines alone and of one trained
-on from it with half of them drawn so (14 and 16 minutes of one core, --start, --rate 2e-3).
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only.
 The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of
 them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
@@ -31,6 +29,8 @@ def tip_network(widths=(12, 24, 40, 56)):
 
 
 class Samples(TipSamples):
+    ANEW = 0.0  # with half of them drawn anew, tips inside an ooplasm were read 4 um short
+
     def draw(self, random):
         image, tip, way, half, _ = self.pick(self.items, random)
         if random.random() < 0.5:
