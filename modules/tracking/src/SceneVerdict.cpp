@@ -23,9 +23,10 @@ constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
 // Lines that follow the oolemma for the zona's inner boundary, or the other way round: their thickness differs by this
 // share and this many px from that of a network whose mean confidence about the inner boundary is above `kSureInner`.
 constexpr double kSameInner_ratio = 0.25, kLeastInner_px = 1.2, kSureInner = 0.75;
-// Where lines and network have different cells, the network's mean confidence in its own has to be above that in the
-// lines', and above this: beside a cell it was 0.61 at most (173001 to 173150).
-constexpr double kLeastDisputed = 0.63;
+// Where lines and network have different cells, the network's mean confidence in its own has to be so much above that
+// in the lines', and above this: beside a cell it was 0.61 at most (173001 to 173150). On the real stills, which lines
+// followed rightly, it was up to 0.07 above; where a network was right alone (wide 179112 to 179134) 0.15 and more.
+constexpr double kSurerThanLines = 0.1, kLeastDisputed = 0.63;
 // What lines follow is one wall of a needle where, half its length behind the tip, it is thinner than this share of its
 // mean width.
 constexpr double kWall_ratio = 0.4;
@@ -149,13 +150,14 @@ bool is_known(const CellFollower& by_scene) {
 
 bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict) {
   const double score = by_scene.snakes().outer().score;
-  const bool is_surer = score > verdict.confidence;
+  const bool is_surer = score > verdict.confidence + kSurerThanLines;
   return score > kFamiliarScore || (!verdict.is_same() && (is_known(by_scene) || is_surer));
 }
 
 double least_score(const LinesVerdict& verdict) {
-  return verdict.is_same() ? MembraneSnakes::kLeastAtFirst
-                           : std::clamp(verdict.confidence, kLeastDisputed, MembraneSnakes::kLeastAtFirst);
+  return verdict.is_same()
+             ? MembraneSnakes::kLeastAtFirst
+             : std::clamp(verdict.confidence + kSurerThanLines, kLeastDisputed, MembraneSnakes::kLeastAtFirst);
 }
 
 bool is_bystander(const contour::Circle& cell, const SceneReading& scene) {

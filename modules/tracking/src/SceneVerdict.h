@@ -35,7 +35,7 @@ bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image,
 /// the cell elsewhere.
 bool is_known(const CellFollower& by_scene);
 /// Whether the network's cell is the better of the two: where it saw the membranes quite as surely as those it has
-/// learnt from, or less surely, and lines have the cell elsewhere; or more surely than it sees any in the
+/// learnt from, or less surely, and lines have the cell elsewhere; or so much more surely than it sees any in the
 /// lines' outline.
 bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict);
 /// The score from which on its cell is worth that question.
