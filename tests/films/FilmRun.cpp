@@ -21,6 +21,9 @@
 namespace pellucida::test {
 namespace {
 
+// A film whose true contours give no more has no force to speak of.
+constexpr double kLeastPeak_uN = 1e-3;
+
 // Errors beside a truth that may lack the cell.
 FrameError error_of(const Observation& seen, const Observation& truth, double pixel_size_um) {
   if (truth.outer) return compare(seen, truth, pixel_size_um);
@@ -216,7 +219,7 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options, bool is_
   if (peak_uN > 0 && by_profile)
     run.profile_force_rms_percent =
         100.0 * std::sqrt(profile_squares / static_cast<double>(run.errors.size())) / peak_uN;
-  if (peak_of_truth_uN > 0)
+  if (peak_of_truth_uN > kLeastPeak_uN)
     run.tracking_force_rms_percent =
         100.0 * std::sqrt(tracking_squares / static_cast<double>(run.errors.size())) / peak_of_truth_uN;
   if (specimen) run.specimen = specimen->result();
