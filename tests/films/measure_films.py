@@ -6,8 +6,8 @@
 FILMS holds a folder for each film (frame_*.png, film.json, t.csv, t_contours.csv). For each of them `pellucida analyze` and
 `pellucida export` run once, into WORK; what is there already is taken. Prints a line for each film and the medians by
 contrast: frames with a cell, RMS distance of the outer contour from the true one (median and 95 % of the frames) and its
-mean (outwards above 0), the zona's thickness over the true one less 1, in % (median of the frames without contact), tip (median, 95 %), frames surer than 0.8 and of them wrong (outer above 2 px or tip above 3 px),
-frames in contact that are seen as such, punctures reported (+ frames late) and false, force RMS in % of the film's peak
+mean (outwards above 0), the zona's thickness over the true one less 1, in % (median of the frames without contact), tip
+(median, 95 %), frames surer than 0.8 and of them wrong (outer above 2 px or tip above 3 px), frames in contact that are seen as such, punctures reported (+ frames late) and false, force RMS in % of the film's peak
 over the frames in contact that have a force, and the frames in contact whose 95 % interval holds the true force. The
 truth has the modulus of the profile that is measured with. Needs Debian's python3-numpy.
 """
@@ -122,7 +122,8 @@ def compare(film, about, tables):
     percentile = lambda values, share: np.percentile(list(values), share) if len(values) else np.nan
     share = lambda mask: 100 * np.mean(mask) if len(mask) else np.nan
     return {"found": 100 * len(outer) / len(truth), "outer50": percentile(off.values(), 50), "outer95": percentile(off.values(), 95),
-            "mean": np.mean(mean) if mean else np.nan, "thick": 100 * (percentile(thickness, 50) - 1), "tip50": percentile(tip.values(), 50), "tip95": percentile(tip.values(), 95),
+            "mean": np.mean(mean) if mean else np.nan, "thick": 100 * (percentile(thickness, 50) - 1),
+            "tip50": percentile(tip.values(), 50), "tip95": percentile(tip.values(), 95),
             "sure": sure, "wrong": wrong, "seen": share([rows[k]["state"] == "contact" for k in contact]),
             "puncture": "-" if given_way is None else f"+{real[0] - given_way}" if real else "missed",
             "false": len(reported) - len(real[:1]),

@@ -8,27 +8,28 @@
 #include <vector>
 
 #include "ContourMath.h"
+#include "PixelView.h"
 #include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida {
 namespace {
 
-constexpr int kCellWidth = 320, kCellHeight = 300;
+constexpr int kCellWidth_px = 320, kCellHeight_px = 300;
 constexpr double kOuter_px = 90.0, kInner_px = 82.0;
 
 // A cell of two dark lines, the outer one of any depth, in pixel noise.
 std::vector<std::uint8_t> cell(double outer_depth, unsigned seed) {
-  std::vector<std::uint8_t> pixels(kCellWidth * kCellHeight);
+  std::vector<std::uint8_t> pixels(kCellWidth_px * kCellHeight_px);
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, 1.5);
-  for (int y = 0; y < kCellHeight; ++y)
-    for (int x = 0; x < kCellWidth; ++x) {
+  for (int y = 0; y < kCellHeight_px; ++y)
+    for (int x = 0; x < kCellWidth_px; ++x) {
       const double r = std::hypot(x - 160.3, y - 149.6);
       const auto line = [&](double radius, double depth) {
         const double off = (r - radius) / 1.5;
         return depth * std::exp(-0.5 * off * off);
       };
-      pixels[static_cast<std::size_t>(y * kCellWidth + x)] =
+      pixels[static_cast<std::size_t>(y * kCellWidth_px + x)] =
           static_cast<std::uint8_t>(140.0 - line(kOuter_px, outer_depth) - line(kInner_px, 60.0) + noise(random) + 0.5);
     }
   return pixels;
@@ -41,13 +42,8 @@ TEST(Following, AContourDoesNotJumpToAnEdgeWithin) {
   bool was_followed = false;
   for (int k = 0; k < 10; ++k) {  // then it is lost, and the edge within may be found anew
     const std::vector<std::uint8_t> pixels = cell(k < 8 ? 60.0 : 10.0, 11U + static_cast<unsigned>(k));
-    ImageView view;
-    view.data = pixels.data();
-    view.width_px = kCellWidth;
-    view.height_px = kCellHeight;
-    view.row_bytes = kCellWidth;
-    view.pixel_size_um = 1.0;
-    const Observation seen = tracker.process(view, 0.04 * k, k);
+    const Observation seen =
+        tracker.process(test::view_of_bytes(pixels, kCellWidth_px, kCellHeight_px, 1.0), 0.04 * k, k);
     if (k < 8) {
       was_followed = seen.outer.has_value();
       continue;

@@ -5,20 +5,17 @@
 #include <random>
 #include <vector>
 
+#include "PixelView.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida {
 namespace {
 
+constexpr double kPixelSize_um = 0.5;
+
 ImageView view_of_bytes(const std::vector<std::uint8_t>& pixels, int width, int height) {
-  ImageView view;
-  view.data = pixels.data();
-  view.width_px = width;
-  view.height_px = height;
-  view.row_bytes = width;
-  view.pixel_size_um = 0.5;
-  return view;
+  return test::view_of_bytes(pixels, width, height, kPixelSize_um);
 }
 
 TEST(TrackerInput, BadImagesAreRefusedWithTheReason) {

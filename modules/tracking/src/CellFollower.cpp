@@ -28,7 +28,8 @@ constexpr int kSeatRounds = 12;
 constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // Standard deviations of the seat where no holder's walls show the motion: px, by the whole outline and in contact, and
 // of the needle's depth, which dents the one and bulges the far side of the other, with a holder in view and without;
-// how far from its drift a cell has moved.
+// how far from its drift a cell has moved. Without: a holder beside the needle's line lets the far side go by 0.41 of
+// a push of 25 um (wide film 179137).
 constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
 constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4, kMoved_sigmas = 3.0;
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <utility>
 
 #include "CellFollower.h"
@@ -132,22 +131,22 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
     return needle_.estimate().tip_half_width < (faces ? kFacingTip_ratio : kBroadTip_ratio) * circle.radius &&
            is_before(circle.center, kThrough_ratio * circle.radius);
   };
-  const auto is_needle = [&](const FoundTool& tool, const SceneTool* seen) {
+  const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
     if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
-    const auto expected = seen ? std::optional(expected_tip(*seen)) : std::nullopt;
-    if (!needle_.start(frame.image, tool, frame.noise, expected ? &*expected : nullptr)) return false;
-    needle_.expect_half_width(seen ? seen->half_width_px : 0.0);
+    if (!needle_.start(frame.image, tool, frame.noise, expected)) return false;
+    needle_.expect_half_width(scene_half_width_px);
     if (frame.scene && frame.networks) needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
     return is_plausible();
   };
   if (frame.scene == nullptr) {
     for (const FoundTool& tool : tools)
-      if (!(holder_ && tool.direction.dot(holder_direction()) > 0.8) && is_needle(tool, nullptr)) return;
+      if (!(holder_ && tool.direction.dot(holder_direction()) > 0.8) && is_needle(tool, nullptr, 0.0)) return;
   } else {
     for (const SceneTool& seen : frame.scene->needles) {
+      const ExpectedTip expected = expected_tip(seen);
       for (const FoundTool& tool : tools)
-        if (is_same(tool, seen) && is_needle(tool, &seen)) return;
-      if (is_needle(found_tool(seen), &seen)) return;
+        if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px)) return;
+      if (is_needle(found_tool(seen), &expected, seen.half_width_px)) return;
       if (frame.networks == nullptr) continue;
       const NeedleAxis axis{seen.tip, seen.direction};
       if (needle_.start_read(frame.networks->tips(), frame.image, axis, seen.half_width_px) && is_plausible()) return;

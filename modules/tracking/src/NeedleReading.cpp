@@ -171,10 +171,10 @@ void NeedleTracker::take_width() {
   now_.tip_radius_sigma = 0.0;
   if (width_readings_ == 0) return;
   const double log_px = width_log_sum_ / width_information_, sigma = std::sqrt(width_readings_ / width_information_);
-  const double by_edges = std::log(now_.tip_half_width), apart = std::abs(by_edges - log_px);
+  const double edges_log_px = std::log(now_.tip_half_width), apart = std::abs(edges_log_px - log_px);
   const bool agree = !is_read() && apart < std::max(kSameWidth, sigma);
-  if (!agree && !is_read() && by_edges < log_px && log_px < std::log(kFineTip_px)) {
-    now_.tip_radius = std::exp(0.5 * (by_edges + log_px));
+  if (!agree && !is_read() && edges_log_px < log_px && log_px < std::log(kFineTip_px)) {
+    now_.tip_radius = std::exp(0.5 * (edges_log_px + log_px));
     now_.tip_radius_sigma = std::hypot(sigma, 0.5 * apart);
     return;
   }

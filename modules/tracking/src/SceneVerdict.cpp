@@ -22,6 +22,8 @@ constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
 constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
 // Lines that follow the oolemma for the zona's inner boundary, or the other way round: their thickness differs by this
 // share and this many px from that of a network whose mean confidence about the inner boundary is above `kSureInner`.
+// Set on wide films 179014 and 179020, where the lines had 1.5 and 2 times the network's thickness; no outline of 112
+// tuning, wide and plain pictures (173001 to 173225) became worse.
 constexpr double kSameInner_ratio = 0.25, kLeastInner_px = 1.2, kSureInner = 0.75;
 // Where lines and network have different cells, the network's mean confidence in its own has to be so much above that
 // in the lines', and above this: beside a cell it was 0.61 at most (173001 to 173150). On the real stills, which lines
@@ -69,7 +71,7 @@ ReadAbout read_about(const Eigen::Matrix2Xd& outline, const FrameSampler& image,
   return {seen.outer.offset_px.cwiseAbs().mean(), median_of(thickness), sureness(seen.outer), sureness(seen.inner)};
 }
 
-// Whether lines that follow an inner boundary follow the one that the network reads; so it is where it isn't sure.
+// Whether lines that follow an inner boundary follow the one that the network reads; true where it isn't sure.
 bool is_same_inner(const CellFollower& by_lines, const ReadAbout& seen) {
   if (by_lines.zona().valid() || !by_lines.snakes().has_inner() || seen.inner_confidence < kSureInner) return true;
   const double apart_px = std::abs(by_lines.snakes().thickness_px() - seen.thickness_px);

@@ -49,7 +49,7 @@ bool is_bystander(const contour::Circle& cell, const SceneReading& scene);
 bool is_bystander(const CellFollower& cell, const SceneReading& scene);
 
 /// Whether lines run along one of the walls of a needle of the scene: half its length behind the tip they are far
-/// apart.
+/// narrower than it.
 bool is_one_wall(const NeedleEstimate& lines, const SceneTool& needle);
 
 /// Whether lines and scene see the same needle, or neither sees one; a scene without a needle contradicts no other.
