@@ -6,44 +6,18 @@
 #include <cmath>
 #include <vector>
 
-#include "ProfileSpecimen.h"
 #include "SolidComparison.h"
+#include "SurveyedSolid.h"
 #include "Workers.h"
 #include "pellucida/core/Error.h"
-#include "pellucida/fem/SolidReference.h"
 #include "pellucida/membrane/Indenter.h"
 #include "pellucida/membrane/MembraneGeometry.h"
 
 namespace pellucida {
 namespace {
 
-/// Over the radius: a zona of 2.5 to 20 um on a cell of 50 um, tips of 0.4 to 12, holders of 7.5 to 40 um.
-constexpr double kThickness_ratio[] = {0.045, 0.40}, kTip_ratio[] = {0.008, 0.25}, kHolder_ratio[] = {0.15, 0.80};
-constexpr double kDepthStep_ratio = 0.04, kDeepest_ratio = 1.0;
-/// Longer elements than the default: at finer ones the surface beside a fine tip creases and no equilibrium is found.
-constexpr double kEdgeLength_ratio = 1.6;
 /// Highest sum of the sizes' powers, and power of the depth beside them.
 constexpr int kHighestSum = 3, kSizesDepthPower = 3, kFolds = 8, kFewest = 60;
-
-/// Member `index` of Halton's sequence in a base, 0 to 1.
-double halton(int index, int base) {
-  double share = 1.0, value = 0.0;
-  for (int i = index; i > 0; i /= base) {
-    share /= base;
-    value += share * (i % base);
-  }
-  return value;
-}
-
-double evenly_in_log(double place, const double (&range)[2]) {
-  return range[0] * std::pow(range[1] / range[0], place);
-}
-
-MembraneGeometry drawn(int index, double radius_um) {
-  return {radius_um, radius_um * evenly_in_log(halton(index, 2), kThickness_ratio),
-          radius_um * evenly_in_log(halton(index, 3), kTip_ratio),
-          radius_um * evenly_in_log(halton(index, 5), kHolder_ratio)};
-}
 
 struct LogRatios {
   std::vector<double> force, pressure;
@@ -51,20 +25,9 @@ struct LogRatios {
 
 /// ln (solid / springs) at each depth step from the first on, as far as both reach.
 LogRatios log_ratios(const CellProfile& profile, const MembraneGeometry& geometry, const std::stop_token& cancel) {
-  ShellSpecimen specimen = specimen_of(profile);
-  specimen.mid_radius_um = geometry.mid_radius_um;
-  specimen.thickness_um = geometry.thickness_um;
-  const CellProfile cell = adapted_to(profile, geometry);
-  ShellContact contact;
-  contact.tip_radius_um = geometry.tip_radius_um;  // not as wide as the springs' mesh needs it
-  contact.tip_bond_per_um = profile.tip_bond_per_um * profile.tip_radius_um / geometry.tip_radius_um;
-  contact.holder_ring_um = cell.holder_ring_um;
-  contact.holder_half_width_um = cell.holder_half_width_um;
-  contact.holder_bond_per_um = cell.holder_bond_per_um;
-  const double step_um = kDepthStep_ratio * geometry.mid_radius_um,
-               deepest_um = kDeepest_ratio * geometry.mid_radius_um;
-  SolidReference solid(specimen, contact, {.edge_length_ratio = kEdgeLength_ratio});
-  const SolidCurve reference = solid.run(deepest_um, step_um, {}, cancel);
+  const double step_um = kSurveyStep_ratio * geometry.mid_radius_um,
+               deepest_um = kSurveyDeepest_ratio * geometry.mid_radius_um;
+  const SolidCurve reference = surveyed_solid(profile, geometry).run(deepest_um, step_um, {}, cancel);
   CellProfile bare = profile;
   bare.geometry_terms.clear();
   bare.geometry_pressure_terms.clear();
@@ -92,7 +55,7 @@ std::vector<GeometryTerm> all_terms() {
 
 /// Between the depth steps, linear.
 double value_at(const std::vector<double>& logs, double depth_ratio) {
-  const double place = std::clamp(depth_ratio / kDepthStep_ratio - 1.0, 0.0, static_cast<double>(logs.size() - 1));
+  const double place = std::clamp(depth_ratio / kSurveyStep_ratio - 1.0, 0.0, static_cast<double>(logs.size() - 1));
   const auto k = std::min(static_cast<std::size_t>(place), logs.size() - 2);
   return logs[k] + (place - static_cast<double>(k)) * (logs[k + 1] - logs[k]);
 }
@@ -106,7 +69,7 @@ std::vector<GeometryTerm> depth_terms(const std::vector<double>& logs, double an
   Eigen::MatrixXd rows(count + 1, kHighestDepthPower + 1);
   Eigen::VectorXd values(count + 1);
   for (Eigen::Index k = 0; k <= count; ++k) {
-    for (int p = 0; p <= kHighestDepthPower; ++p) rows(k, p) = std::pow(kDepthStep_ratio * static_cast<double>(k), p);
+    for (int p = 0; p <= kHighestDepthPower; ++p) rows(k, p) = std::pow(kSurveyStep_ratio * static_cast<double>(k), p);
     values[k] = logs[static_cast<std::size_t>(std::max<Eigen::Index>(k - 1, 0))] - anchor_log;
   }
   const Eigen::VectorXd fitted = rows.colPivHouseholderQr().solve(values);
@@ -150,7 +113,7 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   std::atomic<int> done = 0;
   run_jobs(options.cell_count + 1, options.threads, [&](int k) {
     if (cancel.stop_requested()) return;
-    const MembraneGeometry geometry = k == 0 ? geometry_of(profile) : drawn(k, radius_um);
+    const MembraneGeometry geometry = k == 0 ? geometry_of(profile) : surveyed_geometry(k, radius_um);
     ratios[static_cast<std::size_t>(k)] = log_ratios(profile, geometry, cancel);
     if (progress) progress(static_cast<double>(++done) / (options.cell_count + 1));
   });
@@ -164,13 +127,13 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   std::vector<Eigen::RowVectorXd> lines;
   const LogRatios& base = ratios.front();
   for (int c = 1; c <= options.cell_count; ++c) {
-    const MembraneGeometry geometry = drawn(c, radius_um);
+    const MembraneGeometry geometry = surveyed_geometry(c, radius_um);
     const double log_thickness = std::log(geometry.thickness_um / own.thickness_um),
                  log_tip = std::log(geometry.tip_radius_um / own.tip_radius_um),
                  log_holder = std::log(geometry.holder_radius_um / own.holder_radius_um);
     const LogRatios& here = ratios[static_cast<std::size_t>(c)];
     for (std::size_t k = 0; k < std::min(here.force.size(), base.force.size()); ++k) {
-      const double depth = kDepthStep_ratio * static_cast<double>(k + 1);
+      const double depth = kSurveyStep_ratio * static_cast<double>(k + 1);
       Eigen::RowVectorXd line(static_cast<Eigen::Index>(terms.size()));
       for (std::size_t t = 0; t < terms.size(); ++t) {
         line[static_cast<Eigen::Index>(t)] = std::pow(log_thickness, terms[t].thickness) *
@@ -198,14 +161,15 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
     for (std::size_t t = 0; t < terms.size(); ++t) with_values[t].coefficient = fitted[static_cast<Eigen::Index>(t)];
     return with_values;
   };
-  profile.geometry_range = {kThickness_ratio[0], kThickness_ratio[1], kTip_ratio[0],  kTip_ratio[1],
-                            kHolder_ratio[0],    kHolder_ratio[1],    kDeepest_ratio, options.cell_count};
+  profile.geometry_range = {kSurveyThickness_ratio[0], kSurveyThickness_ratio[1], kSurveyTip_ratio[0],
+                            kSurveyTip_ratio[1],       kSurveyHolder_ratio[0],    kSurveyHolder_ratio[1],
+                            kSurveyDeepest_ratio,      options.cell_count};
   profile.geometry_terms = fit(forces, profile.geometry_range.spread_ratio);
   profile.geometry_pressure_terms = fit(pressures, profile.geometry_range.pressure_spread_ratio);
 
   // The modulus was set at the puncture's depth: there, or as deep as the terms reach, the force's factor is 1, and the
   // pressure's what it is at that modulus.
-  const double anchor_ratio = std::min(profile.puncture_indentation_um / radius_um, kDeepest_ratio);
+  const double anchor_ratio = std::min(profile.puncture_indentation_um / radius_um, kSurveyDeepest_ratio);
   const double anchor_log = value_at(base.force, anchor_ratio);
   std::vector<GeometryTerm> of_force = depth_terms(base.force, anchor_log);
   anchor(of_force, anchor_ratio);

@@ -37,9 +37,9 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
   errors.depth_uN = stiffness_uN_per_um * estimate.depth_sigma_um;
   errors.relaxation_uN = in.force.sigma_uN;
   errors.scale_ratio = in.scale.relative_sigma;
-  errors.geometry_ratio =
-      (in.scale.has_geometry ? kGeometryLeft_ratio : 1.0) *
-      std::hypot(in.cell.geometry().force_sigma_ratio(), estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
+  errors.geometry_ratio = (in.scale.has_geometry ? kGeometryLeft_ratio : 1.0) *
+                          std::hypot(in.cell.geometry().force_sigma_ratio(in.sizes_log_sigma),
+                                     estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
   add_model_errors(in.profile, in.model_force_uN, in.cell.rest_stiffness_uN_per_um(), errors);
   errors.model_ratio = std::hypot(errors.model_ratio, kUnlikeWall_ratio);
   errors.stiffening_ratio = kStiffening_ratio;

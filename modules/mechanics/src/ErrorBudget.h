@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "RelaxingContact.h"
@@ -20,6 +22,7 @@ struct BudgetInput {
   double depth_um = 0.0;
   double model_force_uN = 0.0;  ///< as the profile's modulus gives it, neither scaled nor relaxed
   RelaxingContact::Force force;
+  std::optional<double> sizes_log_sigma;  ///< of the force from thickness, tip and holder, where contours say it
 };
 
 /// Writes `errors`, `warnings` and `asymmetry_force_uN` of an estimate in contact that has its depth's sigma, its shape

@@ -30,8 +30,10 @@ ForceReport::ForceReport(const CellProfile& profile, const ForceOptions& options
 RelaxingContact::Force ForceReport::force_of(const SolvedFrame& frame, const ForceEstimate& estimate) {
   RelaxingContact::Force force;
   if (!frame.contact) return force;
-  force.force_uN = frame.scale.ratio * std::max(0.0, frame.state.push_force_uN);
-  force.stiffness_uN_per_um = frame.scale.ratio * std::max(0.0, frame.state.stiffness_uN_per_um);
+  const double push_uN = frame.state.push_force_uN, stiffness = frame.state.stiffness_uN_per_um;
+  force.force_uN = frame.scale.ratio * std::max(0.0, frame.sizes.ratio * push_uN);
+  force.stiffness_uN_per_um =
+      frame.scale.ratio * std::max(0.0, frame.sizes.ratio * stiffness + frame.sizes.slope_per_um * push_uN);
   if (!estimate.converged) return force;
   return relaxing_.advance(frame.observation.time_s, force.force_uN, force.stiffness_uN_per_um);
 }
@@ -51,13 +53,14 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   const RelaxingContact::Force force = force_of(frame, estimate);
   if (frame.contact) {
     const double model_uN = std::max(0.0, frame.state.push_force_uN);
-    fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force}, estimate);
+    fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force, frame.sizes.log_sigma},
+                estimate);
   }
   if (frame.touch_um > 0.0) {
     estimate.errors.scale_ratio = frame.scale.relative_sigma;
     estimate.errors.geometry_ratio = frame.cell.geometry().force_sigma_ratio();
   }
-  const double scale = frame.scale.ratio * force.ratio;
+  const double scale = frame.scale.ratio * force.ratio * frame.sizes.ratio;
   fill_nodes(cell.indenter(), scale, frame.contact, estimate);
 
   // The outer surface encloses what it did at rest, but for the little the liquid gives.
@@ -86,7 +89,7 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   estimate.contact_force_upper_uN = interval.upper_uN;
   estimate.by_picture = interval_by(estimate.errors.of_picture());
   estimate.by_scale = interval_by(estimate.errors.of_scale());
-  if (frame.contact) ask_others(frame, scale, estimate);
+  if (frame.contact) ask_others(frame, frame.scale.ratio * force.ratio, estimate);
 }
 
 // From nothing up to what the deepest touch that can't be told from none would take, its errors included.

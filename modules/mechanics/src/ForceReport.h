@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "RelaxingContact.h"
@@ -6,6 +8,14 @@
 #include "pellucida/mechanics/ForceObserver.h"
 
 namespace pellucida {
+
+/// What contours in contact say of the force, beside the sizes that the model was built for.
+struct SizesCorrection {
+  double ratio = 1.0;         ///< on all forces
+  double slope_per_um = 0.0;  ///< its derivative by depth
+  std::optional<double>
+      log_sigma;  ///< of the force, from thickness, tip and holder; none: as the picture at rest has them
+};
 
 /// The model in equilibrium with one frame.
 struct SolvedFrame {
@@ -18,6 +28,7 @@ struct SolvedFrame {
   double depth_um = 0.0;  ///< 0 out of contact
   bool contact = false;
   double touch_um = 0.0;  ///< out of contact: how deep the needle may be all the same
+  SizesCorrection sizes;
 };
 
 /// Writes what a solved frame says into an estimate: shape, forces on needle and nodes, errors and interval, what other

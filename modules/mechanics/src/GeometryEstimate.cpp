@@ -106,11 +106,15 @@ GeometryEstimate::Length GeometryEstimate::known(const Seen& seen, const Length&
           std::hypot(std::min(seen.sigma, surest), std::sqrt(share * excess))};
 }
 
-double GeometryEstimate::force_sigma_ratio() const noexcept {
-  const double lengths = std::hypot(
-      std::hypot(kRadiusPower * std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_) / geometry_.mid_radius_um,
-                 kThicknessPower * thickness_sigma_um_ / geometry_.thickness_um),
-      kTipPower * tip_sigma_, kHolderPower * holder_sigma_);
+double GeometryEstimate::force_sigma_ratio(std::optional<double> by_contour) const noexcept {
+  // A thickness moves the middle radius with it.
+  const LogSizes sigmas = log_sigmas();
+  const double by_radius =
+      kRadiusPower * std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_) / geometry_.mid_radius_um;
+  const double by_tools =
+      by_contour.value_or(std::hypot(kThicknessPower * sigmas[0], kTipPower * sigmas[1], kHolderPower * sigmas[2]));
+  const double lengths =
+      std::hypot(by_contour ? kRadiusPower * kRadiusSigma_um / geometry_.mid_radius_um : by_radius, by_tools);
   const double away = std::min(1.0, shape_distance(geometry_, geometry_of(*profile_)) / kWholeSpread);
   return std::hypot(lengths, away * profile_->geometry_range.spread_ratio);
 }

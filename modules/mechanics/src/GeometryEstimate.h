@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
+
 #include "pellucida/core/Observation.h"
+#include "pellucida/membrane/IndentedSolid.h"
 #include "pellucida/membrane/MembraneGeometry.h"
 
 namespace pellucida {
@@ -19,8 +22,13 @@ class GeometryEstimate {
   /// The inner membrane was not seen at rest: what is likely of the profile's kind, and of a zona whose edge is missed.
   bool thickness_assumed() const noexcept { return thickness_assumed_; }
   double thickness_um() const noexcept { return seen_thickness_um_; }  ///< as seen, or what is likely
-  /// Standard deviation of ln force from all lengths.
-  double force_sigma_ratio() const noexcept;
+  /// Standard deviations of the logarithms of thickness, tip and holder.
+  LogSizes log_sigmas() const noexcept {
+    return {thickness_sigma_um_ / geometry_.thickness_um, tip_sigma_, holder_sigma_};
+  }
+  /// Standard deviation of ln force from all lengths; `by_contour` that of thickness, tip and holder where contours in
+  /// contact say more of them.
+  double force_sigma_ratio(std::optional<double> by_contour = std::nullopt) const noexcept;
 
   /// With its standard deviation.
   struct Thickness {

@@ -4,58 +4,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "NearestOnContour.h"
+
 namespace pellucida {
 namespace {
 
 /// Nodes nearer to the image plane than this share of the radius lie in it.
 constexpr double kInPlane_ratio = 1e-6;
-/// A contour farther from a node than this is no view of it.
-constexpr double kFarthest_um = 15.0;
-/// Contour points less sure than this say nothing.
-constexpr double kLeastConfidence = 0.2;
 /// The rest angle from the contact point that a dimple covers.
 constexpr double kDimple_rad = 0.35;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// The closed contour's point nearest to `p`, and the index of the segment it lies on.
-struct Nearest {
-  Eigen::Vector2d place_um = Eigen::Vector2d::Zero();
-  double distance_um = std::numeric_limits<double>::infinity();
-  Eigen::Index segment = 0;
-};
-
-Nearest nearest_on(const Contour_um& contour, const Eigen::Vector2d& p) {
-  Nearest best;
-  double best_square = std::numeric_limits<double>::infinity();
-  const Eigen::Index n = contour.cols();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Vector2d a = contour.col(i), ab = contour.col(i + 1 < n ? i + 1 : 0) - a;
-    const double square = ab.squaredNorm();
-    const double t = square > 0.0 ? std::clamp(ab.dot(p - a) / square, 0.0, 1.0) : 0.0;
-    const Eigen::Vector2d q = a + t * ab;
-    const double distance_square = (p - q).squaredNorm();
-    if (distance_square < best_square) {
-      best_square = distance_square;
-      best.place_um = q;
-      best.segment = i;
-    }
-  }
-  best.distance_um = std::sqrt(best_square);
-  return best;
-}
-
 /// Where one contour sees the model's middle line at `node`, along `normal`; none where it doesn't.
 double seen_offset(const std::optional<MembraneContour>& contour, const Eigen::Vector2d& node,
                    const Eigen::Vector2d& normal, double half_thickness_um) {
-  if (!contour || contour->points_um.cols() < 3) return kNone;
   // From the face's own place, so that the other side of a fold isn't taken for this one.
-  const Eigen::Vector2d face = node + half_thickness_um * normal;
-  const Nearest near = nearest_on(contour->points_um, face);
-  if (near.distance_um > kFarthest_um) return kNone;
-  if (contour->confidence.size() == contour->points_um.cols() && contour->confidence[near.segment] < kLeastConfidence) {
-    return kNone;
-  }
-  return normal.dot(near.place_um - face);
+  return contour ? offset_of(*contour, node + half_thickness_um * normal, normal) : kNone;
 }
 
 }  // namespace
