@@ -32,6 +32,9 @@ constexpr double kPlace_um = 0.3, kRadius_um = 0.2, kDepth_um = 0.2;
 /// Gauss-Newton: steps, the longest and the last, in logarithms; and for derivatives.
 constexpr int kMostSteps = 6;
 constexpr double kLongestStep = 0.4, kLastStep = 0.01, kDifference = 0.05;
+/// A size that the picture shows to within this (ln) stays as it is: edges say more of it than contours do, unless the
+/// cell is just the solid.
+constexpr double kOpen_log = 0.2;
 /// Contours that differ from every solid by more than this, squared, over what is expected, show something else.
 constexpr double kLargestMisfit = 2.0;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -39,6 +42,10 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 double kernel(double difference, double width) {
   const double z = difference / width;
   return std::exp(-0.5 * z * z);
+}
+
+bool is_open(const SizesPrior& prior, int size) {
+  return prior.sigma[size] > kOpen_log;
 }
 
 /// Outward normals of a half-section.
@@ -151,7 +158,8 @@ ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
 }
 
 std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prior) const {
-  if (contours_.empty()) return std::nullopt;
+  const bool has_open = is_open(prior, 0) || is_open(prior, 1) || is_open(prior, 2);
+  if (contours_.empty() || !has_open) return std::nullopt;
   const Eigen::Matrix3d weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
   LogSizes sizes = solid_.within_range(prior.mean);
   Eigen::Matrix3d information = weight;
@@ -185,7 +193,15 @@ std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prio
     const double moved = (next - sizes).cwiseAbs().maxCoeff();
     if (moved < kLastStep || step + 1 == kMostSteps) {
       if (seen.residual_um.dot(explained) > kLargestMisfit * static_cast<double>(n)) return std::nullopt;
-      return Sizes{next, information.inverse()};
+      Sizes result{next, information.inverse()};
+      for (int size = 0; size < 3; ++size) {
+        if (is_open(prior, size)) continue;
+        result.mean[size] = prior.mean[size];
+        result.covariance.row(size).setZero();
+        result.covariance.col(size).setZero();
+        result.covariance(size, size) = prior.sigma[size] * prior.sigma[size];
+      }
+      return result;
     }
     sizes = next;
   }

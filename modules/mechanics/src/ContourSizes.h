@@ -40,7 +40,8 @@ class ContourSizes {
     LogSizes mean;
     Eigen::Matrix3d covariance;
   };
-  /// Nothing where too little was seen, or where no sizes explain it.
+  /// Sizes that the picture shows well stay as they are. Nothing where it shows all of them, where too little was seen
+  /// in contact, or where no sizes explain it.
   std::optional<Sizes> estimate(const SizesPrior& prior) const;
 
   /// How the force on a cell of sizes `to` compares with that of sizes `from`, by the solid: ln ratio, and its

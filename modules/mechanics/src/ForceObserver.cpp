@@ -341,7 +341,7 @@ class ForceObserver::Impl {
   ShapeAuditor auditor_;
   CellPlacement placement_;
   ContourSizes contour_sizes_;
-  std::optional<ContourSizes::Sizes> sizes_;  // by the contours of this contact
+  std::optional<ContourSizes::Sizes> sizes_;  // by the contours seen in contact
   LogSizes sizes_change_ = LogSizes::Zero();  // in use, beside the model's own
   const SolvedShape* known_ = nullptr;        // during a frame
   std::optional<SolveReport> pressed_;        // the last frame's model is pressed
