@@ -1032,6 +1032,10 @@
         <translation>Block %1 hat andere Felder als der erste</translation>
     </message>
     <message>
+        <source>by the contours in contact: zona %1 um +- %2 %, tip radius %3 um +- %4 %, holding pipette %5 um +- %6 %; the force is %7 times that by the picture alone</source>
+        <translation>nach den Konturen im Kontakt: Zona %1 um +- %2 %, Spitzenradius %3 um +- %4 %, Haltepipette %5 um +- %6 %; die Kraft ist %7-mal die nach dem Bild allein</translation>
+    </message>
+    <message>
         <source>by its sizes and the needle's this cell is expected to give way at %1 uN and %2 um, its kind at %3 uN and %4 um</source>
         <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
     </message>

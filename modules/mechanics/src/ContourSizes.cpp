@@ -82,7 +82,7 @@ MembraneContour ContourSizes::in_cell(const Observation& o, const CellPlacement&
 Eigen::VectorXd ContourSizes::offsets(const MembraneContour& contour, const Eigen::Matrix2Xd& places,
                                       const Eigen::Matrix2Xd& normals) const {
   Eigen::VectorXd mean = Eigen::VectorXd::Constant(places.cols(), kNone);
-  for (Eigen::Index k = 0; k < places.cols(); ++k) {
+  for (Eigen::Index k = 0; k < places.cols(); k += kNodeStep) {
     if (solid_.angle_rad()[k] < kFrom_rad || solid_.angle_rad()[k] > kTo_rad) continue;
     const Eigen::Vector2d place = places.col(k), normal = normals.col(k);
     const double right = offset_of(contour, place, normal);
@@ -99,6 +99,7 @@ void ContourSizes::add_rest(const Observation& o, const CellPlacement& placement
   circle.row(0) = angle.array().sin().matrix().transpose();
   circle.row(1) = angle.array().cos().matrix().transpose();
   const Eigen::VectorXd seen = offsets(in_cell(o, placement), o.rest_outer_radius_um * circle, circle);
+  if (!seen.array().isFinite().any()) return;
   if (rest_count_ == 0) rest_ = Eigen::VectorXd::Zero(angle.size());
   rest_count_ = std::min(rest_count_ + 1, kMostRest);
   for (Eigen::Index k = 0; k < seen.size(); ++k)
@@ -157,11 +158,11 @@ ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
   return all;
 }
 
-std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prior) const {
+std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prior) {
   const bool has_open = is_open(prior, 0) || is_open(prior, 1) || is_open(prior, 2);
   if (contours_.empty() || !has_open) return std::nullopt;
   const Eigen::Matrix3d weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  LogSizes sizes = solid_.within_range(prior.mean);
+  LogSizes sizes = solid_.within_range(start_.value_or(prior.mean));
   Eigen::Matrix3d information = weight;
   for (int step = 0; step < kMostSteps; ++step) {
     const Misfit seen = misfit(sizes);
@@ -193,6 +194,7 @@ std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prio
     const double moved = (next - sizes).cwiseAbs().maxCoeff();
     if (moved < kLastStep || step + 1 == kMostSteps) {
       if (seen.residual_um.dot(explained) > kLargestMisfit * static_cast<double>(n)) return std::nullopt;
+      start_ = next;
       Sizes result{next, information.inverse()};
       for (int size = 0; size < 3; ++size) {
         if (is_open(prior, size)) continue;

@@ -30,7 +30,11 @@ class ContourSizes {
   /// time.
   bool add(const Observation& observation, const CellPlacement& placement, double depth_um);
   /// Another model, another contact: the contours are forgotten, the outline at rest is kept.
-  void clear() noexcept { contours_.clear(); }
+  void clear() noexcept {
+    contours_.clear();
+    start_.reset();
+  }
+  int contour_count() const noexcept { return static_cast<int>(contours_.size()); }
   void forget() {
     clear();
     rest_count_ = 0;
@@ -42,7 +46,7 @@ class ContourSizes {
   };
   /// Sizes that the picture shows well stay as they are. Nothing where it shows all of them, where too little was seen
   /// in contact, or where no sizes explain it.
-  std::optional<Sizes> estimate(const SizesPrior& prior) const;
+  std::optional<Sizes> estimate(const SizesPrior& prior);
 
   /// How the force on a cell of sizes `to` compares with that of sizes `from`, by the solid: ln ratio, and its
   /// derivatives by the logarithms of `to`.
@@ -68,6 +72,7 @@ class ContourSizes {
   double radius_um_ = 0.0;      // outer, of the cell they show
   Eigen::VectorXd rest_;        // (n) by node of the solid's half-section, over the outer radius
   int rest_count_ = 0;
+  std::optional<LogSizes> start_;  // the last estimate, where the next one begins
 };
 
 }  // namespace pellucida

@@ -281,13 +281,13 @@ class ForceObserver::Impl {
       return frame;
     }
     follow_contour(frame, estimate);
-    correct_sizes(frame);
+    correct_sizes(frame, estimate);
     return frame;
   }
 
   /// The force for the sizes that the contours of the contact show, beside those the model was built for. A push that
   /// was measured on this cell knows better.
-  void correct_sizes(SolvedFrame& frame) {
+  void correct_sizes(SolvedFrame& frame, ForceEstimate& estimate) {
     const double radius_um = cell_.outer_radius_um(), depth_ratio = frame.depth_um / radius_um;
     const bool is_opposite = !placement_.holder_assumed() &&
                              placement_.holder().dot(placement_.push()) > kOpposite_cos &&
@@ -309,6 +309,16 @@ class ForceObserver::Impl {
     const double not_yet = (sizes_->mean - to).dot(change.slope);
     frame.sizes.log_sigma = std::hypot(std::sqrt(change.slope.dot(sizes_->covariance * change.slope)), not_yet,
                                        kSolidFit_log * std::min(1.0, sizes_change_.norm() / kSolidFitFrom_log));
+    const LogSizes sigma = sizes_->covariance.diagonal().cwiseSqrt();
+    const auto length_um = [&](int size) { return radius_um * std::exp(sizes_->mean[size]); };
+    estimate.sizes_by_contour = {.contour_count = contour_sizes_.contour_count(),
+                                 .thickness_um = length_um(0),
+                                 .tip_radius_um = length_um(1),
+                                 .holder_radius_um = length_um(2),
+                                 .thickness_sigma = sigma[0],
+                                 .tip_radius_sigma = sigma[1],
+                                 .holder_radius_sigma = sigma[2],
+                                 .force_ratio = frame.sizes.ratio};
   }
 
   /// The contour's weak pull, where it is asked for: its places found again about the shape it led to.

@@ -15,7 +15,7 @@ namespace {
 
 template <class... Numbers>
 std::string format(const char* pattern, Numbers... numbers) {
-  char text[192];
+  char text[256];
   std::snprintf(text, sizeof text, pattern, numbers...);
   return text;
 }
@@ -43,6 +43,7 @@ class MechanicsStep::Impl {
       warnings_.clear();
       reported_puncture_ = false;
       told_puncture_uN_ = 0.0;
+      told_sizes_ = false;
     }
     take_measurements();
     MeasuredScene measured{.scene = scene, .estimate = observer_.process(*scene.observation, known)};
@@ -129,6 +130,7 @@ class MechanicsStep::Impl {
     }
 
     note_puncture(e, o, out);
+    note_sizes(e, o, out);
     const CellScale scale = observer_.scale();
     // A model built anew changes it by a trifle.
     const bool is_news = std::abs(std::log(scale.ratio / reported_scale_.ratio)) > 0.01 ||
@@ -159,6 +161,21 @@ class MechanicsStep::Impl {
                 expected.force_uN, expected.depth_um, kind.puncture_force_uN, kind.puncture_indentation_um)});
   }
 
+  /// Once a contact, when there is enough to go by: what its contours said of sizes that the picture left open.
+  void note_sizes(const ForceEstimate& e, const Observation& o, Scene& out) {
+    constexpr int kEnough = 3;
+    if (o.state == CellState::kFree) told_sizes_ = false;
+    if (!e.sizes_by_contour || told_sizes_ || e.sizes_by_contour->contour_count < kEnough) return;
+    const SizesByContour& sizes = *e.sizes_by_contour;
+    told_sizes_ = true;
+    out.events.push_back(
+        {o.time_s, event_kind::kNote,
+         format("by the contours in contact: zona %.1f um +- %.0f %%, tip radius %.1f um +- %.0f %%, holding pipette "
+                "%.1f um +- %.0f %%; the force is %.2f times that by the picture alone",
+                sizes.thickness_um, 100.0 * sizes.thickness_sigma, sizes.tip_radius_um, 100.0 * sizes.tip_radius_sigma,
+                sizes.holder_radius_um, 100.0 * sizes.holder_radius_sigma, sizes.force_ratio)});
+  }
+
   /// A measured scale that hardly any cell of the kind has.
   std::string far_from_kind(const CellScale& scale) const {
     const double sigmas = std::abs(std::log(scale.ratio)) / scale_before(observer_.profile()).relative_sigma;
@@ -171,6 +188,7 @@ class MechanicsStep::Impl {
   ForceObserver observer_;
   WarningNews warnings_;
   double told_puncture_uN_ = 0.0;   // the expected one of the last note; 0: none yet
+  bool told_sizes_ = false;         // in this contact
   bool reported_puncture_ = false;  // the state has been punctured since
   CellScale reported_scale_;
   std::mutex waiting_mutex_;

@@ -26,6 +26,16 @@ std::string to_string(ForceWarning warnings);
 /// The same for a person, one line; empty for none. `profile_name` is that of the profile in use.
 std::string describe(ForceWarning warnings, std::string_view profile_name);
 
+/// What the contours of a contact said of sizes that the picture at rest leaves open.
+struct SizesByContour {
+  int contour_count = 0;  ///< contours, at depths 0.08 outer radii apart
+  /// Of zona, needle and holding pipette (outer), with the standard deviations of their logarithms; those that the
+  /// picture shows are its own.
+  double thickness_um = 0.0, tip_radius_um = 0.0, holder_radius_um = 0.0;
+  double thickness_sigma = 0.0, tip_radius_sigma = 0.0, holder_radius_sigma = 0.0;
+  double force_ratio = 1.0;  ///< of the force at these sizes to that at the picture's, at this depth
+};
+
 /// The model's result for one frame. Numbers that could not be measured are NaN; the arrays are empty when there is no
 /// model shape (no cell seen). No other number is ever NaN.
 struct ForceEstimate {
@@ -71,9 +81,10 @@ struct ForceEstimate {
   double work_uN_um = 0.0;           ///< of the needle on the cell in this contact
   /// Of this cell under this needle, as they are seen; 0 where no cell is measured.
   ExpectedPuncture expected_puncture;
-  ForceCrossCheck opinions;                    ///< the force according to other models
-  double puncture_probability = kNotMeasured;  ///< of this force; only after a palpation
-  double naive_force_uN = kNotMeasured;        ///< the biased read-out, where asked for
+  std::optional<SizesByContour> sizes_by_contour;  ///< where they say anything
+  ForceCrossCheck opinions;                        ///< the force according to other models
+  double puncture_probability = kNotMeasured;      ///< of this force; only after a palpation
+  double naive_force_uN = kNotMeasured;            ///< the biased read-out, where asked for
 
   bool converged = false;          ///< the model is in equilibrium at `depth_um`
   int iterations = 0;              ///< Newton iterations spent

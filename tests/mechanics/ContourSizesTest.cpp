@@ -1,0 +1,154 @@
+// What the contours of a contact say of thickness, tip and holding pipette. The contours are those of specimens
+// computed with GetFEM, which share neither code nor elements with the solid that they are held against.
+#include "ContourSizes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pellucida/mechanics/ForceObserver.h"
+#include "pellucida/simulation/CellReference.h"
+
+namespace pellucida {
+namespace {
+
+constexpr double kOpenTip = 0.7, kOpenHolder = 0.4, kOpenThickness = 0.5, kSeen = 0.1;
+
+/// A specimen in view at a depth: needle from +x, holder opposite, centre at the origin.
+Observation view_of(const CellReference& cell, double depth_um, long frame = 0) {
+  Observation o;
+  o.time_s = static_cast<double>(frame) / 30.0;
+  o.frame_index = frame;
+  o.state = depth_um > 0.0 ? CellState::kContact : CellState::kFree;
+  o.confidence = 1.0;
+  o.axis = Eigen::Vector2d::UnitX();
+  o.rest_outer_radius_um = cell.outer_radius_um();
+  const CellReference::Section section = cell.section(depth_um);
+  o.outer.emplace();
+  o.outer->points_um.resize(2, section.outer_um.cols());
+  o.outer->points_um.row(0) = section.outer_um.row(1);  // z towards the needle
+  o.outer->points_um.row(1) = -section.outer_um.row(0);
+  o.needle = NeedlePose{.tip_um = {cell.outer_radius_um() - depth_um, 0.0},
+                        .direction = -Eigen::Vector2d::UnitX(),
+                        .tip_radius_um = cell.geometry().tip_radius_um,
+                        .confidence = 1.0,
+                        .tip_sigma_um = 0.1};
+  o.holder = HolderPose{.mouth_um = {-cell.outer_radius_um(), 0.0}, .direction = -Eigen::Vector2d::UnitX()};
+  o.holder->outer_radius_um = cell.geometry().holder_ring_um + cell.geometry().holder_half_width_um;
+  o.indentation_um = depth_um;
+  o.indentation_sigma_um = 0.15;
+  return o;
+}
+
+LogSizes sizes_of(const CellReference& cell) {
+  const ReferenceGeometry& g = cell.geometry();
+  const double radius_um = cell.outer_radius_um();
+  return {std::log(g.thickness_um / radius_um), std::log(g.tip_radius_um / radius_um),
+          std::log((g.holder_ring_um + g.holder_half_width_um) / radius_um)};
+}
+
+std::optional<ContourSizes::Sizes> estimate(const CellReference& cell, const SizesPrior& prior) {
+  ContourSizes contours;
+  CellPlacement placement;
+  for (int frame = 0; frame < 3; ++frame) {
+    const Observation o = view_of(cell, 0.0);
+    placement.update(o);
+    contours.add_rest(o, placement);
+  }
+  for (double depth_um = 1.0; depth_um <= 40.0; depth_um += 0.5) {
+    const Observation o = view_of(cell, depth_um);
+    placement.update(o);
+    contours.add(o, placement, depth_um);
+  }
+  return contours.estimate(prior);
+}
+
+class ContourSizesOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(ContourSizesOf, FindsASizeThatIsNotSeen) {
+  const CellReference cell = CellReference::load(GetParam(), 1);
+  const LogSizes truth = sizes_of(cell);
+  const double open[] = {kOpenThickness, kOpenTip, kOpenHolder};
+  for (int size = 0; size < 3; ++size) {
+    for (const double sign : {-1.0, 1.0}) {
+      SizesPrior prior{truth, LogSizes::Constant(kSeen)};
+      prior.sigma[size] = open[size];
+      prior.mean[size] += sign * open[size];
+      const auto found = estimate(cell, prior);
+      ASSERT_TRUE(found) << size;
+      const double error = found->mean[size] - truth[size], sigma = std::sqrt(found->covariance(size, size));
+      EXPECT_LT(std::abs(error), 0.5 * open[size]) << "size " << size << ", prior off by " << sign * open[size];
+      EXPECT_LT(std::abs(error), 2.0 * sigma) << "size " << size;
+      EXPECT_LT(sigma, 0.7 * open[size]) << "size " << size;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Specimens, ContourSizesOf,
+                         testing::Values("specimen-1", "specimen-3", "specimen-7", "specimen-9", "specimen-14",
+                                         "specimen-18", "specimen-25", "specimen-34"),
+                         [](const auto& which) {
+                           std::string name = which.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(ContourSizes, LeavesWhatThePictureShows) {
+  const CellReference cell = CellReference::load("specimen-9", 1);
+  SizesPrior prior{sizes_of(cell), LogSizes(0.1, 0.15, 0.4)};
+  prior.mean += LogSizes(0.1, -0.1, 0.4);
+  const auto found = estimate(cell, prior);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->mean[0], prior.mean[0]);
+  EXPECT_EQ(found->mean[1], prior.mean[1]);
+  EXPECT_LT(found->mean[2], prior.mean[2] - 0.1);
+  prior.sigma[2] = 0.08;
+  EXPECT_FALSE(estimate(cell, prior));
+}
+
+TEST(ContourSizes, ContoursOfNoSolidSayNothing) {
+  // A cell that bulges where no needle makes it: by a tenth of its radius, on the way in.
+  const CellReference cell = CellReference::load("specimen-9", 1);
+  ContourSizes contours;
+  CellPlacement placement;
+  for (double depth_um = -1.0; depth_um <= 40.0; depth_um += 0.25) {
+    Observation o = view_of(cell, std::max(0.0, depth_um));
+    placement.update(o);
+    if (depth_um <= 0.0) {
+      contours.add_rest(o, placement);
+      continue;
+    }
+    for (Eigen::Index k = 0; k < o.outer->points_um.cols(); ++k) {
+      const double turn = std::atan2(o.outer->points_um(1, k), o.outer->points_um(0, k));
+      o.outer->points_um.col(k) *= 1.0 + 0.1 * std::cos(6.0 * turn);
+    }
+    contours.add(o, placement, depth_um);
+  }
+  ASSERT_GT(contours.contour_count(), 3);
+  EXPECT_FALSE(contours.estimate({sizes_of(cell), LogSizes(0.5, 0.15, 0.08)}));
+}
+
+TEST(ForceObserver, AHoldingPipetteOutOfSizeIsCorrectedByTheContours) {
+  // The holder's width is not seen: at the kind's own the force is too large or too small.
+  const CellReference cell = CellReference::load("specimen-14", 1);
+  const CellProfile profile = load_profile("mouse-oocyte");
+  const auto error_of = [&](bool with_outline) {
+    ForceObserver observer(profile);
+    ForceEstimate e;
+    long frame = 0;
+    for (double depth_um = -5.0; depth_um <= 40.0; depth_um += 0.5) {
+      Observation o = view_of(cell, std::max(0.0, depth_um), frame++);
+      o.rest_inner_radius_um = cell.inner_radius_um();
+      o.holder->outer_radius_um = 0.0;
+      if (!with_outline && depth_um <= 0.0) o.outer->points_um.resize(2, 0);
+      e = observer.process(o);
+    }
+    EXPECT_EQ(e.sizes_by_contour.has_value(), with_outline);
+    return std::abs(std::log(e.contact_force_uN / cell.force_uN(40.0)));
+  };
+  const double with = error_of(true), without = error_of(false);
+  EXPECT_LT(with, 0.7 * without) << with << " of " << without;
+}
+
+}  // namespace
+}  // namespace pellucida
