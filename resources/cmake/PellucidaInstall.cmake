@@ -24,7 +24,7 @@ string(TIMESTAMP PELLUCIDA_RELEASE_DATE "%Y-%m-%d" UTC)
 configure_file(${desktop}/pellucida.metainfo.xml.in ${PROJECT_BINARY_DIR}/pellucida.metainfo.xml @ONLY)
 
 install(TARGETS pellucida RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-foreach(folder devices lessons looks networks profiles reference scenarios)
+foreach(folder devices lessons looks networks profiles reference scenarios shapes)
   # The scripts that made a resource are for the developer.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/pellucida PATTERN "*.py" EXCLUDE)
 endforeach()

@@ -93,6 +93,23 @@ INSTANTIATE_TEST_SUITE_P(Specimens, ContourSizesOf,
                            return name;
                          });
 
+TEST(ContourSizes, KnowsHowTheForceGoesWithTheSizes) {
+  // One modulus and one middle radius in all of them.
+  const CellReference usual = CellReference::load("specimen-9", 1);
+  for (const char* name : {"specimen-1", "specimen-3", "specimen-7", "specimen-14", "specimen-18", "specimen-25"}) {
+    const CellReference cell = CellReference::load(name, 1);
+    const IndentedSolid& solid = IndentedSolid::shipped();
+    for (const double depth_um : {10.0, 20.0, 30.0, 40.0}) {
+      const auto log_force_of = [&](const CellReference& one) {
+        const double radius_um = one.outer_radius_um();
+        return solid.log_force(sizes_of(one), depth_um / radius_um) + 2.0 * std::log(radius_um);
+      };
+      const double truth = std::log(cell.force_uN(depth_um) / usual.force_uN(depth_um));
+      EXPECT_NEAR(log_force_of(cell) - log_force_of(usual), truth, 0.12) << name << " at " << depth_um << " um";
+    }
+  }
+}
+
 TEST(ContourSizes, LeavesWhatThePictureShows) {
   const CellReference cell = CellReference::load("specimen-9", 1);
   SizesPrior prior{sizes_of(cell), LogSizes(0.1, 0.15, 0.4)};
