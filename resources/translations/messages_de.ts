@@ -228,6 +228,10 @@
         <translation>%1: %2 x %3 px, mehr als %4 Megapixel; erhöhen Sie --max-megapixels, wenn das stimmt</translation>
     </message>
     <message>
+        <source>%1: %2; install the program again</source>
+        <translation>%1: %2; installieren Sie das Programm neu</translation>
+    </message>
+    <message>
         <source>%1: %2; use the version of Pellucida that wrote it, or a later one</source>
         <translation>%1: %2; verwenden Sie die Version von Pellucida, die das geschrieben hat, oder eine neuere</translation>
     </message>
@@ -386,6 +390,10 @@
     <message>
         <source>%1: its session.json has no pixel size; give --pixel-size-um</source>
         <translation>%1: die zugehörige session.json nennt keine Pixelgröße; geben Sie --pixel-size-um an</translation>
+    </message>
+    <message>
+        <source>%1: its tables don't fit each other; install the program again</source>
+        <translation>%1: die Tabellen passen nicht zueinander; installieren Sie das Programm neu</translation>
     </message>
     <message>
         <source>%1: line %2</source>
@@ -904,6 +912,10 @@
         <translation>eine Steifigkeit von %1 uN/um bei %2 um, +- %3 %</translation>
     </message>
     <message>
+        <source>a table is empty</source>
+        <translation>eine Tabelle ist leer</translation>
+    </message>
+    <message>
         <source>a text</source>
         <translation>ein Text</translation>
     </message>
@@ -1032,12 +1044,12 @@
         <translation>Block %1 hat andere Felder als der erste</translation>
     </message>
     <message>
-        <source>by the contours in contact: zona %1 um +- %2 %, tip radius %3 um +- %4 %, holding pipette %5 um +- %6 %; the force is %7 times that by the picture alone</source>
-        <translation>nach den Konturen im Kontakt: Zona %1 um +- %2 %, Spitzenradius %3 um +- %4 %, Haltepipette %5 um +- %6 %; die Kraft ist %7-mal die nach dem Bild allein</translation>
-    </message>
-    <message>
         <source>by its sizes and the needle's this cell is expected to give way at %1 uN and %2 um, its kind at %3 uN and %4 um</source>
         <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
+    </message>
+    <message>
+        <source>by the contours in contact: zona %1 um +- %2 %, tip radius %3 um +- %4 %, holding pipette %5 um +- %6 %; the force is %7 times that by the picture alone</source>
+        <translation>nach den Konturen im Kontakt: Zona %1 um +- %2 %, Spitzenradius %3 um +- %4 %, Haltepipette %5 um +- %6 %; die Kraft ist %7-mal die nach dem Bild allein</translation>
     </message>
     <message>
         <source>camera.jpeg_quality is set; JPEG needs a picture of 8 bit</source>
@@ -1910,6 +1922,10 @@
     <message>
         <source>the replay was stopped before its end</source>
         <translation>die Wiedergabe wurde vor ihrem Ende angehalten</translation>
+    </message>
+    <message>
+        <source>the rows of a table differ in length</source>
+        <translation>die Zeilen einer Tabelle sind verschieden lang</translation>
     </message>
     <message>
         <source>the scene has no frame to track</source>

@@ -9,12 +9,12 @@
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "ContactSight.h"
-#include "ContourSizes.h"
 #include "DepthFilter.h"
 #include "ErrorBudget.h"
 #include "ForceReport.h"
 #include "ObservationCheck.h"
 #include "PunctureVerdict.h"
+#include "SizesCorrector.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/mechanics/RevolvedContour.h"
 
@@ -28,13 +28,6 @@ constexpr double kEdgeBias_um = 0.12;
 /// A contact is confirmed over some frames. So deep, um, it is by then: a needle that is seen deeper in an untouched
 /// cell isn't in its plane.
 constexpr double kLateContact_um = 3.0;
-/// Contours tell sizes where the needle comes from opposite the holder to within this, and through the cell's middle to
-/// within this share of its radius.
-constexpr double kOpposite_cos = 0.94, kThroughMiddle_ratio = 0.15;
-/// How far the sizes in use go towards what the contours say, per frame: no jumps.
-constexpr double kSizesFollow = 0.2;
-/// What the solid's force, as a smooth function of sizes, is off by (ln), where they change by this or more.
-constexpr double kSolidFit_log = 0.04, kSolidFitFrom_log = 0.5;
 
 }  // namespace
 
@@ -84,7 +77,7 @@ class ForceObserver::Impl {
     cell_.forget();
     placement_.reset();
     report_.forget();
-    contour_sizes_.forget();
+    sizes_.forget();
     end_contact();
   }
 
@@ -99,7 +92,7 @@ class ForceObserver::Impl {
       // A cell that is lost goes on relaxing; another one has no past.
       if (o.state == CellState::kNoCell) {
         report_.forget();
-        contour_sizes_.forget();
+        sizes_.forget();
       }
       if (!has_cell(o)) end_contact();
       return estimate;
@@ -148,11 +141,9 @@ class ForceObserver::Impl {
     if (cell_.fit(o, placement_)) {
       auditor_.set_model(cell_.model().rest());
       counted_ = 0;
-      contour_sizes_.clear();
-      sizes_.reset();
-      sizes_change_.setZero();
+      sizes_.clear();
     }
-    if (o.state == CellState::kFree) contour_sizes_.add_rest(o, placement_);
+    if (o.state == CellState::kFree) sizes_.add_rest(o, placement_);
     estimate.thickness_assumed = cell_.geometry().thickness_assumed();
     measure_scale(o.time_s);
     estimate.expected_puncture = expected_puncture(profile_, cell_.built_geometry(), scale_.ratio);
@@ -281,44 +272,12 @@ class ForceObserver::Impl {
       return frame;
     }
     follow_contour(frame, estimate);
-    correct_sizes(frame, estimate);
+    // A push that was measured on this cell knows better.
+    if (!scale_.has_geometry && frame.depth_um > 0.0) {
+      frame.sizes = sizes_.follow(o, placement_, cell_, frame.depth_um, verdict_.is_doubted());
+      estimate.sizes_by_contour = sizes_.sizes();
+    }
     return frame;
-  }
-
-  /// The force for the sizes that the contours of the contact show, beside those the model was built for. A push that
-  /// was measured on this cell knows better.
-  void correct_sizes(SolvedFrame& frame, ForceEstimate& estimate) {
-    const double radius_um = cell_.outer_radius_um(), depth_ratio = frame.depth_um / radius_um;
-    const bool is_opposite = !placement_.holder_assumed() &&
-                             placement_.holder().dot(placement_.push()) > kOpposite_cos &&
-                             std::abs(placement_.offset_um()) < kThroughMiddle_ratio * radius_um;
-    if (!is_opposite || scale_.has_geometry || !(depth_ratio > 0.0)) return;
-    const MembraneGeometry& built = cell_.built_geometry();
-    const LogSizes from(std::log(built.thickness_um / radius_um), std::log(built.tip_radius_um / radius_um),
-                        std::log(built.holder_radius_um / radius_um));
-    if (!verdict_.is_doubted() && contour_sizes_.add(frame.observation, placement_, frame.depth_um))
-      sizes_ = contour_sizes_.estimate({from, cell_.geometry().log_sigmas()});
-    sizes_change_ += kSizesFollow * ((sizes_ ? LogSizes(sizes_->mean - from) : LogSizes::Zero()) - sizes_change_);
-    if (!sizes_) return;
-    const LogSizes to = from + sizes_change_;
-    const auto change = contour_sizes_.force_change(from, to, depth_ratio);
-    constexpr double kStep_ratio = 0.01;
-    const auto deeper = contour_sizes_.force_change(from, to, depth_ratio + kStep_ratio);
-    frame.sizes.ratio = std::exp(change.log_ratio);
-    frame.sizes.slope_per_um = frame.sizes.ratio * (deeper.log_ratio - change.log_ratio) / (kStep_ratio * radius_um);
-    const double not_yet = (sizes_->mean - to).dot(change.slope);
-    frame.sizes.log_sigma = std::hypot(std::sqrt(change.slope.dot(sizes_->covariance * change.slope)), not_yet,
-                                       kSolidFit_log * std::min(1.0, sizes_change_.norm() / kSolidFitFrom_log));
-    const LogSizes sigma = sizes_->covariance.diagonal().cwiseSqrt();
-    const auto length_um = [&](int size) { return radius_um * std::exp(sizes_->mean[size]); };
-    estimate.sizes_by_contour = {.contour_count = contour_sizes_.contour_count(),
-                                 .thickness_um = length_um(0),
-                                 .tip_radius_um = length_um(1),
-                                 .holder_radius_um = length_um(2),
-                                 .thickness_sigma = sigma[0],
-                                 .tip_radius_sigma = sigma[1],
-                                 .holder_radius_sigma = sigma[2],
-                                 .force_ratio = frame.sizes.ratio};
   }
 
   /// The contour's weak pull, where it is asked for: its places found again about the shape it led to.
@@ -350,11 +309,9 @@ class ForceObserver::Impl {
   PunctureVerdict verdict_;
   ShapeAuditor auditor_;
   CellPlacement placement_;
-  ContourSizes contour_sizes_;
-  std::optional<ContourSizes::Sizes> sizes_;  // by the contours seen in contact
-  LogSizes sizes_change_ = LogSizes::Zero();  // in use, beside the model's own
-  const SolvedShape* known_ = nullptr;        // during a frame
-  std::optional<SolveReport> pressed_;        // the last frame's model is pressed
+  SizesCorrector sizes_;
+  const SolvedShape* known_ = nullptr;  // during a frame
+  std::optional<SolveReport> pressed_;  // the last frame's model is pressed
 };
 
 ForceObserver::ForceObserver(CellProfile profile, ForceOptions options)

@@ -1,21 +1,12 @@
 #pragma once
-#include <optional>
-
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "RelaxingContact.h"
+#include "SizesCorrector.h"
 #include "pellucida/mechanics/ForceCrossCheck.h"
 #include "pellucida/mechanics/ForceObserver.h"
 
 namespace pellucida {
-
-/// What contours in contact say of the force, beside the sizes that the model was built for.
-struct SizesCorrection {
-  double ratio = 1.0;         ///< on all forces
-  double slope_per_um = 0.0;  ///< its derivative by depth
-  std::optional<double>
-      log_sigma;  ///< of the force, from thickness, tip and holder; none: as the picture at rest has them
-};
 
 /// The model in equilibrium with one frame.
 struct SolvedFrame {

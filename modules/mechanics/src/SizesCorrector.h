@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+
+#include "CellModelCache.h"
+#include "CellPlacement.h"
+#include "ContourSizes.h"
+#include "pellucida/core/Observation.h"
+#include "pellucida/mechanics/ForceEstimate.h"
+
+namespace pellucida {
+
+/// What contours in contact say of the force, beside the sizes that the model was built for.
+struct SizesCorrection {
+  double ratio = 1.0;         ///< on all forces
+  double slope_per_um = 0.0;  ///< its derivative by depth
+  std::optional<double>
+      log_sigma;  ///< of the force, from thickness, tip and holder; none: as the picture at rest has them
+};
+
+/// Follows what the contours of a cell say of its sizes, without jumps, and what the force is multiplied by for it. One
+/// thread at a time.
+class SizesCorrector {
+ public:
+  /// An untouched cell.
+  void add_rest(const Observation& observation, const CellPlacement& placement) {
+    contours_.add_rest(observation, placement);
+  }
+  /// The model was built anew.
+  void clear() noexcept;
+  /// Another cell.
+  void forget();
+
+  /// A frame in contact, at a depth above 0. `is_doubted`: its contour is not to be learnt from.
+  SizesCorrection follow(const Observation& observation, const CellPlacement& placement, const CellModelCache& cell,
+                         double depth_um, bool is_doubted);
+  /// Of the last frame that was followed; nothing where the contours say nothing.
+  std::optional<SizesByContour> sizes() const;
+
+ private:
+  ContourSizes contours_;
+  std::optional<ContourSizes::Sizes> seen_;
+  LogSizes change_ = LogSizes::Zero();  // in use, beside the model's own
+  double radius_um_ = 0.0, ratio_ = 1.0;
+};
+
+}  // namespace pellucida
