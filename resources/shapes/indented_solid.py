@@ -51,7 +51,7 @@ def rounded(table):
 
 def main():
     table = np.loadtxt(sys.argv[1], delimiter=',')
-    cells, (thickness, tip, holder, depth_um, force) = table[:, 0].astype(int), table[:, 1:6].T
+    cells, (thickness, tip, holder, depth_um, force, pressure) = table[:, 0].astype(int), table[:, 1:7].T
     radius = 50 + thickness / 2
     depth = depth_um / radius
     used = (depth > 0) & (depth <= DEEPEST_RATIO)
@@ -60,7 +60,7 @@ def main():
     rest = np.stack([np.sin(np.radians(angle_deg)), np.cos(np.radians(angle_deg))], axis=1)
     log_sizes = np.log(np.stack([thickness, tip, holder], axis=1) / radius[:, None])[used]
     moved = (places - rest)[used].reshape(used.sum(), -1)
-    cells, depth, radius, force = cells[used], depth[used], radius[used], force[used]
+    cells, depth, radius, force, pressure = cells[used], depth[used], radius[used], force[used], pressure[used]
 
     rows = basis(log_sizes, depth)
     components = np.linalg.svd(moved, full_matrices=False)[2][:COMPONENTS]
@@ -72,6 +72,11 @@ def main():
     force_terms = np.linalg.lstsq(rows, log_force, rcond=None)[0]
     print(f'force, cells left out: {np.sqrt((left_out(rows, log_force, cells)**2).mean()):.4f} of ln RMS')
 
+    # Over the force: what is left of it for the liquid in a wall that yields by itself.
+    log_pressure = np.log(pressure * radius**2 / force)
+    pressure_terms = np.linalg.lstsq(rows, log_pressure, rcond=None)[0]
+    print(f'pressure, cells left out: {np.sqrt((left_out(rows, log_pressure, cells)**2).mean()):.4f} of ln RMS')
+
     with open(sys.argv[2], 'w', encoding='utf-8') as file:
         json.dump({
             'description': 'Outer section of an incompressible solid shell under a needle opposite the holding pipette, '
@@ -81,7 +86,8 @@ def main():
             'log_size_to': [round(x, 5) for x in log_sizes.max(axis=0)],
             'depth_centre': DEPTH_CENTRE, 'deepest_ratio': DEEPEST_RATIO, 'angle_deg': angle_deg.tolist(),
             'powers': powers().tolist(), 'components': rounded(components), 'section_terms': rounded(section_terms),
-            'force_terms': rounded(force_terms[None])[0]}, file, separators=(',', ':'))
+            'force_terms': rounded(force_terms[None])[0],
+            'pressure_terms': rounded(pressure_terms[None])[0]}, file, separators=(',', ':'))
         file.write('\n')
 
 

@@ -148,5 +148,60 @@ TEST(SpecimenNodes, ForcesAndTension) {
   }
 }
 
+// Thickness, tip and holding pipette are hidden, so that the kind's count, or what the contours say of them: the true
+// contours, without a tracker's errors.
+TEST(SpecimenNodes, SizesByContours) {
+  NodeErrors by_kind, by_contours;
+  const char* others = std::getenv("PELLUCIDA_SPECIMENS");
+  for (const std::string& path : specimens_in(others ? others : (resource_folder() / "reference").string())) {
+    if (path.find("specimen-") == std::string::npos) continue;
+    RandomFilm film;
+    film.scenario.cell.reference = path;
+    film.scenario.motion.indentation_um = 41;
+    film.scenario.motion.gap_um = 6;
+    film.scenario.motion.indentation_speed_um_per_s = 20;
+    film.scenario.motion.hold_s = 0.1;
+    const CellReference specimen = CellReference::load(path, 1);
+    // The model stays where the kind's tools touch: nodes under either tool are the tools'.
+    const CellProfile kind = load_profile("mouse-oocyte");
+    ReferenceGeometry zones = specimen.geometry();
+    zones.tip_radius_um = std::max(zones.tip_radius_um, kind.tip_radius_um);
+    zones.holder_ring_um =
+        std::max(zones.holder_ring_um + zones.holder_half_width_um, kind.holder_ring_um + kind.holder_half_width_um) -
+        zones.holder_half_width_um;
+    const MembraneTable table(path + "-1-membrane.csv");
+    VirtualMicroscope microscope(film.scenario);
+    ForceObserver with(kind), without(kind);
+    with.set_scale({1.0, 0.0});
+    without.set_scale({1.0, 0.0});
+    std::size_t next = 0;
+    while (microscope.next()) {
+      Observation seen = microscope.truth().observation;
+      seen.rest_inner_radius_um = 0.0;
+      seen.inner.reset();
+      if (seen.needle) seen.needle->tip_radius_um = 0.0;
+      if (seen.holder) seen.holder->outer_radius_um = 0.0;
+      const ForceEstimate corrected = with.process(seen);
+      // Without an outline at rest no contour is held against a solid.
+      if (seen.state == CellState::kFree) seen.outer->points_um.resize(2, 0);
+      const ForceEstimate usual = without.process(seen);
+      const double depth_um = seen.indentation_um;
+      if (next >= table.depths().size() || depth_um < table.depths()[next].indentation_um) continue;
+      const MembraneTable::Depth& truth = table.depths()[next++];
+      ASSERT_TRUE(corrected.converged && usual.converged) << path << " at " << depth_um;
+      const double ratio = specimen.force_uN(depth_um) / specimen.force_uN(truth.indentation_um);
+      by_kind.add(usual, truth, ratio, zones);
+      by_contours.add(corrected, truth, ratio, zones);
+    }
+  }
+  by_kind.print("sizes of the kind");
+  by_contours.print("sizes by contours");
+  EXPECT_LT(by_contours.zones[kFree].force_rms(), 0.6 * by_kind.zones[kFree].force_rms());
+  EXPECT_LT(by_contours.zones[kFlank].force_rms(), 0.8 * by_kind.zones[kFlank].force_rms());
+  EXPECT_LT(by_contours.zones[kFree].tension_rms(), 0.6 * by_kind.zones[kFree].tension_rms());
+  EXPECT_GT(by_contours.zones[kFree].coverage(), 0.9);
+  EXPECT_GT(by_contours.zones[kFlank].coverage(), 0.9);
+}
+
 }  // namespace
 }  // namespace pellucida::test

@@ -214,6 +214,7 @@ ContourSizes::ForceChange ContourSizes::force_change(const LogSizes& from, const
                                                      double depth_ratio) const {
   ForceChange change;
   change.log_ratio = solid_.log_force(to, depth_ratio) - solid_.log_force(from, depth_ratio);
+  change.log_pressure_ratio = solid_.log_pressure(to, depth_ratio) - solid_.log_pressure(from, depth_ratio);
   for (int size = 0; size < 3; ++size) {
     const LogSizes step = kDifference * LogSizes::Unit(size);
     change.slope[size] =

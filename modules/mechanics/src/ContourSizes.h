@@ -48,10 +48,10 @@ class ContourSizes {
   /// in contact, or where no sizes explain it.
   std::optional<Sizes> estimate(const SizesPrior& prior);
 
-  /// How the force on a cell of sizes `to` compares with that of sizes `from`, by the solid: ln ratio, and its
-  /// derivatives by the logarithms of `to`.
+  /// How force and pressure of a cell of sizes `to` compare with those of sizes `from`, by the solid: ln ratios, and
+  /// the force's derivatives by the logarithms of `to`.
   struct ForceChange {
-    double log_ratio = 0.0;
+    double log_ratio = 0.0, log_pressure_ratio = 0.0;
     Eigen::Vector3d slope = Eigen::Vector3d::Zero();
   };
   ForceChange force_change(const LogSizes& from, const LogSizes& to, double depth_ratio) const;

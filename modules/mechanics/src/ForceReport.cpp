@@ -61,12 +61,12 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
     estimate.errors.geometry_ratio = frame.cell.geometry().force_sigma_ratio();
   }
   const double scale = frame.scale.ratio * force.ratio * frame.sizes.ratio;
-  fill_nodes(cell.indenter(), scale, frame.contact, estimate);
+  fill_nodes(cell.indenter(), scale, frame.sizes.push_ratio / frame.sizes.ratio, frame.contact, estimate);
 
   // The outer surface encloses what it did at rest, but for the little the liquid gives.
   estimate.volume_um3 =
       sphere_volume_um3(cell.outer_radius_um()) * (frame.state.volume_um3 / model.volume().rest_volume_um3());
-  estimate.pressure_Pa = scale * frame.state.pressure_Pa;
+  estimate.pressure_Pa = frame.scale.ratio * force.ratio * frame.sizes.pressure_ratio * frame.state.pressure_Pa;
 
   // A model that isn't where the needle is says nothing of its force.
   if (!estimate.converged) return;

@@ -77,10 +77,10 @@ double push_ratio(const Indenter& indenter) {
 
 }  // namespace
 
-void fill_nodes(const Indenter& indenter, double scale, bool contact, ForceEstimate& estimate) {
+void fill_nodes(const Indenter& indenter, double scale, double of_liquid_ratio, bool contact, ForceEstimate& estimate) {
   const MembraneModel& model = indenter.model();
   const Eigen::Matrix3Xd& x = indenter.positions_um();
-  const double of_tools = scale * indenter.force_ratio(), of_liquid = scale * push_ratio(indenter);
+  const double of_tools = scale * indenter.force_ratio(), of_liquid = scale * of_liquid_ratio * push_ratio(indenter);
   // In equilibrium a node's elastic force balances the liquid's push, P grad V, and the tools'.
   const double pressure_uN_per_um2 = model.setup().keeps_volume ? model.volume().pressure_uN_per_um2(x) : 0.0;
   const Eigen::Matrix3Xd liquid_uN = pressure_uN_per_um2 * model.volume().gradient_of_volume(x);

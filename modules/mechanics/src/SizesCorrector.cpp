@@ -23,6 +23,12 @@ bool is_of_revolution(const CellPlacement& placement, double radius_um) {
          std::abs(placement.offset_um()) < kThroughMiddle_ratio * radius_um;
 }
 
+/// Radius of the zona's inner face over that of its middle.
+double inner_over_middle(const LogSizes& sizes) {
+  const double thickness = std::exp(sizes[0]);
+  return (1.0 - thickness) / (1.0 - 0.5 * thickness);
+}
+
 }  // namespace
 
 void SizesCorrector::clear() noexcept {
@@ -55,6 +61,8 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
   const auto change = contours_.force_change(from, to, depth_ratio);
   const auto deeper = contours_.force_change(from, to, depth_ratio + kDepthStep_ratio);
   ratio_ = correction.ratio = std::exp(change.log_ratio);
+  correction.pressure_ratio = std::exp(change.log_pressure_ratio);
+  correction.push_ratio = correction.pressure_ratio * std::pow(inner_over_middle(to) / inner_over_middle(from), 2);
   correction.slope_per_um = ratio_ * (deeper.log_ratio - change.log_ratio) / (kDepthStep_ratio * radius_um_);
   if (!seen_) return correction;
   const double by_sizes = std::sqrt(change.slope.dot(seen_->covariance * change.slope));

@@ -11,8 +11,10 @@ namespace pellucida {
 
 /// What contours in contact say of the force, beside the sizes that the model was built for.
 struct SizesCorrection {
-  double ratio = 1.0;         ///< on all forces
-  double slope_per_um = 0.0;  ///< its derivative by depth
+  double ratio = 1.0;           ///< on the forces of the tools
+  double slope_per_um = 0.0;    ///< its derivative by depth
+  double pressure_ratio = 1.0;  ///< on the liquid's pressure: a thick wall yields under the needle by itself
+  double push_ratio = 1.0;  ///< on the liquid's push on the middle surface, whose inner face moves with the thickness
   std::optional<double>
       log_sigma;  ///< of the force, from thickness, tip and holder; none: as the picture at rest has them
 };

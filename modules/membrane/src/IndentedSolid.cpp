@@ -54,11 +54,13 @@ const IndentedSolid& IndentedSolid::shipped() {
       made.angle_rad_ = std::numbers::pi / 180.0 * vector_of(json.at("angle_deg"));
       made.section_ = matrix_of(json.at("components")).transpose() * matrix_of(json.at("section_terms")).transpose();
       made.force_ = vector_of(json.at("force_terms"));
+      made.pressure_ = vector_of(json.at("pressure_terms"));
     } catch (const std::exception& error) {
       throw InputError(path.string() + ": " + error.what() + "; install the program again");
     }
     const Eigen::Index terms = made.powers_.cols(), n = made.angle_rad_.size();
-    if (made.section_.rows() != 2 * n || made.section_.cols() != terms || made.force_.size() != terms)
+    if (made.section_.rows() != 2 * n || made.section_.cols() != terms || made.force_.size() != terms ||
+        made.pressure_.size() != terms)
       throw InputError(path.string() + ": its tables don't fit each other; install the program again");
     made.rest_.resize(2, n);
     made.rest_.row(0) = made.angle_rad_.array().sin().matrix().transpose();
@@ -93,6 +95,10 @@ Eigen::Matrix2Xd IndentedSolid::section(const LogSizes& sizes, double depth_rati
 double IndentedSolid::log_force(const LogSizes& sizes, double depth_ratio) const {
   return force_.dot(basis(sizes, depth_ratio)) + kThicknessPower * within_range(sizes)[0] +
          std::log(std::min(depth_ratio, deepest_ratio_));
+}
+
+double IndentedSolid::log_pressure(const LogSizes& sizes, double depth_ratio) const {
+  return log_force(sizes, depth_ratio) + pressure_.dot(basis(sizes, depth_ratio));
 }
 
 }  // namespace pellucida

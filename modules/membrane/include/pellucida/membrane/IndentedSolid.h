@@ -26,6 +26,8 @@ class IndentedSolid {
   /// ln of the force over modulus and outer radius squared, up to a constant. Likewise at the border. Precondition: a
   /// depth above 0.
   double log_force(const LogSizes& sizes, double depth_ratio) const;
+  /// ln of the liquid's pressure over the modulus, up to a constant; likewise.
+  double log_pressure(const LogSizes& sizes, double depth_ratio) const;
 
   /// The sizes nearest to `sizes` within the fitted range.
   LogSizes within_range(const LogSizes& sizes) const;
@@ -37,9 +39,9 @@ class IndentedSolid {
 
   LogSizes centre_, width_, lowest_, highest_;
   double depth_centre_ = 0.0, deepest_ratio_ = 0.0;
-  Eigen::Matrix4Xi powers_;  // (4 x terms): of the three sizes, and the degree of the depth's polynomial
-  Eigen::MatrixXd section_;  // (2 n x terms)
-  Eigen::VectorXd force_;    // (terms)
+  Eigen::Matrix4Xi powers_;           // (4 x terms): of the three sizes, and the degree of the depth's polynomial
+  Eigen::MatrixXd section_;           // (2 n x terms)
+  Eigen::VectorXd force_, pressure_;  // (terms)
   Eigen::VectorXd angle_rad_;
   Eigen::Matrix2Xd rest_;
 };
