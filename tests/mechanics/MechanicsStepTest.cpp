@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "MeasuredScenes.h"
+#include "SpecimenView.h"
 #include "support/TestProfiles.h"
 
 namespace pellucida {
@@ -69,6 +73,28 @@ TEST(MechanicsStep, AMissingForceIsExplainedOnce) {
   const auto second = step.process(scene);
   EXPECT_TRUE(second->events.empty());
   EXPECT_NE(second->remarks.reason.find("needle"), std::string::npos);
+}
+
+// What the contours say of a holding pipette whose width is not seen is a note of the session, once a contact.
+TEST(MechanicsStep, SizesByContoursAreANote) {
+  const CellReference cell = CellReference::load("specimen-14", 1);
+  MechanicsStep mechanics(load_profile("mouse-oocyte"));
+  std::vector<Event> notes;
+  long frame = 0;
+  for (double depth_um = -3.0; depth_um <= 24.0; depth_um += 0.5) {
+    Observation o = testing::view_of(cell, std::max(0.0, depth_um), frame++);
+    o.rest_inner_radius_um = cell.inner_radius_um();
+    o.holder->outer_radius_um = 0.0;
+    Scene scene;
+    scene.observation = std::make_shared<const Observation>(o);
+    const auto measured = mechanics.process(scene);
+    ASSERT_TRUE(measured);
+    for (const Event& event : measured->scene.events)
+      if (event.detail.starts_with("by the contours in contact: zona ")) notes.push_back(event);
+  }
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes.front().kind, event_kind::kNote);
+  EXPECT_NE(notes.front().detail.find("holding pipette"), std::string::npos);
 }
 
 /// A push along x in frame `frame`, with tip and membrane at these depths.
