@@ -40,7 +40,7 @@ std::optional<ContourSizes::Sizes> estimate(const CellReference& cell, const Siz
   return contours.estimate(prior);
 }
 
-class ContourSizesOf : public testing::TestWithParam<const char*> {};
+class ContourSizesOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ContourSizesOf, FindsASizeThatIsNotSeen) {
   const CellReference cell = CellReference::load(GetParam(), 1);
@@ -62,8 +62,8 @@ TEST_P(ContourSizesOf, FindsASizeThatIsNotSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Specimens, ContourSizesOf,
-                         testing::Values("specimen-1", "specimen-3", "specimen-7", "specimen-9", "specimen-14",
-                                         "specimen-18", "specimen-25", "specimen-34"),
+                         ::testing::Values("specimen-1", "specimen-3", "specimen-7", "specimen-9", "specimen-14",
+                                           "specimen-18", "specimen-25", "specimen-34"),
                          [](const auto& which) {
                            std::string name = which.param;
                            std::erase(name, '-');
