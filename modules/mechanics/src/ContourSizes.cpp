@@ -32,8 +32,8 @@ constexpr double kPlace_um = 0.3, kRadius_um = 0.2, kDepth_um = 0.2;
 /// Gauss-Newton: steps, the longest and the last, in logarithms; and for derivatives.
 constexpr int kMostSteps = 6;
 constexpr double kLongestStep = 0.4, kLastStep = 0.01, kDifference = 0.05;
-/// A size that the picture shows to within this (ln) stays as it is: edges say more of it than contours do, unless the
-/// cell is just the solid.
+/// A size that the picture shows to within this (ln) stays as it is: its edges say more of it than the contours of a
+/// cell that is never just the solid.
 constexpr double kOpen_log = 0.2;
 /// Contours that differ from every solid by more than this, squared, over what is expected, show something else.
 constexpr double kLargestMisfit = 2.0;

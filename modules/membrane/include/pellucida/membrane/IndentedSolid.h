@@ -9,8 +9,8 @@ using LogSizes = Eigen::Vector3d;
 
 /// The outer section of an incompressible solid shell full of liquid, under a needle opposite the holding pipette, and
 /// the needle's force on it, as smooth functions of sizes and depth: fitted to solids of revolution computed for 640
-/// geometries (`resources/shapes/indented_solid.py`, which prints what the fit leaves). Read only once made; any number
-/// of threads.
+/// geometries (`resources/shapes/indented_solid.py`, which prints what the fit leaves). Constant once made: for any
+/// number of threads.
 class IndentedSolid {
  public:
   /// The shipped one. Throws InputError when its file is damaged.
