@@ -80,25 +80,35 @@ struct NodeErrors {
   }
 };
 
+/// The shipped specimens, or those of the folder PELLUCIDA_SPECIMENS.
+std::vector<std::string> specimen_paths() {
+  const char* others = std::getenv("PELLUCIDA_SPECIMENS");
+  auto paths = specimens_in(others ? others : (resource_folder() / "reference").string());
+  std::erase_if(paths, [](const std::string& path) { return path.find("specimen-") == std::string::npos; });
+  return paths;
+}
+
+/// A push to all depths of a specimen's membrane table.
+Scenario deep_push_into(const std::string& path) {
+  Scenario scenario = RandomFilm().scenario;
+  scenario.cell.reference = path;
+  scenario.motion.indentation_um = 41;
+  scenario.motion.gap_um = 6;
+  scenario.motion.indentation_speed_um_per_s = 20;
+  scenario.motion.hold_s = 0.1;
+  return scenario;
+}
+
 // The film, and what is read from it at the depths of the table: from the true contours and from the tracked ones.
 TEST(SpecimenNodes, ForcesAndTension) {
   std::printf(
       "RMS error of nodal force, %% of the truth's RMS, and nodes inside their interval, %%; the same of tension\n");
   NodeErrors all_true, all_seen;
   int frame_count = 0, seen_count = 0;
-  // PELLUCIDA_SPECIMENS: a folder of others.
-  const char* others = std::getenv("PELLUCIDA_SPECIMENS");
-  for (const std::string& path : specimens_in(others ? others : (resource_folder() / "reference").string())) {
-    if (path.find("specimen-") == std::string::npos) continue;
-    RandomFilm film;
-    film.scenario.cell.reference = path;
-    film.scenario.motion.indentation_um = 41;
-    film.scenario.motion.gap_um = 6;
-    film.scenario.motion.indentation_speed_um_per_s = 20;
-    film.scenario.motion.hold_s = 0.1;
+  for (const std::string& path : specimen_paths()) {
     const CellReference specimen = CellReference::load(path, 1);
     const MembraneTable table(path + "-1-membrane.csv");
-    VirtualMicroscope microscope(film.scenario);
+    VirtualMicroscope microscope(deep_push_into(path));
     MembraneTracker tracker(TrackerOptions{});
     ForceObserver of_truth(load_profile("mouse-oocyte")), observer(load_profile("mouse-oocyte"));
     of_truth.set_scale({1.0, 0.0});
@@ -153,15 +163,7 @@ TEST(SpecimenNodes, ForcesAndTension) {
 TEST(SpecimenNodes, SizesByContours) {
   NodeErrors by_kind, by_contours;
   double kind_squares = 0.0, contours_squares = 0.0, true_squares = 0.0;  // of the contact force
-  const char* others = std::getenv("PELLUCIDA_SPECIMENS");
-  for (const std::string& path : specimens_in(others ? others : (resource_folder() / "reference").string())) {
-    if (path.find("specimen-") == std::string::npos) continue;
-    RandomFilm film;
-    film.scenario.cell.reference = path;
-    film.scenario.motion.indentation_um = 41;
-    film.scenario.motion.gap_um = 6;
-    film.scenario.motion.indentation_speed_um_per_s = 20;
-    film.scenario.motion.hold_s = 0.1;
+  for (const std::string& path : specimen_paths()) {
     const CellReference specimen = CellReference::load(path, 1);
     // The model stays where the kind's tools touch: nodes under either tool are the tools'.
     const CellProfile kind = load_profile("mouse-oocyte");
@@ -171,7 +173,7 @@ TEST(SpecimenNodes, SizesByContours) {
         std::max(zones.holder_ring_um + zones.holder_half_width_um, kind.holder_ring_um + kind.holder_half_width_um) -
         zones.holder_half_width_um;
     const MembraneTable table(path + "-1-membrane.csv");
-    VirtualMicroscope microscope(film.scenario);
+    VirtualMicroscope microscope(deep_push_into(path));
     ForceObserver with(kind), without(kind);
     with.set_scale({1.0, 0.0});
     without.set_scale({1.0, 0.0});
@@ -190,8 +192,7 @@ TEST(SpecimenNodes, SizesByContours) {
       if (next >= table.depths().size() || depth_um < table.depths()[next].indentation_um) continue;
       const MembraneTable::Depth& truth = table.depths()[next++];
       ASSERT_TRUE(corrected.converged && usual.converged) << path << " at " << depth_um;
-      const double ratio = specimen.force_uN(depth_um) / specimen.force_uN(truth.indentation_um);
-      const double true_uN = specimen.force_uN(depth_um);
+      const double true_uN = specimen.force_uN(depth_um), ratio = true_uN / specimen.force_uN(truth.indentation_um);
       kind_squares += std::pow(usual.contact_force_uN - true_uN, 2);
       contours_squares += std::pow(corrected.contact_force_uN - true_uN, 2);
       true_squares += true_uN * true_uN;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "NearestOnContour.h"
 
@@ -31,7 +32,9 @@ constexpr double kEdge_um = 0.2, kEdge_rad = 0.2, kNoise_um = 0.1;
 constexpr double kPlace_um = 0.3, kRadius_um = 0.2, kDepth_um = 0.2;
 /// Gauss-Newton: steps, the longest and the last, in logarithms; and for derivatives.
 constexpr int kMostSteps = 6;
-constexpr double kLongestStep = 0.4, kLastStep = 0.01, kDifference = 0.05;
+constexpr double kLongestStep = 0.4, kLastStep = 0.01, kDifference = 0.05, kDepthDifference_ratio = 0.01;
+/// Fewer nodes say nothing.
+constexpr Eigen::Index kFewestNodes = 8;
 /// A size that the picture shows to within this (ln) stays as it is: its edges say more of it than the contours of a
 /// cell that is never just the solid.
 constexpr double kOpen_log = 0.2;
@@ -123,7 +126,7 @@ bool ContourSizes::add(const Observation& o, const CellPlacement& placement, dou
 
 ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
   const double from_rad = std::asin(std::min(1.0, std::exp(sizes[1]))) + kBesideTool_rad;
-  const double to_rad = std::acos(-1.0) - std::asin(std::min(1.0, std::exp(sizes[2]))) - kBesideTool_rad;
+  const double to_rad = std::numbers::pi - std::asin(std::min(1.0, std::exp(sizes[2]))) - kBesideTool_rad;
   const auto nodes = solid_.angle_rad().size();
   const auto most = static_cast<Eigen::Index>(contours_.size()) * (nodes / kNodeStep + 1);
   Misfit all{Eigen::VectorXd(most), Eigen::MatrixX3d(most, 3), Eigen::VectorXd(most),
@@ -132,7 +135,7 @@ ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
   for (const Seen& seen : contours_) {
     const Eigen::Matrix2Xd section = solid_.section(sizes, seen.depth_ratio), normals = normals_of(section);
     const Eigen::VectorXd offset = offsets(seen.contour, radius_um_ * section, normals) - rest_;
-    const Eigen::Matrix2Xd deeper = solid_.section(sizes, seen.depth_ratio + 0.01) - section;
+    const Eigen::Matrix2Xd deeper = solid_.section(sizes, seen.depth_ratio + kDepthDifference_ratio) - section;
     Eigen::Matrix2Xd changed[3];
     for (int size = 0; size < 3; ++size) {
       changed[size] = solid_.section(sizes + kDifference * LogSizes::Unit(size), seen.depth_ratio) -
@@ -147,7 +150,7 @@ ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
       all.angle_rad[row] = angle;
       all.depth_ratio[row] = seen.depth_ratio;
       all.normal_z[row] = normals(1, k);
-      all.depth_slope[row] = normals.col(k).dot(deeper.col(k)) / 0.01;
+      all.depth_slope[row] = normals.col(k).dot(deeper.col(k)) / kDepthDifference_ratio;
       ++row;
     }
   }
@@ -158,36 +161,40 @@ ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
   return all;
 }
 
+// What cell and solid differ by, and what isn't known of contour, place, radius and depth. The lower triangle.
+Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
+  const Eigen::Index n = seen.residual_um.size();
+  const Eigen::VectorXd model_um = radius_um_ * (kModel_ratio + kModelByDepth_ratio * seen.depth_ratio.array());
+  Eigen::MatrixXd covariance(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = j; i < n; ++i) {
+      const double turn_rad = seen.angle_rad[i] - seen.angle_rad[j];
+      const double deeper = seen.depth_ratio[i] - seen.depth_ratio[j];
+      double& sum = covariance(i, j);
+      sum = model_um[i] * model_um[j] * kernel(turn_rad, kModel_rad) * kernel(deeper, kModelDepth_ratio);
+      sum += kEdge_um * kEdge_um * kernel(turn_rad, kEdge_rad);
+      sum += kPlace_um * kPlace_um * seen.normal_z[i] * seen.normal_z[j];
+      sum += kRadius_um * kRadius_um;
+      if (deeper == 0.0) sum += kDepth_um * kDepth_um * seen.depth_slope[i] * seen.depth_slope[j];
+      if (i == j) sum += kNoise_um * kNoise_um;
+    }
+  }
+  return covariance;
+}
+
 std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prior) {
   const bool has_open = is_open(prior, 0) || is_open(prior, 1) || is_open(prior, 2);
   if (contours_.empty() || !has_open) return std::nullopt;
   const Eigen::Matrix3d weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
   LogSizes sizes = solid_.within_range(start_.value_or(prior.mean));
-  Eigen::Matrix3d information = weight;
   for (int step = 0; step < kMostSteps; ++step) {
     const Misfit seen = misfit(sizes);
     const Eigen::Index n = seen.residual_um.size();
-    if (n < 8) return std::nullopt;
-    Eigen::MatrixXd covariance(n, n);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      for (Eigen::Index i = j; i < n; ++i) {
-        const double turn = seen.angle_rad[i] - seen.angle_rad[j];
-        const auto model_um = [&](Eigen::Index k) {
-          return radius_um_ * (kModel_ratio + kModelByDepth_ratio * seen.depth_ratio[k]);
-        };
-        const bool is_same_frame = seen.depth_ratio[i] == seen.depth_ratio[j];
-        covariance(i, j) = model_um(i) * model_um(j) * kernel(turn, kModel_rad) *
-                               kernel(seen.depth_ratio[i] - seen.depth_ratio[j], kModelDepth_ratio) +
-                           kEdge_um * kEdge_um * kernel(turn, kEdge_rad) +
-                           kPlace_um * kPlace_um * seen.normal_z[i] * seen.normal_z[j] + kRadius_um * kRadius_um +
-                           (is_same_frame ? kDepth_um * kDepth_um * seen.depth_slope[i] * seen.depth_slope[j] : 0.0) +
-                           (i == j ? kNoise_um * kNoise_um : 0.0);
-      }
-    }
-    const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(covariance);
+    if (n < kFewestNodes) return std::nullopt;
+    const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(covariance_um2(seen));
     const Eigen::MatrixX3d weighed = factor.solve(seen.slope_um);
     const Eigen::VectorXd explained = factor.solve(seen.residual_um);
-    information = weight + seen.slope_um.transpose() * weighed;
+    const Eigen::Matrix3d information = weight + seen.slope_um.transpose() * weighed;
     const LogSizes gradient = weighed.transpose() * seen.residual_um - weight * (sizes - prior.mean);
     const LogSizes change = information.ldlt().solve(gradient).cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
     const LogSizes next = solid_.within_range(sizes + change);

@@ -29,7 +29,7 @@ class ContourSizes {
   /// A contour in contact at that depth. True where it is the first one at a depth, so that an estimate is worth its
   /// time.
   bool add(const Observation& observation, const CellPlacement& placement, double depth_um);
-  /// Another model, another contact: the contours are forgotten, the outline at rest is kept.
+  /// Another model: the contours are forgotten, the outline at rest is kept.
   void clear() noexcept {
     contours_.clear();
     start_.reset();
@@ -59,18 +59,19 @@ class ContourSizes {
  private:
   struct Seen {
     double depth_ratio = 0.0;
-    MembraneContour contour;  // frame C, x across and z towards the needle, over the outer radius
+    MembraneContour contour;  // frame C: x across, z towards the needle; um
   };
   struct Misfit;
   static MembraneContour in_cell(const Observation& observation, const CellPlacement& placement);
   Eigen::VectorXd offsets(const MembraneContour& contour, const Eigen::Matrix2Xd& places,
                           const Eigen::Matrix2Xd& normals) const;
   Misfit misfit(const LogSizes& sizes) const;
+  Eigen::MatrixXd covariance_um2(const Misfit& seen) const;
 
   const IndentedSolid& solid_;
   std::vector<Seen> contours_;  // by rising depth
   double radius_um_ = 0.0;      // outer, of the cell they show
-  Eigen::VectorXd rest_;        // (n) by node of the solid's half-section, over the outer radius
+  Eigen::VectorXd rest_;        // (n) um, by node of the solid's half-section
   int rest_count_ = 0;
   std::optional<LogSizes> start_;  // the last estimate, where the next one begins
 };

@@ -30,10 +30,10 @@ ForceReport::ForceReport(const CellProfile& profile, const ForceOptions& options
 RelaxingContact::Force ForceReport::force_of(const SolvedFrame& frame, const ForceEstimate& estimate) {
   RelaxingContact::Force force;
   if (!frame.contact) return force;
-  const double push_uN = frame.state.push_force_uN, stiffness = frame.state.stiffness_uN_per_um;
+  const double push_uN = frame.state.push_force_uN, stiffness_uN_per_um = frame.state.stiffness_uN_per_um;
   force.force_uN = frame.scale.ratio * std::max(0.0, frame.sizes.ratio * push_uN);
   force.stiffness_uN_per_um =
-      frame.scale.ratio * std::max(0.0, frame.sizes.ratio * stiffness + frame.sizes.slope_per_um * push_uN);
+      frame.scale.ratio * std::max(0.0, frame.sizes.ratio * stiffness_uN_per_um + frame.sizes.slope_per_um * push_uN);
   if (!estimate.converged) return force;
   return relaxing_.advance(frame.observation.time_s, force.force_uN, force.stiffness_uN_per_um);
 }
@@ -60,13 +60,13 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
     estimate.errors.scale_ratio = frame.scale.relative_sigma;
     estimate.errors.geometry_ratio = frame.cell.geometry().force_sigma_ratio();
   }
-  const double scale = frame.scale.ratio * force.ratio * frame.sizes.ratio;
+  const double scale_as_seen = frame.scale.ratio * force.ratio, scale = scale_as_seen * frame.sizes.ratio;
   fill_nodes(cell.indenter(), scale, frame.sizes.push_ratio / frame.sizes.ratio, frame.contact, estimate);
 
   // The outer surface encloses what it did at rest, but for the little the liquid gives.
   estimate.volume_um3 =
       sphere_volume_um3(cell.outer_radius_um()) * (frame.state.volume_um3 / model.volume().rest_volume_um3());
-  estimate.pressure_Pa = frame.scale.ratio * force.ratio * frame.sizes.pressure_ratio * frame.state.pressure_Pa;
+  estimate.pressure_Pa = scale_as_seen * frame.sizes.pressure_ratio * frame.state.pressure_Pa;
 
   // A model that isn't where the needle is says nothing of its force.
   if (!estimate.converged) return;
@@ -89,7 +89,7 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   estimate.contact_force_upper_uN = interval.upper_uN;
   estimate.by_picture = interval_by(estimate.errors.of_picture());
   estimate.by_scale = interval_by(estimate.errors.of_scale());
-  if (frame.contact) ask_others(frame, frame.scale.ratio * force.ratio, estimate);
+  if (frame.contact) ask_others(frame, scale_as_seen, estimate);
 }
 
 // From nothing up to what the deepest touch that can't be told from none would take, its errors included.

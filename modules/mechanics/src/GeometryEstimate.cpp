@@ -107,14 +107,12 @@ GeometryEstimate::Length GeometryEstimate::known(const Seen& seen, const Length&
 }
 
 double GeometryEstimate::force_sigma_ratio(std::optional<double> by_contour) const noexcept {
-  // A thickness moves the middle radius with it.
+  // Seen at rest, a thickness moves the middle radius with it; what contours say is at the outer one.
+  const double radius_sigma_um = by_contour ? kRadiusSigma_um : std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_);
   const LogSizes sigmas = log_sigmas();
-  const double by_radius =
-      kRadiusPower * std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_) / geometry_.mid_radius_um;
-  const double by_tools =
+  const double by_sizes =
       by_contour.value_or(std::hypot(kThicknessPower * sigmas[0], kTipPower * sigmas[1], kHolderPower * sigmas[2]));
-  const double lengths =
-      std::hypot(by_contour ? kRadiusPower * kRadiusSigma_um / geometry_.mid_radius_um : by_radius, by_tools);
+  const double lengths = std::hypot(kRadiusPower * radius_sigma_um / geometry_.mid_radius_um, by_sizes);
   const double away = std::min(1.0, shape_distance(geometry_, geometry_of(*profile_)) / kWholeSpread);
   return std::hypot(lengths, away * profile_->geometry_range.spread_ratio);
 }

@@ -33,7 +33,7 @@ struct SizesByContour {
   /// picture shows are its own.
   double thickness_um = 0.0, tip_radius_um = 0.0, holder_radius_um = 0.0;
   double thickness_sigma = 0.0, tip_radius_sigma = 0.0, holder_radius_sigma = 0.0;
-  double force_ratio = 1.0;  ///< of the force at these sizes to that at the picture's, at this depth
+  double force_ratio = 1.0;  ///< in use, on the force by the picture's sizes: follows these over some frames
 };
 
 /// The model's result for one frame. Numbers that could not be measured are NaN; the arrays are empty when there is no
