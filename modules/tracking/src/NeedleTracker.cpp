@@ -291,9 +291,12 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
 bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence) {
   bool use_end = end.valid, use_cone = cone.valid;
   if (use_end && use_cone) {
-    // Where the two contradict each other: in the clear the end is right, under a membrane the cone.
+    // Where the two contradict each other: in the clear the end is right; under a membrane the cone, unless the end is
+    // where the needle was due and the cone isn't.
     const double apart = end.ahead - cone.ahead;
-    if (apart * apart > 9.0 * (end.variance + cone.variance)) (clear ? use_cone : use_end) = false;
+    const bool is_end_due = end.ahead * end.ahead < covariance_(0, 0) + end.variance &&
+                            cone.ahead * cone.ahead > 9.0 * (covariance_(0, 0) + cone.variance);
+    if (apart * apart > 9.0 * (end.variance + cone.variance)) (clear || is_end_due ? use_cone : use_end) = false;
   }
   double information = 0.0, sum = 0.0;
   if (use_end) {
