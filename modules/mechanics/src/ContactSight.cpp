@@ -55,6 +55,7 @@ PunctureVerdict::Sight sight_of(const Observation& o, const NeedleContact& conta
   const bool has_sigma = std::isfinite(o.indentation_sigma_um) && o.indentation_sigma_um > 0.0;
   sight.membrane_sigma_um = has_sigma ? o.indentation_sigma_um : kDefaultDepthSigma_um;
   sight.rest_radius_um = o.rest_outer_radius_um;
+  if (o.side_bulge_um > 0.0) sight.side_um = o.side_bulge_um;
   sight.flank_um = flank_depth_um(o, contact);
   // A needle's confidence is a product of several, each of which says how well it was seen.
   sight.confidence = std::min(o.confidence, std::sqrt(std::max(0.0, o.needle->confidence)));

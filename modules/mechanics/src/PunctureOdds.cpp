@@ -21,6 +21,8 @@ constexpr double kLeastBack_ratio = 0.3, kBackEdge_ratio = 0.04;
 /// Its flanks come back later than what lay on the tip.
 constexpr double kLeastFlankBack_ratio = 0.25;
 /// Further back than the resting outline, and it is that outline which is wrong: the cell has moved.
+/// The bulge of its sides goes with it; of frames misread under the tip, those that show the sides as they are.
+constexpr double kLeastSideBack_ratio = 0.2, kSidesSeen_ratio = 0.8;
 constexpr double kMostBack_ratio = 1.2;
 constexpr double kMisreadBack_ratio = 0.3;
 /// How far the tip's share spreads about 0 at a puncture, about 1 where both go back: a needle halts, and is drawn back
@@ -52,6 +54,10 @@ double gone(double back_ratio) {
 
 double flanks_gone(double back_ratio) {
   return rise(back_ratio - kLeastFlankBack_ratio) * rise(kMostBack_ratio - back_ratio);
+}
+
+double sides_gone(double back_ratio) {
+  return rise(back_ratio - kLeastSideBack_ratio);
 }
 
 double of_misread(double back_ratio) {
@@ -87,14 +93,16 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const bool has_flank = !std::isnan(now.flank_ratio);
   const double flank = has_flank ? std::max(0.0, now.flank_ratio) : 0.0;
   // A frame that shows the membrane on the tip, as before, is not misread in a way that matters, however poor it is.
-  const bool is_odd = now.is_apart || flank > kLeastBack_ratio;
+  const bool has_side = !std::isnan(now.side_ratio);
+  const double side = has_side ? std::max(0.0, now.side_ratio) : 0.0;
+  const bool is_odd = now.is_apart || flank > kLeastBack_ratio || side > kLeastBack_ratio;
   const double confidence = now.is_astray ? 0.0 : is_odd ? std::clamp(now.confidence, 0.0, 1.0) : 1.0;
   advance(std::min(kMostMisread_rate, kMisread_rate * std::pow(10.0, (1.0 - confidence) / kTenfold)),
           std::max(0.0, 1.0 - std::pow(confidence / kMisread_over, 2)));
 
   // Of the membrane under the tip: while the flanks are back a contour may stay tied there, as in contact, or be
   // anywhere on its way.
-  const double tied = has_flank ? kTied_ratio : 0.0;
+  const double tied = has_flank || has_side ? kTied_ratio : 0.0;
   const double on_tip = 2.0 * normal(back, now.back_sigma_ratio);
   Odds axis{.contact = on_tip,
             .misread = of_misread(back),
@@ -104,20 +112,27 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
     flanks = {.contact = 2.0 * normal(flank, now.flank_sigma_ratio),
               .misread = of_misread(flank),
               .punctured = flanks_gone(flank)};
+  Odds sides;
+  if (has_side) {
+    const double still = 2.0 * normal(side, now.side_sigma_ratio);
+    sides = {.contact = still,
+             .misread = kSidesSeen_ratio * still + (1.0 - kSidesSeen_ratio) * of_misread(side),
+             .punctured = sides_gone(side)};
+  }
   // Of the tip's own way: it may have gone anywhere before; at a puncture it stays, or goes on.
   const double stays = std::hypot(share > 0.0 ? kStays_sigma : kGoesOn_sigma, now.tip_share_sigma);
   const double anywhere = normal(0.0, kGoesOn_sigma);
   const double together = normal(share - 1.0, std::hypot(kStays_sigma, now.tip_share_sigma));
 
-  const double shown = std::max(flank, now.is_apart ? back : 0.0);
+  const double shown = std::max({flank, side, now.is_apart ? back : 0.0});
   const double power = is_odd && shown_before_ > kSame_ratio * shown ? kRepeated : 1.0;
   shown_before_ = shown;
   const double contact =
-      (1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * anywhere + kDrawnBack_ratio * together;
-  const double misread = axis.misread * flanks.misread * anywhere + kFloor;
+      (1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * sides.contact * anywhere + kDrawnBack_ratio * together;
+  const double misread = axis.misread * flanks.misread * sides.misread * anywhere + kFloor;
   const double deepening = now.is_deepening ? kDeepensThrough_ratio : 1.0;
   const double punctured =
-      deepening * axis.punctured * flanks.punctured * normal(share, stays) * stays / kStays_sigma + kFloor;
+      deepening * axis.punctured * flanks.punctured * sides.punctured * normal(share, stays) * stays / kStays_sigma + kFloor;
   const double either =
       (misread_ * misread + punctured_ * punctured) / std::max(misread_ + punctured_, kFloor * kFloor);
   contact_ *= contact + kFloor;

@@ -24,6 +24,9 @@ class PunctureOdds {
     /// membrane there, with its standard deviation; NaN: there were none to see.
     double flank_ratio = std::numeric_limits<double>::quiet_NaN();
     double flank_sigma_ratio = 0.1;
+    /// Likewise of the bulge of the cell's sides, which no misreading under the tip reaches.
+    double side_ratio = std::numeric_limits<double>::quiet_NaN();
+    double side_sigma_ratio = 0.1;
     bool is_deepening = false;  ///< the flanks went deeper, against the frame before, by more than noise
   };
 

@@ -15,25 +15,16 @@ constexpr double kShallowest_um = 2.5;
 constexpr double kSure = 0.9, kInDoubt = 0.5;
 /// In a deep, narrow dimple the contour lags behind the tip, and back, by about this share of the depth.
 constexpr double kLag_ratio = 0.07;
-/// Flanks no deeper than this, or than so many times what they spread by from frame to frame, say nothing; below this
-/// share of their depth they are back. They spread by this at least, and by this share of their depth.
-constexpr double kShallowestFlank_um = 0.5, kFlankOverNoise = 3.0;
-constexpr double kFlankBack_ratio = 0.5;
-constexpr double kFlankSigma_um = 0.15, kFlankLag_ratio = 0.07;
+/// Flanks below this share of their depth are back; deeper again by so many times their noise, pushed.
+constexpr double kFlankBack_ratio = 0.5, kFlankOverNoise = 3.0;
 /// Flanks that go deeper by so many times that spread within a frame are still pushed.
 constexpr double kDeepensNoises = 1.5;
-/// What the newest frame counts in that spread.
-constexpr double kNewest_ratio = 0.2;
-/// Flanks go with this power of the needle's depth: 1.7 to 2.2 as it is drawn back in films of the specimens.
-constexpr double kFlankPower = 2.0;
-/// Of a tip's way back, what is beyond so many standard deviations of its place is sure.
-constexpr double kSureBack_sigmas = 1.5;
 /// In contact nothing is learnt of the rest: its radius stays, but for this share.
 constexpr double kSameRest_ratio = 0.002;
 /// Of the tip's depth, what the membrane may have kept where no contact came before.
 constexpr double kAtRest_ratio = 0.5;
-/// From this share of their depth on they are on their way back.
-constexpr double kFlankLeaving_ratio = 0.15;
+/// From this share of their depth on they are on their way back; and the sides, of their bulge.
+constexpr double kFlankLeaving_ratio = 0.15, kSidesLeaving_ratio = 0.25;
 /// What a sprung shape counts as: most of the depth.
 constexpr double kSprungBack_ratio = 0.8, kSprungSigma_ratio = 0.1;
 /// How the depth of late fades, per frame: a pipette drawn back slowly punctures nothing.
@@ -66,7 +57,7 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
   depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
   // A cell found anew has another resting outline: depths before and after don't compare.
   if (now.has_depths && std::abs(now.rest_radius_um - rest_radius_um_) > kSameRest_ratio * rest_radius_um_) {
-    if (rest_radius_um_ > 0.0) deepest_um_ = flank_um_ = 0.0;
+    if (rest_radius_um_ > 0.0) forget_deepest();
     rest_radius_um_ = now.rest_radius_um;
   }
   if (now.has_depths && deepest_um_ > kShallowest_um) {
@@ -74,7 +65,9 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     odds_.weigh(evidence);
     if (!std::isnan(evidence.flank_ratio))
       depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
-    is_pushed_ = evidence.flank_ratio < kFlankLeaving_ratio;  // false where none are seen
+    // The sides know best; false where neither is seen.
+    is_pushed_ = std::isnan(evidence.side_ratio) ? evidence.flank_ratio < kFlankLeaving_ratio
+                                                 : evidence.side_ratio < kSidesLeaving_ratio;
   }
   flank_before_um_ = now.flank_um;
   least_membrane_um_ = least_flank_um_ = std::numeric_limits<double>::infinity();
@@ -87,9 +80,10 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
 // Whether a puncture is over: left, or none.
 bool PunctureVerdict::may_end(const Sight& now) noexcept {
   // A contour that is tied to the tip proves nothing while the flanks are back.
-  const bool is_flank_back = is_flank(flank_um_) && now.flank_um < kFlankBack_ratio * flank_um_;
+  const bool is_flank_known = flanks_.is_telling(flanks_.most_um());
+  const bool is_flank_back = is_flank_known && now.flank_um < kFlankBack_ratio * flanks_.most_um();
   // Flanks as deep as before are pushed, wherever the contour under the tip is.
-  const bool is_flank_deep = is_flank(flank_um_) && now.flank_um > (1.0 - kFlankLeaving_ratio) * flank_um_;
+  const bool is_flank_deep = is_flank_known && now.flank_um > (1.0 - kFlankLeaving_ratio) * flanks_.most_um();
   const bool is_together = is_flank_deep || is_pushed_again(now) || !(is_apart(now) || is_flank_back);
   together_frames_ = is_together ? together_frames_ + 1 : 0;
   if (now.tip_um >= 0.0 && together_frames_ < kTogetherFrames) return false;
@@ -101,7 +95,7 @@ bool PunctureVerdict::may_end(const Sight& now) noexcept {
   is_revoked_ = true;
   together_frames_ = 0;
   odds_.reset();
-  deepest_um_ = flank_um_ = 0.0;
+  forget_deepest();
   follow_deepest(now);
   return true;
 }
@@ -113,7 +107,7 @@ bool PunctureVerdict::is_pushed_again(const Sight& now) noexcept {
   least_membrane_um_ = std::min(least_membrane_um_, now.membrane_um);
   least_flank_um_ = std::min(least_flank_um_, now.flank_um);
   return now.membrane_um - least_membrane_um_ > std::max(kUsual_um, kSigmas * now.membrane_sigma_um) &&
-         now.flank_um - least_flank_um_ > kFlankOverNoise * flank_noise_um();
+         now.flank_um - least_flank_um_ > kFlankOverNoise * flanks_.noise_um();
 }
 
 PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noexcept {
@@ -126,33 +120,24 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
                                   .confidence = now.confidence,
                                   .is_apart = is_apart(now),
                                   .is_astray = lies_beyond_tip(now)};
-  const double expected_um = expected_flank_um(now);
-  if (is_flank(expected_um) && !std::isnan(now.flank_um)) {
-    evidence.flank_ratio = std::max(0.0, 1.0 - now.flank_um / expected_um);
-    evidence.flank_sigma_ratio = std::hypot(flank_noise_um() / expected_um, kFlankLag_ratio);
-    way_um = std::max(way_um, evidence.flank_ratio * deepest_um_);
-  }
+  const PushedShape::Share flank = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um);
+  const PushedShape::Share side = sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
+  evidence.flank_ratio = flank.back;
+  evidence.flank_sigma_ratio = flank.sigma;
+  evidence.side_ratio = side.back;
+  evidence.side_sigma_ratio = side.sigma;
+  if (!std::isnan(flank.back)) way_um = std::max(way_um, flank.back * deepest_um_);
   // Also where they are too shallow to come back, or the resting outline is off.
-  evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flank_noise_um();
+  evidence.is_deepening = now.flank_um - flank_before_um_ > kDeepensNoises * flanks_.noise_um();
   evidence.tip_share = (tip_at_deepest_um_ - now.tip_um) / way_um;
   evidence.tip_share_sigma = now.tip_sigma_um / way_um;
   return evidence;
 }
 
-double PunctureVerdict::flank_noise_um() const noexcept {
-  return std::max(kFlankSigma_um, std::sqrt(flank_variance_um2_));
-}
-
-bool PunctureVerdict::is_flank(double depth_um) const noexcept {
-  return depth_um > std::max(kShallowestFlank_um, kFlankOverNoise * flank_noise_um());
-}
-
-// What a needle drawn back leaves of the flanks is no recoil: they go with its depth, and faster. A tip that seems to
-// go back, and isn't known well, explains nothing.
-double PunctureVerdict::expected_flank_um(const Sight& now) const noexcept {
-  const double kept = std::clamp(
-      (now.tip_um + kSureBack_sigmas * now.tip_sigma_um) / std::max(tip_at_flank_um_, kShallowest_um), 0.0, 1.0);
-  return flank_um_ * std::pow(kept, kFlankPower);
+void PunctureVerdict::forget_deepest() noexcept {
+  deepest_um_ = 0.0;
+  flanks_.forget();
+  sides_.forget();
 }
 
 // A contour that lags in the dimple while the needle is drawn back shows a membrane where nothing pushes it: when it
@@ -164,22 +149,19 @@ bool PunctureVerdict::lies_beyond_tip(const Sight& now) noexcept {
 
 void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
   const bool is_pushed = !lies_beyond_tip(now) && now.confidence >= kLeastSeen;
-  if (is_pushed && !is_doubted_ && !std::isnan(now.flank_um)) {
-    // Half of a squared difference is the variance of one.
-    if (!std::isnan(last_flank_um_))
-      flank_variance_um2_ += kNewest_ratio * (0.5 * std::pow(now.flank_um - last_flank_um_, 2) - flank_variance_um2_);
-    last_flank_um_ = now.flank_um;
+  if (is_pushed && !is_doubted_) {
+    flanks_.learn_noise(now.flank_um);
+    sides_.learn_noise(now.side_um);
   }
   // While a puncture is doubted, a membrane that creeps back is measured against where it was.
   if (!is_doubted_) {
     deepest_um_ *= kFade;
-    flank_um_ *= kFade;
+    flanks_.fade();
+    sides_.fade();
   }
   if (!is_pushed) return;
-  if (now.flank_um > flank_um_) {
-    flank_um_ = now.flank_um;
-    tip_at_flank_um_ = now.tip_um;
-  }
+  flanks_.follow(now.flank_um, now.tip_um);
+  sides_.follow(now.side_um, now.tip_um);
   if (now.membrane_um < deepest_um_) return;
   deepest_um_ = now.membrane_um;
   tip_at_deepest_um_ = now.tip_um;

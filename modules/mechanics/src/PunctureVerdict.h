@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "PunctureOdds.h"
+#include "PushedShape.h"
 #include "pellucida/mechanics/Puncture.h"
 
 namespace pellucida {
@@ -12,6 +13,8 @@ namespace pellucida {
 /// - Evidence of a puncture: against its depth of late the membrane has come back while the tip, which pushed it, has
 ///   not and lies beyond it by more than noise explains; or the contour, where a tracker keeps it on the tip, leaves
 ///   the model's shape from one frame to the next by 1 um and more, outwards in the dimple.
+/// - Against it, or for it, wherever the contour under the tip is: the shape of the rest of the cell (`PushedShape`). The
+///   sides of a cell that is pushed bulge; once it isn't, they are back.
 /// - The tracker's own state rests on a tip far past the membrane alone. A tip that is lost in the cell's texture runs
 ///   ahead just so while the membrane still follows the needle: that state is believed only where no contact was
 ///   followed. Until the test is sure such a frame, or one that may be misread, is a contact in doubt.
@@ -29,6 +32,8 @@ class PunctureVerdict {
     double confidence = 1.0;  ///< of membrane and tip, the lower one, 0..1
     /// How deep the dimple's flanks lie within the resting outline (`flank_depth_um`); NaN: not seen.
     double flank_um = std::numeric_limits<double>::quiet_NaN();
+    /// How far the cell's sides bulge (`Observation::side_bulge_um`); NaN: not seen.
+    double side_um = std::numeric_limits<double>::quiet_NaN();
     double rest_radius_um = 0.0;  ///< of the outline that all depths are taken from
   };
 
@@ -41,7 +46,7 @@ class PunctureVerdict {
   bool is_doubted() const noexcept { return is_doubted_; }
   /// After that: what was taken for a puncture was none; the contact goes on.
   bool is_revoked() const noexcept { return is_revoked_; }
-  /// After that: the dimple's flanks are seen and as deep as ever, so that the membrane lies on the tip.
+  /// After that: the cell's shape beside the tip is seen and as pushed as ever, so that the membrane lies on the tip.
   bool is_pushed() const noexcept { return is_pushed_; }
 
   /// Where the dimple's flanks say that the membrane is in this frame, um past rest; infinity where they say nothing.
@@ -75,13 +80,12 @@ class PunctureVerdict {
   bool may_end(const Sight& now) noexcept;
   bool is_pushed_again(const Sight& now) noexcept;
   PunctureOdds::Evidence evidence_of(const Sight& now) const noexcept;
-  double flank_noise_um() const noexcept;
-  /// Flanks deep enough to say something.
-  bool is_flank(double depth_um) const noexcept;
-  /// How deep they would be now, had only the needle moved since they were deepest.
-  double expected_flank_um(const Sight& now) const noexcept;
+  void forget_deepest() noexcept;
   static bool lies_beyond_tip(const Sight& now) noexcept;
   void follow_deepest(const Sight& now) noexcept;
+
+  // Flanks no deeper, and sides that bulge no further, say nothing.
+  static constexpr double kShallowestFlank_um = 0.5, kSmallestBulge_um = 0.5;
 
   PunctureOdds odds_;
   bool has_contact_ = false;
@@ -95,13 +99,11 @@ class PunctureVerdict {
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
   double rest_radius_um_ = 0.0;
   double depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
-  double flank_um_ = 0.0, tip_at_flank_um_ = 0.0;      // the deepest of late
+  PushedShape flanks_{kShallowestFlank_um}, sides_{kSmallestBulge_um};
   double deepest_um_ = 0.0, tip_at_deepest_um_ = 0.0;  // of the membrane, of late
   // Since the membrane is through.
   double least_membrane_um_ = std::numeric_limits<double>::infinity();
   double least_flank_um_ = std::numeric_limits<double>::infinity();
-  double flank_variance_um2_ = 0.0;  // of one frame, by their differences
-  double last_flank_um_ = std::numeric_limits<double>::quiet_NaN();
   double flank_before_um_ = std::numeric_limits<double>::quiet_NaN();  // in the frame before, whatever it was
   double last_depth_um_ = 0.0, last_force_uN_ = 0.0;
   double peak_force_uN_ = 0.0, peak_depth_um_ = 0.0, work_uN_um_ = 0.0;

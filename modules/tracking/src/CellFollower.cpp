@@ -159,7 +159,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
   least_dent_ = dent_;
-  deepest_flank_ = untied_depth_ = 0.0;
+  deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
   return true;
 }
 
@@ -314,7 +314,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   if (!are_flanks_back()) needle_.believe_reading();
   const bool was_free = contact_.state() == CellState::kFree;
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
-                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0, are_flanks_pushed()});
+                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0, is_pushed()});
   if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
   if (!may_be_pushed()) {
     drift_.learn(center_now());

@@ -84,6 +84,10 @@ class CellFollower {
   double membrane_sigma() const;
   double rest_sigma() const;
 
+  /// How far the cell's sides, across from the needle's line, lie from their resting place: RMS, a shift of the whole
+  /// taken off, px; needle needed. Nothing that the needle hides or the contour is tied to is in it.
+  double side_bulge() const;
+
   /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
   double new_dent_ratio() const noexcept { return dent_ - least_dent_; }
   /// By more than noise and a cell's own motion make.
@@ -125,7 +129,9 @@ class CellFollower {
   void take_dimple();
   void measure_dent();
   double flank_depth() const;
+  bool is_pushed() const;
   void follow_flanks();
+  void follow_bulge();
   bool has_deep_flanks() const;
   bool are_flanks_back() const;
   bool are_flanks_pushed() const;
@@ -163,6 +169,7 @@ class CellFollower {
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   double deepest_flank_ = 0.0, tip_at_deepest_flank_ = 0.0;  // px, of late
+  double largest_bulge_ = 0.0, tip_at_largest_bulge_ = 0.0;  // likewise, of the sides
   double untied_depth_ = 0.0, tip_at_untied_depth_ = 0.0;    // likewise, of the contour that nothing ties to the tip
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   bool touching_ = false;

@@ -65,7 +65,7 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
   const double depth = measure_membrane_depth();
   const double least_fall = std::max(kLeastFall_px, kSprungFall_ratio * untied_depth_);
   const bool has_fallen = untied_depth_ - depth > least_fall && tip_depth() > kTipKept_ratio * tip_at_untied_depth_;
-  const bool has_sprung = has_fallen && !are_flanks_pushed();
+  const bool has_sprung = has_fallen && !is_pushed();
   // It has lost the dimple: from now on this is what it shows of one that is pushed.
   if (has_fallen && !has_sprung) untied_depth_ = depth;
   if (has_sprung && local_score() > tied_score) {

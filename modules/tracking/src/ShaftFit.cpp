@@ -13,9 +13,6 @@ namespace {
 constexpr double kStationFloor = 0.02;
 // How far the width of the whole shaft may be wrong although the noise is nothing: blur and light change it.
 constexpr double kWidthFloor = 0.009;
-// Widths that scatter about the cone by more than noise do so together over about a third of the shaft: walls along the
-// pixels' rows look as wide as the rows happen to show them, up to 0.1 px wrong (the default injection at 9.5 s).
-constexpr double kScatterTogether = 0.6;
 // Samples closer than a pixel share its noise.
 double shared_noise(double step) {
   return std::max(1.0, 1.0 / step);
@@ -188,9 +185,9 @@ void ShaftFit::fit_axis(double noise, ShaftResult& result) {
 
 void ShaftFit::fit_cone(double noise, ShaftResult& result) {
   const double floor = kStationFloor * blur_;
-  double ahead = 0.0, information = 0.0, slopes = 0.0, weights = 0.0, scale = 1.5 * blur_, unexplained = 0.0;
+  double ahead = 0.0, information = 0.0, slopes = 0.0, weights = 0.0, scale = 1.5 * blur_;
   for (int round = 0; round < 6; ++round) {
-    double right = 0.0, squares = 0.0, count = 0.0, expected = 0.0;
+    double right = 0.0, squares = 0.0, count = 0.0;
     information = slopes = weights = 0.0;
     for (const Station& station : stations_) {
       if (!station.seen) continue;
@@ -203,11 +200,9 @@ void ShaftFit::fit_cone(double noise, ShaftResult& result) {
       slopes += w * station.widening;
       weights += w;
       squares += robust * std::min(off * off, 9.0 * scale * scale);
-      expected += robust * variance;
       count += robust;
     }
     if (!(information > 0.0)) break;
-    unexplained = std::max(0.0, squares - expected) / std::max(count, 1.0);
     ahead = right / information;
     scale = std::clamp(2.0 * std::sqrt(squares / std::max(count, 1.0)), 0.1 * blur_, 1.5 * blur_);
   }
@@ -216,7 +211,7 @@ void ShaftFit::fit_cone(double noise, ShaftResult& result) {
     result.ahead_sigma = 1e3;
     return;
   }
-  const double bias = std::hypot(kWidthFloor * blur_, kScatterTogether * std::sqrt(unexplained)) / mean_slope;
+  const double bias = kWidthFloor * blur_ / mean_slope;
   result.ahead = ahead;
   result.ahead_sigma = std::sqrt(1.0 / information + bias * bias);
 }

@@ -158,7 +158,8 @@ void add_observation(const Observation& o, vtkPolyData* membranes) {
                {"indentation_um", o.indentation_um},
                {"indentation_sigma_um", o.indentation_sigma_um},
                {"dimple_radius_um", o.dimple_radius_um},
-               {"rest_beyond_um", o.rest_beyond_um}});
+               {"rest_beyond_um", o.rest_beyond_um},
+               {"side_bulge_um", o.side_bulge_um}});
 }
 
 void add_poses(const Observation& o, vtkPolyData* tools) {
@@ -210,6 +211,7 @@ std::optional<Observation> read_observation(const vtkPolyData* membranes, const 
   o.indentation_sigma_um = numbers->at(4);
   o.dimple_radius_um = numbers->at(5);
   o.rest_beyond_um = later_number_of(contours, array_name::kObservation, 6);
+  o.side_bulge_um = later_number_of(contours, array_name::kObservation, 7);
   o.center_um << center_um->at(0), center_um->at(1);
   o.axis << axis->at(0), axis->at(1);
   o.rest_outer_radius_um = rest_radius_um->at(0);

@@ -1,0 +1,43 @@
+#pragma once
+#include <limits>
+
+namespace pellucida {
+
+/// What of a cell's shape shows that it is pushed, wherever its contour lies under the tip: the depth of the dimple's
+/// flanks, the bulge of the cell's sides. Keeps the most of late and where the tip was then; both go with the needle's
+/// depth squared, so that what a needle drawn back leaves of them is no recoil. um; one thread at a time.
+class PushedShape {
+ public:
+  /// Below `least_um`, or three times its noise, it says nothing.
+  explicit PushedShape(double least_um) noexcept : least_um_(least_um) {}
+
+  /// A frame that was seen well: noise is learnt from the differences.
+  void learn_noise(double value_um) noexcept;
+  /// The most of late fades, frame by frame: a needle drawn back slowly punctures nothing.
+  void fade() noexcept;
+  void follow(double value_um, double tip_um) noexcept;
+  /// Nothing of late; the noise stays known.
+  void forget() noexcept { most_um_ = 0.0; }
+
+  double most_um() const noexcept { return most_um_; }
+  /// Standard deviation of one frame's value.
+  double noise_um() const noexcept;
+  /// Whether a value is large enough to say something.
+  bool is_telling(double value_um) const noexcept;
+  /// Its value now, had only the needle moved since it was largest. A tip that seems to have gone back and isn't known
+  /// well explains nothing.
+  double expected_um(double tip_um, double tip_sigma_um) const noexcept;
+  /// By which share of that it has come back, and its standard deviation; NaN where it says nothing.
+  struct Share {
+    double back = std::numeric_limits<double>::quiet_NaN(), sigma = 0.1;
+  };
+  Share back(double value_um, double tip_um, double tip_sigma_um) const noexcept;
+
+ private:
+  double least_um_;
+  double most_um_ = 0.0, tip_at_most_um_ = 0.0;
+  double variance_um2_ = 0.0;  // of one frame, by their differences
+  double last_um_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace pellucida
