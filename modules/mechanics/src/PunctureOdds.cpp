@@ -74,8 +74,8 @@ double normal(double off, double sigma) {
 void PunctureOdds::advance(double misread_rate, double lasting) noexcept {
   const double over = (1.0 - lasting) * misread_;
   const double began = contact_ * misread_rate, through = contact_ * kPuncture_rate;
-  // A misreading hides what happens under it.
-  const double hidden = misread_ * kPuncture_rate;
+  // A misreading hides what happens under it, as long as it lasts.
+  const double hidden = lasting * misread_ * kPuncture_rate;
   contact_ += over - began - through;
   misread_ += began - over - hidden;
   punctured_ += through + hidden;
@@ -132,7 +132,8 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const double misread = axis.misread * flanks.misread * sides.misread * anywhere + kFloor;
   const double deepening = now.is_deepening ? kDeepensThrough_ratio : 1.0;
   const double punctured =
-      deepening * axis.punctured * flanks.punctured * sides.punctured * normal(share, stays) * stays / kStays_sigma + kFloor;
+      deepening * axis.punctured * flanks.punctured * sides.punctured * normal(share, stays) * stays / kStays_sigma +
+      kFloor;
   const double either =
       (misread_ * misread + punctured_ * punctured) / std::max(misread_ + punctured_, kFloor * kFloor);
   contact_ *= contact + kFloor;

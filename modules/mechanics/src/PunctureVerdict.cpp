@@ -55,6 +55,7 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     return now.is_tracked_punctured && !is_doubted_;
   }
   depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
+  are_sides_leaving_ = true;
   // A cell found anew has another resting outline: depths before and after don't compare.
   if (now.has_depths && std::abs(now.rest_radius_um - rest_radius_um_) > kSameRest_ratio * rest_radius_um_) {
     if (rest_radius_um_ > 0.0) forget_deepest();
@@ -65,6 +66,8 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     odds_.weigh(evidence);
     if (!std::isnan(evidence.flank_ratio))
       depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
+    are_sides_leaving_ =
+        std::isnan(evidence.side_ratio) || evidence.side_ratio > kSidesLeaving_ratio + evidence.side_sigma_ratio;
     // The sides know best; false where neither is seen.
     is_pushed_ = std::isnan(evidence.side_ratio) ? evidence.flank_ratio < kFlankLeaving_ratio
                                                  : evidence.side_ratio < kSidesLeaving_ratio;
@@ -175,7 +178,7 @@ bool PunctureVerdict::judge(const Shape& now) noexcept {
   // Where the flanks are seen they say so themselves; for a tip that lies beyond the membrane already they need not be
   // back, but on their way. As deep as ever they are pushed, and it is the contour that cuts across a narrow dimple.
   const bool are_leaving = depth_by_flanks_um_ < (1.0 - kFlankLeaving_ratio) * deepest_um_;
-  const bool may_show = std::isinf(depth_by_flanks_um_) || (is_apart_ && are_leaving);
+  const bool may_show = are_sides_leaving_ && (std::isinf(depth_by_flanks_um_) || (is_apart_ && are_leaving));
   if (has_contact_ && !through_ && last_depth_um_ > kShallowest_um && sprang && may_show) {
     odds_.weigh({.back_ratio = kSprungBack_ratio,
                  .back_sigma_ratio = kSprungSigma_ratio,

@@ -13,7 +13,8 @@ namespace pellucida {
 /// - Evidence of a puncture: against its depth of late the membrane has come back while the tip, which pushed it, has
 ///   not and lies beyond it by more than noise explains; or the contour, where a tracker keeps it on the tip, leaves
 ///   the model's shape from one frame to the next by 1 um and more, outwards in the dimple.
-/// - Against it, or for it, wherever the contour under the tip is: the shape of the rest of the cell (`PushedShape`). The
+/// - Against it, or for it, wherever the contour under the tip is: the shape of the rest of the cell (`PushedShape`).
+/// The
 ///   sides of a cell that is pushed bulge; once it isn't, they are back.
 /// - The tracker's own state rests on a tip far past the membrane alone. A tip that is lost in the cell's texture runs
 ///   ahead just so while the membrane still follows the needle: that state is believed only where no contact was
@@ -92,8 +93,9 @@ class PunctureVerdict {
   bool through_ = false;
   bool is_doubted_ = false, is_revoked_ = false, is_pushed_ = false;
   bool reported_ = false;
-  double confidence_ = 1.0;  // of this frame
-  bool is_apart_ = false;    // likewise
+  double confidence_ = 1.0;        // of this frame
+  bool is_apart_ = false;          // likewise
+  bool are_sides_leaving_ = true;  // likewise, or not seen
   int together_frames_ = 0;
   double last_residual_um_ = std::numeric_limits<double>::quiet_NaN();
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
