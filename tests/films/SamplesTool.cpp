@@ -1,13 +1,14 @@
 // A developer's tool, not installed and no test: labelled pictures to train a network on, one of each random film of
 // the families of tuning. (Of validation or unseen they are to check with.)
 //   film_samples --out FOLDER [--split tuning|wide|validation|unseen] [--count N] [--first SEED] [--plain yes]
-//                [--specimens FOLDER]
+//                [--specimens FOLDER] [--punctured yes]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file; outer,
 // inner, needle or holder; then x and y of the outline's points, px); NNNNN is the film's seed. Several of them may run
 // at once with other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual
 // microscope's plain drawing instead of a look. --specimens: cells of finite-element tables (tests/specimens), with
-// zonae from thin to thick; else each zona is a tenth of its cell's radius thick.
+// zonae from thin to thick; else each zona is a tenth of its cell's radius thick. --punctured: those films alone whose
+// membrane gives way, in a frame after that: the needle's tip lies in the ooplasm.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -74,7 +75,7 @@ int main(int count, char** arguments) {
   std::filesystem::path out;
   std::uint64_t first = 1, wanted = 100;
   test::Split split = test::Split::kTuning;
-  bool is_plain = false;
+  bool is_plain = false, is_punctured = false;
   std::vector<std::string> specimens;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = arguments[i], value = arguments[i + 1];
@@ -88,6 +89,8 @@ int main(int count, char** arguments) {
       split = test::split_of(value);
     else if (word == "--plain")
       is_plain = value == "yes";
+    else if (word == "--punctured")
+      is_punctured = value == "yes";
     else if (word == "--specimens")
       specimens = test::specimens_in(value);
     else
@@ -105,11 +108,13 @@ int main(int count, char** arguments) {
   for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
     try {
       const test::RandomFilm film = test::draw_film(split, seed, kWidest_px, specimens);
+      if (is_punctured && !film.scenario.puncture.enabled) continue;
       VirtualMicroscope microscope =
           is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.
+      const long frames = *microscope.info().frame_count, earliest = is_punctured ? frames / 3 : 0;
       const long wanted_frame =
-          static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(*microscope.info().frame_count));
+          earliest + static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(frames - earliest));
       for (long k = 0; k + 1 < wanted_frame; ++k) microscope.skip();
       if (wanted_frame > 0) film.look.camera.interlaced ? void(microscope.next()) : void(microscope.skip());
       const std::optional<Frame> frame = microscope.next();
@@ -117,6 +122,7 @@ int main(int count, char** arguments) {
       const cv::Mat grey(view.height_px, view.width_px, CV_8U, const_cast<void*>(view.data),
                          static_cast<std::size_t>(view.row_bytes));
       const Observation& seen = microscope.truth().observation;
+      if (is_punctured && seen.state != CellState::kPunctured) continue;
       char stem[24];
       std::snprintf(stem, sizeof stem, "%05llu", static_cast<unsigned long long>(seed));
       const std::vector<int> quick{cv::IMWRITE_PNG_COMPRESSION, 1};
