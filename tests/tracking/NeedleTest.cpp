@@ -164,27 +164,6 @@ TEST(NeedleTracker, FollowsIntoAMembraneThatHidesItsEnd) {
   EXPECT_GE(within_sigma, 12);
 }
 
-// Walls along the picture's rows look as wide as the rows happen to show them: a needle that tapers little and drifts
-// across them seems to slide along its own cone.
-TEST(NeedleTracker, WallsThatDriftAcrossThePixelsRowsMoveNoTip) {
-  NeedleTracker needle;
-  Drawing d;
-  d.slope = 0.015;
-  d.blur = 0.4;
-  d.noise = 0.004;
-  ASSERT_EQ(push(d, 1.3, 14, 0, needle).size(), 14U);
-  d.tip += 14 * 1.3 * d.direction();
-  d.membrane_ahead = 0.0;
-  for (int k = 0; k < 24; ++k) {
-    d.tip.y() += 0.13;
-    d.seed = static_cast<unsigned>(200 + k);
-    const Picture picture = draw(d);
-    const FrameSampler image(picture.view());
-    ASSERT_TRUE(needle.track(image, noise_level(image), {34.0, false, {}})) << k;
-    EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.8) << k;
-  }
-}
-
 TEST(NeedleTracker, AStopIsNotSmeared) {
   NeedleTracker needle;
   Drawing d;

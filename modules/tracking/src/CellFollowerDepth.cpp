@@ -90,13 +90,14 @@ double CellFollower::side_bulge() const {
   return std::sqrt(std::max(0.0, squares - shift.dot(right)) / count);
 }
 
-// Something pushes the cell, wherever its contour is under the tip: by its sides where they bulge enough to say, else
-// by the dimple's flanks. Both go with the needle's depth squared.
+// Something pushes the cell, wherever its contour is under the tip: by its sides where a network reads them and they
+// bulge enough to say, else by the dimple's flanks, which lines show from the first frame of a recoil on. Both go with
+// the needle's depth squared.
 bool CellFollower::is_pushed() const {
   if (!needle_.valid()) return false;
   const double kept = std::clamp(tip_depth() / std::max(tip_at_largest_bulge_, 1.0), 0.0, 1.0);
   const double expected = kept * kept * largest_bulge_;
-  return expected > kLeastBulge_px ? side_bulge() > kPushedBulge_ratio * expected : are_flanks_pushed();
+  return is_read_ && expected > kLeastBulge_px ? side_bulge() > kPushedBulge_ratio * expected : are_flanks_pushed();
 }
 
 void CellFollower::follow_bulge() {

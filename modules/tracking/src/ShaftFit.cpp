@@ -13,13 +13,6 @@ namespace {
 constexpr double kStationFloor = 0.02;
 // How far the width of the whole shaft may be wrong although the noise is nothing: blur and light change it.
 constexpr double kWidthFloor = 0.009;
-// Walls along the pixels' rows look as wide as the rows happen to show them, up to 0.1 px wrong, alike over about a third
-// of the shaft (the default injection at 9.5 s); walls that cross many rows average over them.
-constexpr double kAlikeAlongRows = 0.6;
-double share_alike(const Eigen::Vector2d& direction, double length_px) {
-  const double rows_crossed = length_px * direction.cwiseAbs().minCoeff();
-  return kAlikeAlongRows / std::max(1.0, M_PI * rows_crossed);
-}
 // Samples closer than a pixel share its noise.
 double shared_noise(double step) {
   return std::max(1.0, 1.0 / step);
@@ -140,7 +133,7 @@ ShaftResult ShaftFit::measure(const FrameSampler& image, const NeedleAxis& axis,
   result.medium = median_of(scratch_);
   const double relative_noise = noise / std::sqrt(double(lines_)) / std::max(result.medium * result.gain, 1e-6);
   fit_axis(relative_noise, result);
-  if (result.found) fit_cone(relative_noise, share_alike(axis.direction, behind_px_), result);
+  if (result.found) fit_cone(relative_noise, result);
   return result;
 }
 
@@ -190,11 +183,11 @@ void ShaftFit::fit_axis(double noise, ShaftResult& result) {
   result.found = true;
 }
 
-void ShaftFit::fit_cone(double noise, double scatter_share, ShaftResult& result) {
+void ShaftFit::fit_cone(double noise, ShaftResult& result) {
   const double floor = kStationFloor * blur_;
-  double ahead = 0.0, information = 0.0, slopes = 0.0, weights = 0.0, scale = 1.5 * blur_, unexplained = 0.0;
+  double ahead = 0.0, information = 0.0, slopes = 0.0, weights = 0.0, scale = 1.5 * blur_;
   for (int round = 0; round < 6; ++round) {
-    double right = 0.0, squares = 0.0, count = 0.0, expected = 0.0;
+    double right = 0.0, squares = 0.0, count = 0.0;
     information = slopes = weights = 0.0;
     for (const Station& station : stations_) {
       if (!station.seen) continue;
@@ -207,11 +200,9 @@ void ShaftFit::fit_cone(double noise, double scatter_share, ShaftResult& result)
       slopes += w * station.widening;
       weights += w;
       squares += robust * std::min(off * off, 9.0 * scale * scale);
-      expected += robust * variance;
       count += robust;
     }
     if (!(information > 0.0)) break;
-    unexplained = std::max(0.0, squares - expected) / std::max(count, 1.0);
     ahead = right / information;
     scale = std::clamp(2.0 * std::sqrt(squares / std::max(count, 1.0)), 0.1 * blur_, 1.5 * blur_);
   }
@@ -220,7 +211,7 @@ void ShaftFit::fit_cone(double noise, double scatter_share, ShaftResult& result)
     result.ahead_sigma = 1e3;
     return;
   }
-  const double bias = std::hypot(kWidthFloor * blur_, scatter_share * std::sqrt(unexplained)) / mean_slope;
+  const double bias = kWidthFloor * blur_ / mean_slope;
   result.ahead = ahead;
   result.ahead_sigma = std::sqrt(1.0 / information + bias * bias);
 }

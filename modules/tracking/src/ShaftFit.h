@@ -55,7 +55,7 @@ class ShaftFit {
   };
   void sample_station(const FrameSampler& image, const NeedleAxis& axis, const Station& station, float* values);
   void fit_axis(double noise, ShaftResult& result);
-  void fit_cone(double noise, double scatter_share, ShaftResult& result);
+  void fit_cone(double noise, ShaftResult& result);
 
   std::vector<Station> stations_;
   Eigen::MatrixXf solve_;    // (4 * columns x stations): rows of the least-squares solution
