@@ -81,8 +81,8 @@ TEST(SceneTracking, PuncturesAreToldWithinTwoFrames) {
   EXPECT_EQ(steep.false_puncture_count, 0);
 }
 
-// Dimples of 0.7 of the radius, which the contour lost; 11 to 27 frames of each were a puncture that never was before the
-// cell's sides were asked.
+// Dimples of 0.7 of the radius, which the contour lost; 11 to 27 frames of each were a puncture that never was before
+// the cell's sides were asked.
 TEST(SceneTracking, ACellWhoseSidesBulgeIsPushed) {
   for (const std::uint64_t seed : {179205, 179247, 179256}) {
     SCOPED_TRACE(seed);

@@ -27,7 +27,8 @@ constexpr double kShallowestTip_um = 2.5;
 void PushedShape::learn_noise(double value_um) noexcept {
   if (std::isnan(value_um)) return;
   // Half of a squared difference is the variance of one.
-  if (!std::isnan(last_um_)) variance_um2_ += kNewestNoise_ratio * (0.5 * std::pow(value_um - last_um_, 2) - variance_um2_);
+  if (!std::isnan(last_um_))
+    variance_um2_ += kNewestNoise_ratio * (0.5 * std::pow(value_um - last_um_, 2) - variance_um2_);
   last_um_ = value_um;
 }
 

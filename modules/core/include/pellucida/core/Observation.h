@@ -101,7 +101,8 @@ struct Observation {
   /// it; 0 where the cell is round.
   double rest_beyond_um = 0.0;
   /// How far the cell bulges beside the push: RMS distance of the outer membrane from its resting place over the sides,
-  /// more than 0.85 of its radius off the needle's line through the centre, a shift of the whole taken off; 0 when not measured.
+  /// more than 0.85 of its radius off the needle's line through the centre, a shift of the whole taken off; 0 when not
+  /// measured.
   double side_bulge_um = 0.0;
 };
 
