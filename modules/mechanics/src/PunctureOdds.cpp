@@ -21,9 +21,10 @@ constexpr double kLeastBack_ratio = 0.3, kBackEdge_ratio = 0.04;
 /// Its flanks come back later than what lay on the tip.
 constexpr double kLeastFlankBack_ratio = 0.25;
 /// Further back than the resting outline, and it is that outline which is wrong: the cell has moved.
-/// The bulge of its sides goes with it; of frames misread under the tip, those that show the sides as they are.
-constexpr double kLeastSideBack_ratio = 0.15, kSidesSeen_ratio = 0.8;
 constexpr double kMostBack_ratio = 1.2;
+/// The bulge of its sides goes with the membrane; of frames misread under the tip, those that show the sides as they
+/// are.
+constexpr double kLeastSideBack_ratio = 0.15, kSidesSeen_ratio = 0.8;
 constexpr double kMisreadBack_ratio = 0.3;
 /// How far the tip's share spreads about 0 at a puncture, about 1 where both go back: a needle halts, and is drawn back
 /// soon after.

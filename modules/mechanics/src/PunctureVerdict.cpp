@@ -17,7 +17,7 @@ constexpr double kSure = 0.9, kInDoubt = 0.5;
 constexpr double kLag_ratio = 0.07;
 /// Flanks below this share of their depth are back; deeper again by so many times their noise, pushed.
 constexpr double kFlankBack_ratio = 0.5, kFlankOverNoise = 3.0;
-/// Flanks that go deeper by so many times that spread within a frame are still pushed.
+/// Flanks that go deeper by so many times their noise within a frame are still pushed.
 constexpr double kDeepensNoises = 1.5;
 /// In contact nothing is learnt of the rest: its radius stays, but for this share.
 constexpr double kSameRest_ratio = 0.002;

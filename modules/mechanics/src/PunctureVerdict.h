@@ -14,8 +14,7 @@ namespace pellucida {
 ///   not and lies beyond it by more than noise explains; or the contour, where a tracker keeps it on the tip, leaves
 ///   the model's shape from one frame to the next by 1 um and more, outwards in the dimple.
 /// - Against it, or for it, wherever the contour under the tip is: the shape of the rest of the cell (`PushedShape`).
-/// The
-///   sides of a cell that is pushed bulge; once it isn't, they are back.
+///   The sides of a cell that is pushed bulge; once it isn't, they are back.
 /// - The tracker's own state rests on a tip far past the membrane alone. A tip that is lost in the cell's texture runs
 ///   ahead just so while the membrane still follows the needle: that state is believed only where no contact was
 ///   followed. Until the test is sure such a frame, or one that may be misread, is a contact in doubt.
