@@ -11,6 +11,7 @@ them are the needle's half width, unless that is less than LEAST_PX or more than
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes.
 """
 
+import cv2
 import numpy as np
 import torch
 from torch import nn
@@ -20,6 +21,7 @@ from training import TipSamples, UNetwork, arguments_of, draw_batch, export, nor
 WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
 WIDTH_SAMPLES, LEAST_PX, MOST_PX = 5.0, 0.5, 3.0
 LABEL_SIGMA = 1.0
+WITH_DROPLET = 0.12    # share of the pictures
 
 
 def tip_network(widths=(12, 24, 40, 56)):
@@ -51,11 +53,29 @@ class Samples(TipSamples):
         high = np.minimum(np.ceil(at).astype(int) + reach, image.shape[::-1])
         if np.any(high - low < 8):
             return None
-        part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
+        part = image[low[1]:high[1], low[0]:high[0]]
+        if random.random() < WITH_DROPLET:
+            part = with_droplet(part, tip - low, way, half, random)
+        part = varied(part, spacing, random)
         u, v = np.meshgrid(np.arange(WIDTH) - AHEAD_OF, np.arange(HEIGHT) - (HEIGHT - 1) / 2)
         x, y = ((at - low)[k] + spacing * (u * way[k] + v * across[k]) for k in (0, 1))
         grey = normalised(sampled(part, x, y))
         return np.stack([grey, np.full_like(grey, spacing_of(spacing))]).astype(np.float32), truth.astype(np.float32)
+
+
+def with_droplet(part, tip, way, half, random):
+    """A picture in which the needle has expelled a droplet: a disc about its tip, with a rim of its own."""
+    radius = half * np.exp(random.uniform(np.log(0.8), np.log(4)))
+    y, x = np.mgrid[:part.shape[0], :part.shape[1]].astype(np.float32)
+    centre = tip + random.uniform(0.1, 1.0) * radius * way
+    away = np.hypot(x - centre[0], y - centre[1]) - np.float32(radius)
+    width = np.float32(max(0.7, half * random.uniform(0.05, 0.3)))
+    spread = part.std() + 3
+    added = random.normal(0, 1.5) * np.exp(-0.5 * (away / width) ** 2) + random.normal(0, 0.5) / (1 + np.exp(np.clip(2 * away / width, -30, 30)))
+    if random.random() < 0.5:  # behind the needle's outline
+        along, across = (x - tip[0]) * way[0] + (y - tip[1]) * way[1], (y - tip[1]) * way[0] - (x - tip[0]) * way[1]
+        added = added * np.where((along < 0) & (np.abs(across) < half), random.uniform(0, 1), 1)
+    return (part + spread * added).astype(np.float32)
 
 
 def loss_of(logits, truth):

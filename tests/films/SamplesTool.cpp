@@ -1,14 +1,15 @@
 // A developer's tool, not installed and no test: labelled pictures to train a network on, one of each random film of
 // the families of tuning. (Of validation or unseen they are to check with.)
 //   film_samples --out FOLDER [--split tuning|wide|validation|unseen] [--count N] [--first SEED] [--plain yes]
-//                [--specimens FOLDER] [--punctured yes]
+//                [--specimens FOLDER] [--punctured yes] [--empty yes]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file; outer,
 // inner, needle or holder; then x and y of the outline's points, px); NNNNN is the film's seed. Several of them may run
 // at once with other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual
 // microscope's plain drawing instead of a look. --specimens: cells of finite-element tables (tests/specimens), with
 // zonae from thin to thick; else each zona is a tenth of its cell's radius thick. --punctured: those films alone whose
-// membrane gives way, in a frame after that: the needle's tip lies in the ooplasm.
+// membrane gives way, in a frame after that: the needle's tip lies in the ooplasm. --empty: those films alone that show
+// no cell.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -75,7 +76,7 @@ int main(int count, char** arguments) {
   std::filesystem::path out;
   std::uint64_t first = 1, wanted = 100;
   test::Split split = test::Split::kTuning;
-  bool is_plain = false, is_punctured = false;
+  bool is_plain = false, is_punctured = false, is_empty = false;
   std::vector<std::string> specimens;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = arguments[i], value = arguments[i + 1];
@@ -91,6 +92,8 @@ int main(int count, char** arguments) {
       is_plain = value == "yes";
     else if (word == "--punctured")
       is_punctured = value == "yes";
+    else if (word == "--empty")
+      is_empty = value == "yes";
     else if (word == "--specimens")
       specimens = test::specimens_in(value);
     else
@@ -109,6 +112,7 @@ int main(int count, char** arguments) {
     try {
       const test::RandomFilm film = test::draw_film(split, seed, kWidest_px, specimens);
       if (is_punctured && !film.scenario.puncture.enabled) continue;
+      if (is_empty && film.scenario.cell.in_view) continue;
       VirtualMicroscope microscope =
           is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.

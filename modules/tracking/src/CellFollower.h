@@ -34,6 +34,7 @@ struct FrameInput {
   const SceneReading* scene = nullptr;                 ///< the same, to find cell and needle by; null: by lines
   SceneReader* reader = nullptr;                       ///< to read membranes and tip by; null: their lines are known
   SceneReader* networks = nullptr;                     ///< to ask for what lines alone don't say; null: not to be asked
+  bool is_vouched = false;                             ///< a person says that this is a cell
   double least_score = MembraneSnakes::kLeastAtFirst;  ///< of membranes that are read, at first sight
 };
 
@@ -107,6 +108,7 @@ class CellFollower {
   // A needle seen worse than this may be elsewhere, and with it what the frame says of the contact.
   static constexpr double kPoorNeedle = 0.5;
   NeedleZone zone() const;
+  bool is_cell(const FrameInput& frame, const contour::Circle& circle) const;
   contour::Circle resting_circle() const;
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);

@@ -43,9 +43,7 @@ class MembraneTracker::Impl {
     if (view.width_px != width_px_ || view.height_px != height_px_) {
       width_px_ = view.width_px;
       height_px_ = view.height_px;
-      has_cell_ = false;
-      lone_needle_.reset();
-      frames_since_detection_ = options_.redetect_interval_frames;
+      search_again();
     }
     outcomes_ = {};
     if (hints_.has_cell()) {
@@ -63,7 +61,6 @@ class MembraneTracker::Impl {
     has_cell_ ? lone_needle_.reset() : follow_lone_needle(frame);
     if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
       outcomes_.needle = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
-
     if (const std::optional<Eigen::Vector2d> place = hints_.take_holder(laid_, view.pixel_size_um))
       outcomes_.holder = start_hinted_holder(frame, *place);
 
@@ -94,7 +91,6 @@ class MembraneTracker::Impl {
     cell_.forget_needle();
     lone_needle_.reset();
   }
-
   const HintOutcomes& hint_outcomes() const noexcept { return outcomes_; }
   const TrackerOptions& options() const noexcept { return options_; }
   const TrackerTimings& timings() const noexcept { return timings_; }
@@ -164,6 +160,7 @@ class MembraneTracker::Impl {
     rereading_.drop();
     frames_since_detection_ = 0;
     const std::optional<DetectionHint> hint = hints_.take_cell(laid_, frame.view.pixel_size_um);
+    frame.is_vouched = hint.has_value();
     has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
     if (hint && has_cell_)
       hints_.forget_no_cell(laid_, frame.view.pixel_size_um, {cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0});
@@ -312,11 +309,7 @@ class MembraneTracker::Impl {
       if (seen && by_scene() && !lone_needle_.is_read())
         lone_needle_.read_tip(reader_.tips(), frame.image, kLoneTipShare);
       if (seen) learn_command(frame, false);
-    } else if (by_scene()
-                   ? frame.scene == nullptr || !start_lone_needle(frame)
-                   : frames_since_detection_ == 0 && !lone_needle_.start_anywhere(frame.image, whole_, frame.noise)) {
-      lone_needle_.reset();
-    } else {
+    } else if (start_lone_needle(frame)) {
       learn_command(frame, true);
     }
   }
@@ -326,14 +319,21 @@ class MembraneTracker::Impl {
     if (frame.command && lone_needle_.valid()) frame.command->learn(n.tip, n.direction, n.tip_sigma, is_new);
   }
 
+  // The scene knows a needle from a holding pipette; lines may find one that it doesn't see.
   bool start_lone_needle(const FrameInput& frame) {
-    return std::any_of(scene_.needles.begin(), scene_.needles.end(), [&](const SceneTool& seen) {
+    const auto is_started = [&](const SceneTool& seen) {
       const ExpectedTip expected = expected_tip(seen);
       if (!lone_needle_.start(frame.image, found_tool(seen), frame.noise, &expected))
         return lone_needle_.start_read(reader_.tips(), frame.image, {seen.tip, seen.direction}, seen.half_width_px);
       lone_needle_.read_tip(reader_.tips(), frame.image, 1.0);
       return true;
-    });
+    };
+    const bool has_lines = !by_scene() && frames_since_detection_ == 0;
+    if ((frame.seen && std::any_of(scene_.needles.begin(), scene_.needles.end(), is_started)) ||
+        (has_lines && lone_needle_.start_anywhere(frame.image, whole_, frame.noise)))
+      return true;
+    lone_needle_.reset();
+    return false;
   }
 
   TrackerOptions options_;

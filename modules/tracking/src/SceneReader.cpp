@@ -83,6 +83,11 @@ TipWidthNetwork& SceneReader::tip_widths() {
   return *tip_widths_;
 }
 
+CellNetwork& SceneReader::cells() {
+  if (!cells_) cells_ = std::make_unique<CellNetwork>();
+  return *cells_;
+}
+
 SceneReading SceneReader::read(const GrayImage& image) {
   const double scale = std::clamp(kOverviewWidth / image.width, kCoarsest, kFinest);
   const SceneWindow whole{

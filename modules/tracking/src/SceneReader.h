@@ -3,6 +3,7 @@
 
 #include "BoundaryNetwork.h"
 #include "CellDetector.h"
+#include "CellNetwork.h"
 #include "NeedleStart.h"
 #include "SceneReading.h"
 #include "TipNetwork.h"
@@ -22,6 +23,8 @@ class SceneReader {
   BoundaryNetwork& boundaries();
   TipNetwork& tips();
   TipWidthNetwork& tip_widths();
+  /// To judge what is found before it is followed.
+  CellNetwork& cells();
 
  private:
   SceneNetwork& network();
@@ -31,6 +34,7 @@ class SceneReader {
   std::unique_ptr<BoundaryNetwork> boundaries_;
   std::unique_ptr<TipNetwork> tips_;
   std::unique_ptr<TipWidthNetwork> tip_widths_;
+  std::unique_ptr<CellNetwork> cells_;
 };
 
 /// A cell of the scene as a detection of edges of no known kind.
