@@ -73,6 +73,29 @@ TEST(AutoDetection, TheNetworkIsBelievedWhereLinesHaveTheCellElsewhere) {
   }
 }
 
+// Bubbles are no cells, and the holding pipette is no needle.
+TEST(AutoDetection, InventsNoCellAndFollowsTheNeedleWhereThereIsNone) {
+  int films = 0, frames = 0, invented = 0;
+  std::vector<double> tip_px;
+  for (std::uint64_t seed = 14201; films < 6; ++seed) {
+    const RandomFilm film = draw_film(Split::kValidation, seed, 512);
+    if (film.scenario.cell.in_view) continue;
+    const FilmRun run = run_film(film, {});
+    ++films;
+    frames += static_cast<int>(run.errors.size());
+    invented += run.found_count;
+    for (const FrameError& error : run.errors)
+      if (error.tip_px >= 0) tip_px.push_back(error.tip_px);
+  }
+  std::sort(tip_px.begin(), tip_px.end());
+  ASSERT_FALSE(tip_px.empty());
+  std::printf("%d of %d frames show a cell; needle in %zu, %.2f px off in the median, %.1f at 90 %%\n", invented,
+              frames, tip_px.size(), tip_px[tip_px.size() / 2], tip_px[9 * tip_px.size() / 10]);
+  EXPECT_LE(invented, frames / 20);
+  EXPECT_GT(tip_px.size(), static_cast<std::size_t>(frames) * 8 / 10);
+  EXPECT_LT(tip_px[tip_px.size() / 2], 5.0);
+}
+
 // Others read the picture after the network.
 TEST(SceneReader, LeavesThePictureAlone) {
   const RandomFilm film = draw_film(Split::kValidation, 14001, 1024);

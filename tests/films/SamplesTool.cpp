@@ -5,11 +5,11 @@
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file; outer,
 // inner, needle or holder; then x and y of the outline's points, px); NNNNN is the film's seed. Several of them may run
-// at once with other seeds. Truth may lie outside the picture. Empty where there is no cell. --plain: the virtual
-// microscope's plain drawing instead of a look. --specimens: cells of finite-element tables (tests/specimens), with
-// zonae from thin to thick; else each zona is a tenth of its cell's radius thick. --punctured: those films alone whose
-// membrane gives way, in a frame after that: the needle's tip lies in the ooplasm. --empty: those films alone that show
-// no cell.
+// at once with other seeds; a picture that is there is not replaced. Truth may lie outside the picture. Empty where
+// there is no cell. --plain: the virtual microscope's plain drawing instead of a look. --specimens: cells of
+// finite-element tables (tests/specimens), with zonae from thin to thick; else each zona is a tenth of its cell's
+// radius thick. --punctured: those films alone whose membrane gives way, in a frame after that: the needle's tip lies
+// in the ooplasm. --empty: those films alone that show no cell.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -129,6 +129,10 @@ int main(int count, char** arguments) {
       if (is_punctured && seen.state != CellState::kPunctured) continue;
       char stem[24];
       std::snprintf(stem, sizeof stem, "%05llu", static_cast<unsigned long long>(seed));
+      if (std::filesystem::exists(out / (std::string(stem) + ".png")))
+        return std::fprintf(stderr, "film_samples: %s.png is there already: take other seeds or another folder\n",
+                            stem),
+               1;
       const std::vector<int> quick{cv::IMWRITE_PNG_COMPRESSION, 1};
       cv::imwrite((out / (std::string(stem) + ".png")).string(), grey, quick);
       cv::imwrite((out / (std::string(stem) + "_label.png")).string(), label_of(film.scenario, seen), quick);

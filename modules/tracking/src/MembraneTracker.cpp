@@ -306,7 +306,8 @@ class MembraneTracker::Impl {
       const bool seen = lone_needle_.is_read() ? lone_needle_.follow_read(reader_.tips(), frame.image, cue)
                                                : lone_needle_.track(frame.image, frame.noise, cue);
       if (!seen && lone_needle_.estimate().confidence < kLeastNeedleConfidence) lone_needle_.reset();
-      if (seen && by_scene() && !lone_needle_.is_read())
+      const bool is_asked = seen && frame.networks && !lone_needle_.is_read();
+      if (is_asked && (by_scene() || !lone_needle_.is_where_read(reader_.tips(), frame.image)))
         lone_needle_.read_tip(reader_.tips(), frame.image, kLoneTipShare);
       if (seen) learn_command(frame, false);
     } else if (start_lone_needle(frame)) {
@@ -321,7 +322,7 @@ class MembraneTracker::Impl {
 
   // The scene knows a needle from a holding pipette; lines may find one that it doesn't see.
   bool start_lone_needle(const FrameInput& frame) {
-    const auto is_started = [&](const SceneTool& seen) {
+    const auto starts = [&](const SceneTool& seen) {
       const ExpectedTip expected = expected_tip(seen);
       if (!lone_needle_.start(frame.image, found_tool(seen), frame.noise, &expected))
         return lone_needle_.start_read(reader_.tips(), frame.image, {seen.tip, seen.direction}, seen.half_width_px);
@@ -329,11 +330,10 @@ class MembraneTracker::Impl {
       return true;
     };
     const bool has_lines = !by_scene() && frames_since_detection_ == 0;
-    if ((frame.seen && std::any_of(scene_.needles.begin(), scene_.needles.end(), is_started)) ||
-        (has_lines && lone_needle_.start_anywhere(frame.image, whole_, frame.noise)))
-      return true;
-    lone_needle_.reset();
-    return false;
+    const bool is_found = (frame.seen && std::any_of(scene_.needles.begin(), scene_.needles.end(), starts)) ||
+                          (has_lines && lone_needle_.start_anywhere(frame.image, whole_, frame.noise));
+    if (!is_found) lone_needle_.reset();
+    return is_found;
   }
 
   TrackerOptions options_;
