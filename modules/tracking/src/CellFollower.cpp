@@ -35,6 +35,8 @@ constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4,
 // Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
 // none.
 constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
+// Of the narrow band: where a membrane that is back at rest is looked for.
+constexpr double kAtRest_ratio = 0.5;
 // Of an outline's area, what is left of it in the next frame at least.
 constexpr double kKeptArea_ratio = 0.9;
 // A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
@@ -209,6 +211,8 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   loose.touching = false;
   if (known && touching_) {
     attempt(&loose, false, options_.wide_search_px);
+    // Close to rest first: further off the snake may go over to a stronger line, the oolemma's.
+    attempt(&loose, true, kAtRest_ratio * options_.search_px);
     attempt(&loose, true, 2.0 * options_.search_px);
     attempt(&loose, true, options_.wide_search_px);
   } else {
