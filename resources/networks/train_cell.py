@@ -111,7 +111,7 @@ class Samples:
         return Item(image, label, moved(outlines, ratio * np.eye(2), [0.5 * ratio - 0.5] * 2), cell, tip if is_inside else None)
 
     def pick(self, items, wants_cell, random):
-        """One of them with a cell; or one of any, every other time without."""
+        """One of them with a cell; or one of any, those without ten times as readily."""
         while True:
             item = items[random.integers(len(items))]
             if wants_cell and item.cell is None:
@@ -124,7 +124,7 @@ class Samples:
         is_cell = random.random() < CELL_SHARE
         item = self.pick(items, is_cell, random)
         circle = cell_circle(item, random) if is_cell else other_circle(item, random)
-        if circle is None or circle[1] < LEAST_PX:
+        if circle[1] < LEAST_PX:
             return None
         turn = random.uniform(0, 2 * np.pi), random.random() < 0.5
         spacing = circle[1] / RADIUS_SAMPLES

@@ -7,7 +7,7 @@ says where in it the tip is, in any contrast.
     build/release/bin/film_samples --count 1800 --first 200001 --plain yes --out samples
     python3 train_tip.py samples tip.onnx --minutes 90
 
-Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only.
+Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning and wide families.
 The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of
 them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes. Some pictures show a droplet that

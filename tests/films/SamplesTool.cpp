@@ -102,7 +102,12 @@ int main(int count, char** arguments) {
   if (out.empty()) return std::fprintf(stderr, "film_samples: --out is missing\n"), 2;
   std::filesystem::create_directories(out);
   cv::setNumThreads(1);
-  std::ofstream csv(out / ("samples_" + std::to_string(first) + ".csv"));
+  const std::filesystem::path table = out / ("samples_" + std::to_string(first) + ".csv");
+  if (std::filesystem::exists(table))
+    return std::fprintf(stderr, "film_samples: %s is there already: take other seeds or another folder\n",
+                        table.c_str()),
+           1;
+  std::ofstream csv(table);
   csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,tip_radius_px,center_x_px,center_y_px,outer_radius_px,"
          "contrast,"
          "family,frame\n";

@@ -1,6 +1,5 @@
 #include "CellNetwork.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "NetworkInput.h"
@@ -24,14 +23,7 @@ class CellNetwork::Impl {
       sample_blurred(image, center + Eigen::Vector2d(-reach_px, row * spacing_px - reach_px), {spacing_px, 0.0},
                      kCellSide, grey_.ptr<float>(row));
     normalise(grey_);
-    const int sizes[] = {2, 2, kCellSide, kCellSide};
-    cv::Mat patches(4, sizes, CV_32F);
-    std::copy(grey_.begin(), grey_.end(), patches.ptr<float>(0, 0));
-    for (int row = 0; row < kCellSide; ++row)
-      std::copy_n(grey_.ptr<float>(kCellSide - 1 - row), kCellSide, patches.ptr<float>(1, 0, row));
-    for (const int guise : {0, 1})
-      std::fill_n(patches.ptr<float>(guise, 1), kCellSide * kCellSide, spacing_code(spacing_px));
-    network_.setInput(patches);
+    network_.setInput(with_mirror_image(grey_, spacing_px));
     const cv::Mat out = network_.forward();
     const double logit = 0.5 * (double{out.at<float>(0, 0)} + double{out.at<float>(1, 0)});
     return 1.0 / (1.0 + std::exp(-logit));

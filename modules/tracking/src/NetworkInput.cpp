@@ -70,6 +70,18 @@ float spacing_code(double spacing_px) {
   return static_cast<float>(std::clamp(std::log2(spacing_px), -3.0, 3.0) / 2.0);
 }
 
+cv::Mat with_mirror_image(const cv::Mat1f& patch, double spacing_px) {
+  const int sizes[] = {2, 2, patch.rows, patch.cols};
+  cv::Mat batch(4, sizes, CV_32F);
+  for (const int guise : {0, 1}) {
+    for (int row = 0; row < patch.rows; ++row)
+      std::copy_n(patch.ptr<float>(guise == 0 ? row : patch.rows - 1 - row), patch.cols,
+                  batch.ptr<float>(guise, 0, row));
+    std::fill_n(batch.ptr<float>(guise, 1), patch.total(), spacing_code(spacing_px));
+  }
+  return batch;
+}
+
 PeakPlace peak_of(const float* logits, int count) {
   const int top = static_cast<int>(std::max_element(logits, logits + count) - logits);
   const int from = std::max(0, top - kPeakReach), to = std::min(count - 1, top + kPeakReach);

@@ -24,6 +24,10 @@ void sample_blurred(const FrameSampler& image, const Eigen::Vector2d& from, cons
 /// What the networks are shown of how finely an image is sampled.
 float spacing_code(double spacing_px);
 
+/// A batch of a patch and its mirror image, top for bottom, each with a plane that says how finely it is sampled
+/// (2 x 2 x rows x columns): the mean of both answers is that of a mirrored film.
+cv::Mat with_mirror_image(const cv::Mat1f& patch, double spacing_px);
+
 /// Mean and spread of a network's answer (logits of one place each) about its highest place, in places.
 struct PeakPlace {
   double mean = 0.0, spread = 0.0;

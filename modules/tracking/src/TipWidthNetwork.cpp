@@ -27,14 +27,7 @@ class TipWidthNetwork::Impl {
       sample_blurred(image, axis.at(kTipPlace * spacing_px, (row - kMiddle) * spacing_px), spacing_px * axis.direction,
                      kWidthAlong, grey_.ptr<float>(row));
     normalise(grey_);
-    const int sizes[] = {2, 2, kWidthAcross, kWidthAlong};
-    cv::Mat patches(4, sizes, CV_32F);
-    std::copy(grey_.begin(), grey_.end(), patches.ptr<float>(0, 0));
-    for (int row = 0; row < kWidthAcross; ++row)
-      std::copy_n(grey_.ptr<float>(kWidthAcross - 1 - row), kWidthAlong, patches.ptr<float>(1, 0, row));
-    for (const int guise : {0, 1})
-      std::fill_n(patches.ptr<float>(guise, 1), kWidthAcross * kWidthAlong, spacing_code(spacing_px));
-    network_.setInput(patches);
+    network_.setInput(with_mirror_image(grey_, spacing_px));
     const cv::Mat out = network_.forward();
 
     const auto sigma = [&](int guise) {
