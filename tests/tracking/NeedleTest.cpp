@@ -1,5 +1,5 @@
-// The needle's parts on pictures drawn here: a cone with a round tip, as two dark lines or as a dark wedge, of known
-// place, direction and blur.
+// The needle's parts on pictures drawn here: a cone with a round tip or one cut off straight, as two dark lines or as a
+// dark wedge, of known place, direction and blur.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Drawing {
   Eigen::Vector2d tip{180.3, 171.6};
   double angle_rad = 0.0;  // of the shaft, from the tip outwards
   double tip_radius = 2.0, slope = 0.045, blur = 1.0, noise = 0.01;
-  bool wedge = false;
+  bool wedge = false, straight = false;
   // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
   double membrane_ahead = -1.0;
   unsigned seed = 1;
@@ -60,8 +60,10 @@ Picture draw(const Drawing& d) {
     for (int x = 0; x < kWidth; ++x) {
       const Eigen::Vector2d from = Eigen::Vector2d(x, y) - d.tip;
       const double s = from.dot(back), v = std::abs(from.dot(across));
-      const double distance = s < d.tip_radius ? std::hypot(s - d.tip_radius, v) - d.tip_radius
-                                               : v - d.tip_radius - d.slope * (s - d.tip_radius);
+      const double side = v - d.tip_radius - d.slope * std::max(0.0, s);
+      const double distance = d.straight         ? (side > 0.0 && s < 0.0 ? std::hypot(side, s) : std::max(side, -s))
+                              : s < d.tip_radius ? std::hypot(s - d.tip_radius, v) - d.tip_radius
+                                                 : v - d.tip_radius - d.slope * (s - d.tip_radius);
       double light = 0.55 + 0.0002 * x;
       light *= d.wedge ? 1.0 - 0.4 * 0.5 * std::erfc(distance / (d.blur * std::sqrt(2.0)))
                        : 1.0 - 0.45 * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
@@ -83,8 +85,8 @@ FoundTool tool_of(const Drawing& d) {
   const double angle = d.angle_rad + 0.015;
   tool.direction = {std::cos(angle), std::sin(angle)};
   const double offset = (d.tip - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x())) + 1.5;
-  tool.offset_from = offset - 12.0 - d.blur;
-  tool.offset_to = offset + 12.0 + d.blur;
+  tool.offset_from = offset - 10.0 - d.tip_radius - d.blur;
+  tool.offset_to = offset + 10.0 + d.tip_radius + d.blur;
   return tool;
 }
 
@@ -127,6 +129,21 @@ INSTANTIATE_TEST_SUITE_P(Looks, AnyNeedle,
                          [](const testing::TestParamInfo<Drawing>& chosen) {
                            return "case" + std::to_string(chosen.index);
                          });
+
+// A pipette is mostly cut off: as a half ball its end would lie a fifth of its half width further ahead.
+TEST(NeedleTracker, AnEndCutOffStraightIsWhereItIsAndAsWideAsItIs) {
+  for (const bool wedge : {false, true}) {
+    Drawing d = with(0.4, 1.0, wedge, 0.01);
+    d.straight = true;
+    d.tip_radius = 9.0;
+    const Picture picture = draw(d);
+    const FrameSampler image(picture.view());
+    NeedleTracker needle;
+    ASSERT_TRUE(needle.start(image, tool_of(d), noise_level(image)));
+    EXPECT_NEAR(error_of(needle, d).along, 0.0, 0.3) << wedge;
+    EXPECT_NEAR(needle.estimate().tip_half_width, 9.0, 0.2) << wedge;
+  }
+}
 
 // Follows a needle that goes forward by `step` px a frame, `clear` frames in the clear, then up to a membrane that it
 // pushes before it.

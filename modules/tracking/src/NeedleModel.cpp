@@ -182,21 +182,29 @@ void NeedleCone::move(double by, double wider) {
   find_radius();
 }
 
-void NeedleCone::find_radius() {
-  radius_ = std::max(0.5, half_width(0.0));
-  for (int round = 0; round < 4; ++round) radius_ = std::max(0.5, half_width(radius_));
+void NeedleCone::set_roundness(double roundness) {
+  roundness_ = roundness;
+  find_radius();
 }
 
+void NeedleCone::find_radius() {
+  radius_ = std::max(0.5, half_width(0.0));
+  for (int round = 0; round < 4; ++round) radius_ = std::max(0.5, half_width(roundness_ * radius_));
+}
+
+// The distance from a rectangle whose corners are rounded off.
 float NeedleModel::value(double behind, double beside) const noexcept {
-  const double r = cone.tip_radius();
+  const double r = cone.tip_radius(), corner = cone.roundness() * r;
+  const double side = std::abs(beside) - (behind < corner ? r : cone.half_width(behind)) + corner;
+  const double ahead = corner - behind;
   double d = 0.0, part = 0.0;
-  if (behind < r) {
-    const double ahead = r - behind, distance = std::hypot(ahead, beside);
-    d = distance - r;
-    part = distance > 1e-6 ? beside / distance : 0.0;
+  if (ahead > 0.0 && side > 0.0) {
+    const double distance = std::hypot(ahead, side);
+    d = distance - corner;
+    part = std::copysign(side / distance, beside);
   } else {
-    d = std::abs(beside) - cone.half_width(behind);
-    part = beside;
+    d = std::max(ahead, side) - corner;
+    part = ahead > side ? 0.0 : beside;
   }
   const float right = static_cast<float>(std::clamp(0.5 + 0.5 * part, 0.0, 1.0));
   return (1.0F - right) * look.value(0, d) + right * look.value(1, d);

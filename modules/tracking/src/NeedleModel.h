@@ -63,13 +63,17 @@ class NeedleLook {
   std::array<std::vector<float>, 2> tables_, sums_, weights_;
 };
 
-/// The needle's half width as a function of the way behind the tip: a cubic, carried on straight outside its range.
+/// The needle's half width as a function of the way behind the tip: a cubic, carried on straight outside its range; and
+/// how round its end is.
 class NeedleCone {
  public:
   double half_width(double behind) const noexcept;
   double slope(double behind) const noexcept;
-  /// Half width at the round tip: the radius r with half_width(r) = r, at least 0.5 px.
+  /// Half width at the tip: the radius r with half_width(roundness r) = r, at least 0.5 px.
   double tip_radius() const noexcept { return radius_; }
+  /// Radius of the end's edge over the half width: 1, a half ball, to 0, cut off straight.
+  double roundness() const noexcept { return roundness_; }
+  void set_roundness(double roundness);
 
   /// Weighted least squares through (behind, half width); the degree follows the length. At least 3 points, in order.
   void fit(const std::vector<double>& behind, const std::vector<double>& half_width, const std::vector<double>& weight);
@@ -80,7 +84,7 @@ class NeedleCone {
   void find_radius();
   double from_ = 0.0, to_ = 1.0, shift_ = 0.0;
   std::array<double, 4> c_{2.0, 0.0, 0.0, 0.0};
-  double radius_ = 2.0;
+  double radius_ = 2.0, roundness_ = 1.0;
 };
 
 /// Appearance and shape together: what the needle should look like at a place `behind` its tip and `beside` its axis.
@@ -90,7 +94,7 @@ struct NeedleModel {
   double unit_px = 1.0;  ///< spacing of stations along the shaft: grows with the blur, so that the cost does not
   int frames = 0;        ///< frames it was learnt from
 
-  /// Relative grey value at a place, the round tip included.
+  /// Relative grey value at a place, the end included.
   float value(double behind, double beside) const noexcept;
 };
 

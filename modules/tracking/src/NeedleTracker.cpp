@@ -93,6 +93,7 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
   }
   shaft = align(image, noise, 2);
   if (!shaft.found) return false;
+  learn_end(image, noise, shaft);
   end = find_end(image, noise, shaft, again_px(), clear);
   if (end.valid) {
     axis_.tip += end.ahead * axis_.direction;
@@ -185,8 +186,10 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   now_.evidence = evidence | (sent ? kCommandedMotion : kNoNeedleEvidence);
   // Learning costs more than following: once the look is known, a frame now and then is enough.
   const bool due = model_.frames < 12 || ++frames_since_learning_ >= 6;
-  if (cue.in_the_clear && due && end.valid && shaft.support > 0.7 && std::abs(end.ahead - ahead_) < unit)
+  if (cue.in_the_clear && due && end.valid && shaft.support > 0.7 && std::abs(end.ahead - ahead_) < unit) {
     learn(end.ahead);
+    learn_end(image, noise, shaft);
+  }
   axis_.tip += ahead_ * axis_.direction;
   ahead_ = 0.0;
   motion_ = axis_.tip - before.tip - cue.scene_jump_px;

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "CommandedMotion.h"
@@ -17,7 +18,7 @@
 
 namespace pellucida {
 
-/// The needle in px: a cone with a round tip.
+/// The needle in px: a cone with a round tip or one cut off.
 struct NeedleEstimate {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
@@ -121,6 +122,7 @@ class NeedleTracker {
   Eigen::Vector2d motion() const noexcept { return motion_; }
 
  private:
+  static constexpr std::size_t kEnds = 3;
   // A measurement of how much further ahead the tip is, px.
   struct Along {
     bool valid = false;
@@ -129,6 +131,7 @@ class NeedleTracker {
   bool start(const FrameSampler& image, NeedleGuess guess, double noise);
   void prepare();
   void set_zero();
+  void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);
   Eigen::Vector2d tip() const;
@@ -152,7 +155,10 @@ class NeedleTracker {
   // Along the needle: place (relative to axis_.tip) and speed (px a frame), and their covariance.
   double ahead_ = 0.0, speed_ = 0.0;
   Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Zero();
-  double unrest_ = 1.0;            // px: how much the speed has been changing from frame to frame
+  double unrest_ = 1.0;  // px: how much the speed has been changing from frame to frame
+  // Of each roundness tried: the mean logarithm of what it leaves unexplained, over that of a half ball.
+  std::array<double, kEnds> end_misfits_{};
+  int end_frames_ = 0;             // that this was learnt from
   double anchor_sigma_ = 1.0;      // px: how well the cone's place on the needle is known
   double beside_ = 0.0;            // px: the tip lies so far beside the axis, as a bevel's does
   double read_half_width_ = 0.0;   // px; above 0: no shaft is followed

@@ -113,7 +113,8 @@ TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, dou
   // pixel share its noise.
   const double shared = std::max(1.0, 1.0 / step_);
   result.ahead_sigma = relative_noise * std::sqrt(2.0 * shared / (curvature / (half * half)));
-  result.disagreement = std::sqrt(costs_[static_cast<std::size_t>(best)] / (rows_ * columns_)) / relative_noise;
+  result.unexplained = costs_[static_cast<std::size_t>(best)] / (rows_ * columns_);
+  result.disagreement = std::sqrt(result.unexplained) / relative_noise;
   return result;
 }
 

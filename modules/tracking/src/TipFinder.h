@@ -13,13 +13,14 @@ struct TipResult {
   double ahead = 0.0;         ///< px: how much further ahead the tip is
   double ahead_sigma = 0.0;   ///< px, from the image's noise alone
   double disagreement = 0.0;  ///< RMS of what the model leaves unexplained, over the noise
+  double unexplained = 0.0;   ///< its mean square, relative to the medium
 };
 
-/// Finds the end of the needle: the learnt look, drawn round a round tip at a series of places along the axis, against
-/// the image; the place that leaves least unexplained. Each row counts without its mean: what is alike all across, as a
-/// membrane in front of the tip or a darker body behind it, says nothing. Far residuals count no more than `kOutlier`
-/// contrasts, so that debris or a membrane in front does not decide. The tip is the model's own end, so blur does not
-/// move it.
+/// Finds the end of the needle: the learnt look, drawn round the model's end at a series of places along the axis,
+/// against the image; the place that leaves least unexplained. Each row counts without its mean: what is alike all
+/// across, as a membrane in front of the tip or a darker body behind it, says nothing. Far residuals count no more than
+/// `kOutlier` contrasts, so that debris or a membrane in front does not decide. The tip is the model's own end, so blur
+/// does not move it.
 class TipFinder {
  public:
   void prepare(const NeedleModel& model);
