@@ -3,7 +3,8 @@
 A network that has learnt one optical model has learnt its profiles too. Here the geometry is all that is kept of a sample:
 each region has a grey value and a texture of its own, and across each boundary lies a sum, drawn at random, of a step, a
 line, a pair of lines of opposite sign and a halo, the same all round or changing with the boundary's direction as relief
-does; or the path of light through a shell, its slope or its curvature. The boundary is where the profile is centred.
+does; or the path of light through a shell or a tube, its slope or its curvature. The boundary is where the profile is
+centred, or where the path begins.
 
 Needs Debian's python3-opencv and python3-numpy.
 """
@@ -29,6 +30,27 @@ def outlines_of(path):
 def moved(outlines, a, b):
     """Points p of each outline (2, n) as a p + b."""
     return {key: a @ points + np.reshape(b, (2, 1)) for key, points in outlines.items()}
+
+
+def any_needle(tip, way, half, behind, random):
+    """Outline (2, n) of a needle that ends at `tip` and points along `way`, of any width about half width `half` and any
+    end: cut off straight, rounded off, a half ball, or bevelled; its half width `behind` the tip, and its radius there."""
+    half = min(25.0, half * np.exp(random.uniform(np.log(0.7), np.log(6))))
+    taper = random.uniform(0, min(0.15, 0.8 * half / behind))
+    radius = half - taper * behind
+    end = random.choice(["straight", "rounded", "ball", "bevel"], p=[0.4, 0.25, 0.2, 0.15])
+    corner = {"straight": 0.0, "rounded": random.uniform(0.1, 0.9), "ball": 1.0, "bevel": 0.0}[end] * radius
+    turn = np.linspace(0, np.pi / 2, 12)
+    back, aside = corner * (1 - np.cos(turn)), radius - corner + corner * np.sin(turn)
+    far = np.linspace(1, 40, 20) * behind
+    back, aside = np.r_[back, far], np.r_[aside, radius + taper * far]
+    points = np.stack([np.r_[-back, -back[::-1]], np.r_[aside, -aside[::-1]]])  # along, across
+    if end == "bevel":
+        slope = random.uniform(0.5, 2.5) * random.choice([-1, 1])
+        points[0] -= np.maximum(0, np.abs(slope) * radius + slope * points[1]) * (points[0] > -1e-9)
+        points[1] += np.sign(slope) * radius  # the tip is its foremost corner
+    across = np.array([-way[1], way[0]])
+    return tip[:, None] + np.outer(way, points[0]) + np.outer(across, points[1]), half, radius
 
 
 def drawn_anew(outlines, label, random, unit):
@@ -138,7 +160,7 @@ class Scene:
             return picture
         inner = self.away(self.outlines["inner"])
         if self.chance(0.35):
-            picture = picture + self.shell(outer, inner)
+            picture = picture + self.path(outer, inner)
         picture = self.with_body(picture, inner, 0.0 if self.chance(0.25) else 0.3)
         if self.chance(0.5):  # a perivitelline space
             gap = -float(inner.min()) * random.uniform(0.01, 0.15)
@@ -152,8 +174,8 @@ class Scene:
                 picture = self.with_body(picture, (np.hypot(x - xs[k], y - ys[k]) - r).astype(np.float32), 0.1)
         return picture
 
-    def shell(self, outer, inner):
-        """The path of light through zona and cell as if both were round, its slope or its curvature."""
+    def path(self, outer, inner):
+        """The path of light through a body and one within it as if both were round, its slope or its curvature."""
         r = max(4.0, -float(outer.min()))
         path = sum(np.float32(weight) * np.sqrt(np.clip(-away * (2 * r + away), 0, None)) / r
                    for weight, away in zip(self.random.normal(0, 1, 2), (outer, inner)))
@@ -175,11 +197,15 @@ class Scene:
 
     def with_tool(self, picture, away):
         """A rod, hollow as a rule."""
+        wall = np.float32(self.unit * np.exp(self.random.uniform(np.log(0.8), np.log(10))))
+        is_hollow = self.chance(0.75)
+        if self.chance(0.4):
+            strength = np.float32(self.random.uniform(1, 2.5))
+            picture = picture + strength * self.path(away, away + wall if is_hollow else np.full_like(away, 1e4))
+            if self.chance(0.6):
+                return picture
         picture = self.with_body(picture, away, 0.5)
-        if self.chance(0.75):
-            wall = self.unit * np.exp(self.random.uniform(np.log(0.8), np.log(10)))
-            picture = self.with_body(picture, away + np.float32(wall), 0.2)
-        return picture
+        return self.with_body(picture, away + wall, 0.2) if is_hollow else picture
 
 
 def inside_of(mask):

@@ -9,7 +9,9 @@ says where in it the tip is, in any contrast.
 
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning and wide families.
 The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of
-them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
+them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. --fine trains a
+second network that looks at wide needles from nearer by; half of what it sees is drawn from outlines alone (any_contrast.py),
+most of it with needles of any width and end. Its two
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes. Some pictures show a droplet that
 the needle has expelled.
 """
@@ -22,7 +24,6 @@ from torch import nn
 from training import TipSamples, UNetwork, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
-WIDTH_SAMPLES, LEAST_PX, MOST_PX = 5.0, 0.5, 3.0
 LABEL_SIGMA = 1.0
 WITH_DROPLET = 0.12    # share of the pictures
 
@@ -34,19 +35,24 @@ def tip_network(widths=(12, 24, 40, 56)):
 
 
 class Samples(TipSamples):
+    """How the whole end is looked at, and from how far off the tip may be supposed, along and across, in samples."""
+    WIDTH_SAMPLES, LEAST_PX, MOST_PX, ERROR = 5.0, 0.5, 3.0, (9, 3)
     ANEW = 0.0  # with half of them drawn anew, tips inside an ooplasm were read 4 um short
+
+    def __init__(self, folder):
+        super().__init__(folder, self.WIDTH_SAMPLES)
 
     def draw(self, random):
         image, tip, way, half, _ = self.pick(self.items, random)
         if random.random() < 0.5:
             image, width = image[:, ::-1], image.shape[1]
             tip, way = np.array([width - 1 - tip[0], tip[1]]), way * (-1, 1)
-        spacing = float(np.clip(half * np.exp(random.normal(0, 0.25)) / WIDTH_SAMPLES, LEAST_PX, MOST_PX))
+        spacing = float(np.clip(half * np.exp(random.normal(0, 0.25)) / self.WIDTH_SAMPLES, self.LEAST_PX, self.MOST_PX))
         wild = 2.0 if random.random() < 0.3 else 1.0
         angle = np.arctan2(way[1], way[0]) + random.normal(0, 0.02 * wild)
         way = np.array([np.cos(angle), np.sin(angle)])
         across = np.array([-way[1], way[0]])
-        error = np.array([random.normal(0, 9 * wild), random.normal(0, 3 * wild)])
+        error = wild * random.normal(0, self.ERROR)
         error = np.clip(error, (-36, -26), (50, 26))
         at = tip + spacing * (error[0] * way + error[1] * across)
         back = tip - at
@@ -64,6 +70,12 @@ class Samples(TipSamples):
         x, y = ((at - low)[k] + spacing * (u * way[k] + v * across[k]) for k in (0, 1))
         grey = normalised(sampled(part, x, y))
         return np.stack([grey, np.full_like(grey, spacing_of(spacing))]).astype(np.float32), truth.astype(np.float32)
+
+
+class FineSamples(Samples):
+    """The same from nearer by, once the tip is known to a few of the samples above."""
+    WIDTH_SAMPLES, LEAST_PX, MOST_PX, ERROR = 12.0, 0.5, 1.5, (4, 3)
+    ANEW, ANY_NEEDLE = 0.5, 0.7
 
 
 def with_droplet(part, tip, way, half, random):
@@ -95,9 +107,9 @@ def loss_of(logits, truth):
 
 
 def main():
-    options = arguments_of(__doc__, 30)
+    options = arguments_of(__doc__, 30, {"fine": "the network that looks from nearer by (tip_fine.onnx)"})
     random = np.random.default_rng(1)
-    samples = Samples(options.samples, WIDTH_SAMPLES)
+    samples = (FineSamples if options.fine else Samples)(options.samples)
     network = tip_network()
 
     def loss_of_batch():

@@ -13,7 +13,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from any_contrast import Drawings, drawn_anew, moved, outlines_of
+from any_contrast import Drawings, any_needle, drawn_anew, moved, outlines_of
 
 REDUCING_BLUR = 0.42   # before samples further apart than a pixel, in samples
 
@@ -184,6 +184,7 @@ class TipSamples:
     """Pictures of a folder that show a needle's tip, each with its tip, direction, half width some way behind and radius at the
     tip, px, its labels and outlines; `load` takes in what has been added since."""
     ANEW = 0.5        # share of the pictures drawn from the outlines alone
+    ANY_NEEDLE = 0.0  # of these, the share with a needle of any width and end
     REACH = 210       # of a drawing about the tip, in samples
 
     def __init__(self, folder, width_samples):
@@ -208,6 +209,9 @@ class TipSamples:
 
     def anew(self, item, random):
         _, tip, way, half, radius, label, outlines = item
+        if random.random() < self.ANY_NEEDLE:
+            needle, half, radius = any_needle(tip, way, half, 0.05 * max(label.shape), random)
+            outlines = {**outlines, "needle": needle}
         unit = half / self.width_samples
         reach = min(self.REACH * unit, 400)
         low = np.maximum(np.floor(tip - reach).astype(int), 0)
@@ -246,7 +250,8 @@ def draw_batch(draw, is_usable, count):
     return tuple(torch.from_numpy(np.stack(part)) for part in zip(*drawn))
 
 
-def arguments_of(text, minutes):
+def arguments_of(text, minutes, flags=None):
+    """`flags`: {name: help} of further options that are there or not."""
     parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("samples")
     parser.add_argument("output")
@@ -254,6 +259,8 @@ def arguments_of(text, minutes):
     parser.add_argument("--start", help="weights to go on from (.pt, or a network as shipped, .onnx)")
     parser.add_argument("--rate", type=float, default=4e-3)
     parser.add_argument("--threads", type=int, default=1)
+    for name, help_text in (flags or {}).items():
+        parser.add_argument(f"--{name}", action="store_true", help=help_text)
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     torch.manual_seed(1)

@@ -116,10 +116,12 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options, bool is_
   run.film = film;
   run.has_cell = film.scenario.cell.in_view;
   VirtualMicroscope microscope = microscope_of(film);
-  MembraneTracker tracker(options);
   const bool shipped = std::filesystem::path(film.scenario.cell.reference).has_parent_path() == false;
   const CellProfile of_kind = load_profile(shipped ? film.scenario.cell.reference : "mouse-oocyte");
   const CellProfile profile = film.relaxes ? with_relaxation(of_kind) : of_kind;
+  TrackerOptions of_size = options;
+  of_size.expected_radius_um = profile.mid_radius_um + 0.5 * profile.thickness_um;
+  MembraneTracker tracker(of_size);
   RelaxingTruth relaxing(film.seed);
   std::optional<ProfileForce> by_profile;
   if (!shipped) by_profile.emplace(profile);

@@ -10,7 +10,7 @@ namespace pellucida {
 
 Chain::Chain(const PipelineOptions& options)
     : profile(profile_of(options)),
-      tracking(options.tracker),
+      tracking(tracker_of(options, profile)),
       mechanics(profile),
       surface{.reconstruction = ReconstructionStep(
                   {.step_deg = options.revolve_step_deg, .meridian_point_count = options.meridian_point_count}),

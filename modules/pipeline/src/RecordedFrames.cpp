@@ -7,6 +7,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/core_vtk/ObservationData.h"
 #include "pellucida/core_vtk/SceneData.h"
+#include "pellucida/pipeline/RunProvenance.h"
 #include "pellucida/session/FramesUsed.h"
 
 namespace pellucida {
@@ -54,7 +55,7 @@ class RecordedFrames::Impl {
       : session_(session),
         used_(frames_used_of(session.info())),
         tables_only_(options.tables_only),
-        tracking_(options.pipeline.tracker),
+        tracking_(tracker_of(options.pipeline, profile_of(options.pipeline))),
         reconstruction_({.step_deg = options.pipeline.revolve_step_deg,
                          .meridian_point_count = options.pipeline.meridian_point_count}) {
     if (options.rerun == Rerun::kTracking) {

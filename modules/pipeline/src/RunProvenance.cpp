@@ -126,6 +126,12 @@ std::string to_json(const RunProvenance& provenance, const PipelineOptions& opti
   return json.dump();
 }
 
+TrackerOptions tracker_of(const PipelineOptions& options, const CellProfile& profile) {
+  TrackerOptions tracker = options.tracker;
+  tracker.expected_radius_um = profile.mid_radius_um + 0.5 * profile.thickness_um;
+  return tracker;
+}
+
 CellProfile profile_of(const PipelineOptions& options) {
   return options.given_profile ? *options.given_profile : load_profile(options.profile);
 }

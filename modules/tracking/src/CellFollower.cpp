@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ContourMath.h"
-#include "OutlineShape.h"
 
 namespace pellucida {
 namespace {
@@ -32,27 +31,18 @@ constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // a push of 25 um (wide film 179137).
 constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
 constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4, kMoved_sigmas = 3.0;
-// Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
-// none.
-constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 // Of the narrow band: where a membrane that is back at rest is looked for.
 constexpr double kAtRest_ratio = 0.5;
+// Of the quality: seen about as well.
+constexpr double kAsWell_ratio = 0.8;
 // Of an outline's area, what is left of it in the next frame at least.
 constexpr double kKeptArea_ratio = 0.9;
-// A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
-// of films 27025 and 28025 less.
-constexpr double kPoorStart = 0.25;
-// How probable a cell is by the network that judges what is found: less, and it is none. Of pictures held out from its
-// training 99.9 % of the cells had more than 0.15, and 1 % of other things; a real red cell in a pipette's mouth, which
-// kept the limit from being higher, has 0.17. From `kSureCell` on it is one, and boundaries read with the lower score
-// will do.
-constexpr double kLeastCell = 0.15, kSureCell = 0.9, kLeastOfSureCell = 0.63;
-
-contour::Circle fit(const Eigen::Matrix2Xd& points) {
-  return contour::fit_circle(points, kCircleTolerance_px);
-}
 
 }  // namespace
+
+contour::Circle CellFollower::circle_of(const Eigen::Matrix2Xd& points) {
+  return contour::fit_circle(points, kCircleTolerance_px);
+}
 
 // The pixels of the holder, outside the cell: they show the cell's rigid motion. Its rim is what shows a motion along
 // the pipette, so the pixels go close to the membrane and not far up the shaft.
@@ -73,8 +63,8 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
 }
 
 void CellFollower::learn_rest(const FrameInput& frame) {
-  const OutOfRound shape = OutOfRound::of(snakes_.outer().points, fit(snakes_.outer().points));
-  const auto round = [&](const SnakeContour& snake) { return fit(shape.rounded(snake.points, center_now())); };
+  const OutOfRound shape = OutOfRound::of(snakes_.outer().points, circle_of(snakes_.outer().points));
+  const auto round = [&](const SnakeContour& snake) { return circle_of(shape.rounded(snake.points, center_now())); };
   const contour::Circle outer = round(snakes_.outer());
   const double inner_radius = snakes_.has_inner() ? round(snakes_.inner()).radius : 0.0;
   const bool elsewhere = (outer.center - center_now()).norm() > kAstray_ratio * rest_.outer_radius;
@@ -114,76 +104,13 @@ double CellFollower::quality_now() const {
   return std::min(both, local_score());
 }
 
-// What was found, by the network that has seen cells and other things; a bubble's rim is as clear as a membrane.
-bool CellFollower::is_cell(const FrameInput& frame, const contour::Circle& circle) const {
-  const double share = frame.networks->cells().read(frame.image, circle.center, circle.radius);
-  const bool is_poor = is_read_ && snakes_.outer().score < frame.least_score;
-  return share >= (is_poor ? kSureCell : kLeastCell);
-}
-
-bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
-  touching_ = false;
-  needle_.reset();
-  find_tools_of(frame, cell.circle);
-  const NeedleZone needle_zone = zone();
-  const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
-  is_read_ = frame.reader != nullptr;
-  is_doubtful_ = false;
-  const bool is_judged = frame.networks != nullptr && !frame.is_vouched;
-  if (is_read_) {
-    const double least = is_judged ? std::min(frame.least_score, kLeastOfSureCell) : frame.least_score;
-    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known, least))
-      return false;
-  } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {
-    return false;
-  }
-  zona_.start(frame.image, frame.noise, cell, snakes_.outer());
-  detection_score_ = std::min(1.0, snakes_.sureness() / 0.6);
-  bad_frames_ = poor_frames_ = frames_followed_ = 0;
-
-  // The rest shape as far as this one frame shows it: the circle through the undeformed part.
-  const contour::Circle circle = fit(snakes_.outer().points);
-  const OutlineShape shape(snakes_.outer().points, circle);
-  detection_score_ *= shape.roundness();
-  const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
-  if (!is_pushed && !shape.may_be_cell() && detection_score_ < kPoorStart) return false;
-  if (is_judged && !is_cell(frame, circle)) return false;
-  rest_ = {};
-  rest_.center = circle.center;
-  rest_.outer_radius = circle.radius;
-  rest_.inner_radius = snakes_.has_inner() ? fit(snakes_.inner().points).radius : 0.0;
-  // Membranes that are not one inside the other are none.
-  if (rest_.inner_radius >= rest_.outer_radius) return false;
-  motion_ = {};
-  motion_.pivot = rest_.center;
-  walls_slide_ = false;
-  scene_.reset();
-  scene_.update(frame.image);
-  astray_frames_ = 0;
-  seat_ = circle.center;
-  learn_holder_motion(frame);
-  if (is_read_ && needle_.valid() && tip_depth() > kEntered_px) read_dimples(frame);
-  membrane_depth_ = measure_membrane_depth();
-  // Where a mere shade ends is not known well enough to say that it has entered an untouched outline.
-  const bool certain = !zone().is_shade || membrane_depth_ > 0.5 * kEntered_px;
-  const bool entered = needle_.valid() && tip_depth() > kEntered_px && certain;
-  const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
-  contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
-  touching_ = entered && !through;
-  drift_.reset();
-  if (!entered) learn_rest(frame);
-  quality_ = usual_quality_ = first_quality_ = quality_now();
-  measure_dent();
-  least_dent_ = dent_;
-  deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
-  return true;
-}
-
 // The narrow band first; where that fails, wider, and with the membrane sprung back.
 void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift) {
   const PartTimer timer(frame.timings->contours_us);
   const NeedleZone needle_zone = zone();
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
+  NeedleZone loose = needle_zone;
+  loose.touching = false;
   outer_before_ = snakes_.outer();
   inner_before_ = snakes_.inner();
   if (is_read_) {
@@ -192,6 +119,8 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   }
   snakes_.track(frame.image, frame.noise, shift, needle_.motion(), known, options_.search_px);
   quality_ = quality_now();
+  if (contact_.state() == CellState::kPunctured || (touching_ && are_flanks_back()))
+    follow_unpushed(frame, known ? &loose : nullptr);
   if (quality_ >= std::max(0.6, 0.88 * usual_quality_)) return;
 
   SnakeContour best_outer = snakes_.outer(), best_inner = snakes_.inner();
@@ -208,8 +137,6 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     }
   };
   attempt(known, false, options_.wide_search_px);
-  NeedleZone loose = needle_zone;
-  loose.touching = false;
   if (known && touching_) {
     attempt(&loose, false, options_.wide_search_px);
     // Close to rest first: further off the snake may go over to a stronger line, the oolemma's.
@@ -220,6 +147,23 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     attempt(known, true, options_.wide_search_px);
   }
   snakes_.restore(best_outer, best_inner);
+}
+
+// A membrane that has given way is at rest, but the edges of the needle that is through may hold the contour in the
+// dimple: where it is seen at rest about as well, that is where it is.
+void CellFollower::follow_unpushed(const FrameInput& frame, const NeedleZone* needle) {
+  measure_dent();
+  if (new_dent_ratio() < kUnpushedDent_ratio) return;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
+  snakes_.track(frame.image, frame.noise, Eigen::Vector2d::Zero(), needle_.motion(), needle,
+                kAtRest_ratio * options_.search_px);
+  const double at_rest_quality = quality_now();
+  if (at_rest_quality > kAsWell_ratio * quality_) {
+    quality_ = at_rest_quality;
+  } else {
+    snakes_.restore(outer, inner);
+  }
 }
 
 std::optional<Eigen::Vector2d> CellFollower::notice_jump(const FrameInput& frame) {

@@ -108,7 +108,12 @@ class CellFollower {
   // A needle seen worse than this may be elsewhere, and with it what the frame says of the contact.
   static constexpr double kPoorNeedle = 0.5;
   NeedleZone zone() const;
+  // Of the radius: a dent that counts as one where nothing pushes.
+  static constexpr double kUnpushedDent_ratio = 0.06;
+  // Through the part of a contour that nothing dents.
+  static contour::Circle circle_of(const Eigen::Matrix2Xd& points);
   bool is_cell(const FrameInput& frame, const contour::Circle& circle) const;
+  bool is_sized(const FrameInput& frame, const contour::Circle& circle) const;
   contour::Circle resting_circle() const;
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
@@ -123,6 +128,7 @@ class CellFollower {
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
   void read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
+  void follow_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_dimples(const FrameInput& frame);
   SnakeContour dimpled(SnakeContour snake, double reach_px) const;

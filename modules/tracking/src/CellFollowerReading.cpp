@@ -17,8 +17,8 @@ constexpr double kSprungDepth_ratio = 0.06;
 // this share of its own depth at least. In some 200 frames of contact of 23 tuning and wide films (170001 to 170105) it
 // came back by less than 0.1, in the frame after 19 punctures by 0.19 and more. How that depth fades, per frame.
 constexpr double kSprungFall_ratio = 0.22, kLeastFall_px = 1.2, kTipKept_ratio = 0.8, kUntiedFade = 0.95;
-// Of the radius: a membrane so far ahead of the tip is not pushed by it; a dent that counts as one.
-constexpr double kBeyondTip_ratio = 0.06, kUnpushedDent_ratio = 0.06;
+// Of the radius: a membrane so far ahead of the tip is not pushed by it.
+constexpr double kBeyondTip_ratio = 0.06;
 // Of the radius: half the width of the dimples, none included, that a needle past the outline may have made before the
 // first sight.
 constexpr double kDimples_ratio[] = {0.0, 0.4, 0.8};

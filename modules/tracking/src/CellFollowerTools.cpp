@@ -8,6 +8,7 @@
 #include "ContourMath.h"
 #include "HintedHolder.h"
 #include "HintedNeedle.h"
+#include "SceneVerdict.h"
 
 namespace pellucida {
 namespace {
@@ -144,8 +145,9 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
   } else {
     for (const SceneTool& seen : frame.scene->needles) {
       const ExpectedTip expected = expected_tip(seen);
+      const auto is_whole = [&] { return !is_one_wall(needle_.estimate(), seen); };
       for (const FoundTool& tool : tools)
-        if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px)) return;
+        if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px) && is_whole()) return;
       if (is_needle(found_tool(seen), &expected, seen.half_width_px)) return;
       if (frame.networks == nullptr) continue;
       const NeedleAxis axis{seen.tip, seen.direction};

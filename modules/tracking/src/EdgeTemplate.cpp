@@ -229,4 +229,24 @@ EdgeTemplate::Match EdgeTemplate::match(const float* profile, int reach, int dir
   return match;
 }
 
+double EdgeTemplate::asymmetry() const noexcept {
+  double odd = 0.0, even = 0.0;
+  for (const Look& look : looks_) {
+    const double center = kHalf + look.center;
+    const int reach = static_cast<int>(std::min(center, kTaps - 1.0 - center));
+    const auto at = [&](double k) {
+      const int i = std::clamp(static_cast<int>(center + k), 0, kTaps - 2);
+      const double t = center + k - i;
+      return (1.0 - t) * look.shape[static_cast<std::size_t>(i)] + t * look.shape[static_cast<std::size_t>(i) + 1];
+    };
+    double mean = 0.0;
+    for (int k = 0; k <= reach; ++k) mean += 0.5 * (at(k) + at(-k)) / (reach + 1);
+    for (int k = 0; k <= reach; ++k) {
+      odd += std::pow(0.5 * (at(k) - at(-k)), 2);
+      even += std::pow(0.5 * (at(k) + at(-k)) - mean, 2);
+    }
+  }
+  return std::sqrt(odd / std::max(even, 1e-12));
+}
+
 }  // namespace pellucida

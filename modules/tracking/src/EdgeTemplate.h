@@ -60,6 +60,9 @@ class EdgeTemplate {
   double center_deviation(int direction) const noexcept {
     return looks_[static_cast<std::size_t>(direction)].center_deviation;
   }
+  /// How unlike its mirror image about its centre the look is: RMS of the odd part over that of the even, all
+  /// directions together. 0: a line with the same on both sides.
+  double asymmetry() const noexcept;
   /// Energy of the look: mean square over the window, brightness 1.
   double energy(int direction) const noexcept { return looks_[static_cast<std::size_t>(direction)].energy; }
 

@@ -97,6 +97,9 @@ class MembraneSnakes {
     return outer_look_.edge.valid() ? outer_look_.edge.width() * outer_look_.step_px : 0.0;
   }
 
+  /// As EdgeTemplate::asymmetry, of the outer membrane's line; 1 before it is learnt.
+  double asymmetry() const noexcept { return outer_look_.edge.valid() ? outer_look_.edge.asymmetry() : 1.0; }
+
   /// Puts back contours kept from before (after a try that failed).
   void restore(const SnakeContour& outer, const SnakeContour& inner) {
     outer_ = outer;

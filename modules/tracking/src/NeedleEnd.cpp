@@ -15,13 +15,18 @@ namespace {
 constexpr std::array kRoundness{1.0, 0.5, 0.0};
 constexpr double kLessRound = 0.03;
 constexpr int kEndFrames = 20;
+// Of the half width: how far apart the places may be where ends of two kinds fit best.
+constexpr double kEndReach = 0.5;
+// Of the misfits, from the least to the most: the end is seen plainly.
+constexpr double kPlainEnd = 0.5;
 
 }  // namespace
 
 // Tries ends from a half ball to one cut off straight. Where another one fits better, the tip lies elsewhere by as much
-// as the places differ where either fits best.
+// as the places differ where either fits best; and at first sight where that is.
 void NeedleTracker::learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft) {
   constexpr double kNothingAhead = std::numeric_limits<double>::infinity();
+  const double reach_px = again_px() + kEndReach * model_.cone.tip_radius();
   static_assert(kRoundness.size() == kEnds);
   std::array<TipResult, kEnds> ends;
   bool all = true;
@@ -29,10 +34,11 @@ void NeedleTracker::learn_end(const FrameSampler& image, double noise, const Sha
     NeedleModel tried = model_;
     tried.cone.set_roundness(kRoundness[k]);
     tip_.prepare(tried);
-    ends[k] = tip_.find(image, axis_, shaft.gain, shaft.medium, noise, again_px(), kNothingAhead);
+    ends[k] = tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, kNothingAhead);
     all = all && ends[k].found && ends[k].unexplained > 0.0;
   }
   if (all) {
+    const bool is_first = end_frames_ == 0;
     end_frames_ = std::min(end_frames_ + 1, kEndFrames);
     for (std::size_t k = 0; k < ends.size(); ++k)
       end_misfits_[k] += (std::log(ends[k].unexplained / ends[0].unexplained) - end_misfits_[k]) / end_frames_;
@@ -41,8 +47,8 @@ void NeedleTracker::learn_end(const FrameSampler& image, double noise, const Sha
         end_misfits_[static_cast<std::size_t>(least)] < -kLessRound ? static_cast<std::size_t>(least) : 0;
     const auto before = static_cast<std::size_t>(
         std::find(kRoundness.begin(), kRoundness.end(), model_.cone.roundness()) - kRoundness.begin());
-    if (best != before) {
-      const double further = ends[best].ahead - ends[before].ahead;
+    if (best != before || is_first) {
+      const double further = ends[best].ahead - (is_first ? 0.0 : ends[before].ahead);
       axis_.tip += further * axis_.direction;
       model_.cone.move(further, 0.0);
       model_.cone.set_roundness(kRoundness[best]);
@@ -50,6 +56,12 @@ void NeedleTracker::learn_end(const FrameSampler& image, double noise, const Sha
     }
   }
   prepare();
+}
+
+// Edges show what the end is like: ends of another kind fit far worse.
+bool NeedleTracker::is_end_plain() const {
+  const auto [least, most] = std::minmax_element(end_misfits_.begin(), end_misfits_.end());
+  return *most - *least > kPlainEnd;
 }
 
 }  // namespace pellucida

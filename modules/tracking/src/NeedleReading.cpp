@@ -22,6 +22,10 @@ constexpr double kLeastOfScene = 0.6, kMostOfScene = 1.3;
 // tuning films (seeds 63001 to 63090) a tip was read within 2 px of where it was.
 constexpr double kSameRead_px = 3.0, kSameReadHalfWidths = 0.3;
 
+// Along the needle, so many half widths of the tip: networks may read the end of the lumen for that of the needle, where
+// edges show the end plainly.
+constexpr double kRimHalfWidths = 0.6;
+
 // In contact: a tip read so far further back, px and in standard deviations, than the shaft has gone has sprung back
 // with the membrane; so many readings in a row of that kind, and it is there.
 constexpr double kSprung_px = 5.0, kSprungSigmas = 3.0;
@@ -60,7 +64,12 @@ std::optional<Eigen::Vector2d> NeedleTracker::tip_read(TipNetwork& network, cons
 
 bool NeedleTracker::is_where_read(TipNetwork& network, const FrameSampler& image) const {
   const std::optional<Eigen::Vector2d> read = tip_read(network, image);
-  return !read || (*read - tip()).norm() < std::max(kSameRead_px, kSameReadHalfWidths * now_.tip_half_width);
+  if (!read) return true;
+  const Eigen::Vector2d off = *read - tip();
+  const double same_px = std::max(kSameRead_px, kSameReadHalfWidths * now_.tip_half_width);
+  if (off.norm() < same_px) return true;
+  const bool is_rim = std::abs(off.dot(axis_.direction)) < kRimHalfWidths * now_.tip_half_width;
+  return is_rim && is_end_plain() && std::abs(off.dot(axis_.across())) < same_px;
 }
 
 // Read where it is expected, or where that leads; `share` becomes 1 where what was followed has run away.

@@ -131,6 +131,7 @@ class NeedleTracker {
   bool start(const FrameSampler& image, NeedleGuess guess, double noise);
   void prepare();
   void set_zero();
+  bool is_end_plain() const;
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);

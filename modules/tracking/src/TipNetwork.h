@@ -17,10 +17,11 @@ struct TipReading {
 /// A small convolutional network that reads the patch of an image about the supposed tip of a needle, laid along it,
 /// and says where in it the tip is, in any contrast and whatever lies before it. Trained by
 /// `resources/networks/train_tip.py` on drawn pictures of the tuning families; run by OpenCV. It sees 56 samples behind
-/// the supposed tip and 39 ahead of it, five of which make the needle's half width.
+/// the supposed tip and 39 ahead of it, five of which make the needle's half width. A second network of the same make,
+/// with twelve samples to the half width, says where in that a needle 8 px wide and more ends.
 class TipNetwork {
  public:
-  /// Reads `networks/tip.onnx` of the resources. Throws InputError when it can't be read.
+  /// Reads `networks/tip.onnx` and `tip_fine.onnx` of the resources. Throws InputError when they can't be read.
   TipNetwork();
   ~TipNetwork();
   TipNetwork(TipNetwork&&) noexcept;

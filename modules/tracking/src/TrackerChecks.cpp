@@ -20,6 +20,8 @@ void check(const TrackerOptions& o) {
   require(o.min_cell_diameter_px >= 16.0, "min_cell_diameter_px", "of 16 or more", o.min_cell_diameter_px);
   require(o.max_cell_diameter_px > o.min_cell_diameter_px, "max_cell_diameter_px", "above min_cell_diameter_px",
           o.max_cell_diameter_px);
+  require(o.expected_radius_um >= 0.0 && std::isfinite(o.expected_radius_um), "expected_radius_um", "of 0 or more",
+          o.expected_radius_um);
   require(o.contour_point_count >= 64 && o.contour_point_count <= 512, "contour_point_count", "in 64..512",
           o.contour_point_count);
   require(o.edge_scale_px >= 0.5 && o.edge_scale_px <= 10.0, "edge_scale_px", "in 0.5..10", o.edge_scale_px);

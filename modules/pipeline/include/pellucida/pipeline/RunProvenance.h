@@ -23,6 +23,9 @@ std::string to_json(const RunProvenance& provenance, const PipelineOptions& opti
 /// The profile that `options` name or hold. Throws as `load_profile`.
 CellProfile profile_of(const PipelineOptions& options);
 
+/// How cells of `profile` are tracked: as `options` say, and of its size.
+TrackerOptions tracker_of(const PipelineOptions& options, const CellProfile& profile);
+
 /// The options a session was measured with: its own profile, tracking, mesh and measurements of the scale. What an
 /// earlier version's session does not state keeps its default. Throws InputError for a damaged entry; the text names
 /// it.

@@ -22,6 +22,9 @@ struct TrackerOptions {
   // Detection.
   double min_cell_diameter_px = 36.0;  ///< of the outer membrane
   double max_cell_diameter_px = 560.0;
+  /// Of the kind of cell, its outer membrane's; a ring less than 0.4 or more than 2.5 times as large is none, unless a
+  /// person says so. 0: any.
+  double expected_radius_um = 0.0;
   double min_detection_score = 0.50;  ///< 0..1: below this, no cell is reported
   int redetect_interval_frames = 5;   ///< while lost: how often the whole image is searched
 

@@ -1,0 +1,100 @@
+// A cell that was found: whether it is one, and its shape at rest as far as one frame shows it.
+#include <algorithm>
+
+#include "CellFollower.h"
+#include "ContourMath.h"
+#include "OutlineShape.h"
+
+namespace pellucida {
+namespace {
+
+// Tip past the resting membrane at first sight: it has entered the outline; it is deep enough to tell a dimple from
+// none.
+constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
+// A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
+// of films 27025 and 28025 less.
+constexpr double kPoorStart = 0.25;
+// How probable a cell is by the network that judges what is found: less, and it is none. Of pictures held out from its
+// training 99.9 % of the cells had more than 0.15, and 1 % of other things; a real red cell in a pipette's mouth, which
+// kept the limit from being higher, has 0.17. From `kSureCell` on it is one, and boundaries read with the lower score
+// will do.
+constexpr double kLeastCell = 0.15, kSureCell = 0.9, kLeastOfSureCell = 0.63;
+// Of the radius expected of the kind: what is smaller or larger is another thing, as bubbles are. No force is known
+// outside 0.6 to 1.7 of it.
+constexpr double kSmallest_ratio = 0.4, kLargest_ratio = 2.5;
+
+}  // namespace
+
+// What was found, by the network that has seen cells and other things; a bubble's rim is as clear as a membrane.
+bool CellFollower::is_cell(const FrameInput& frame, const contour::Circle& circle) const {
+  const double share = frame.networks->cells().read(frame.image, circle.center, circle.radius);
+  const bool is_poor = is_read_ && snakes_.outer().score < frame.least_score;
+  return share >= (is_poor ? kSureCell : kLeastCell);
+}
+
+bool CellFollower::is_sized(const FrameInput& frame, const contour::Circle& circle) const {
+  const double ratio = circle.radius * frame.view.pixel_size_um / options_.expected_radius_um;
+  return frame.is_vouched || !(options_.expected_radius_um > 0.0) ||
+         (ratio > kSmallest_ratio && ratio < kLargest_ratio);
+}
+
+bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
+  if (!is_sized(frame, cell.circle)) return false;
+  touching_ = false;
+  needle_.reset();
+  find_tools_of(frame, cell.circle);
+  const NeedleZone needle_zone = zone();
+  const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
+  is_read_ = frame.reader != nullptr;
+  is_doubtful_ = false;
+  const bool is_judged = frame.networks != nullptr && !frame.is_vouched;
+  if (is_read_) {
+    const double least = is_judged ? std::min(frame.least_score, kLeastOfSureCell) : frame.least_score;
+    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known, least))
+      return false;
+  } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {
+    return false;
+  }
+  zona_.start(frame.image, frame.noise, cell, snakes_.outer());
+  detection_score_ = std::min(1.0, snakes_.sureness() / 0.6);
+  bad_frames_ = poor_frames_ = frames_followed_ = 0;
+
+  // The rest shape as far as this one frame shows it: the circle through the undeformed part.
+  const contour::Circle circle = circle_of(snakes_.outer().points);
+  const OutlineShape shape(snakes_.outer().points, circle);
+  detection_score_ *= shape.roundness();
+  const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
+  if (!is_pushed && !shape.may_be_cell() && detection_score_ < kPoorStart) return false;
+  if (!is_sized(frame, circle) || (is_judged && !is_cell(frame, circle))) return false;
+  rest_ = {};
+  rest_.center = circle.center;
+  rest_.outer_radius = circle.radius;
+  rest_.inner_radius = snakes_.has_inner() ? circle_of(snakes_.inner().points).radius : 0.0;
+  // Membranes that are not one inside the other are none.
+  if (rest_.inner_radius >= rest_.outer_radius) return false;
+  motion_ = {};
+  motion_.pivot = rest_.center;
+  walls_slide_ = false;
+  scene_.reset();
+  scene_.update(frame.image);
+  astray_frames_ = 0;
+  seat_ = circle.center;
+  learn_holder_motion(frame);
+  if (is_read_ && needle_.valid() && tip_depth() > kEntered_px) read_dimples(frame);
+  membrane_depth_ = measure_membrane_depth();
+  // Where a mere shade ends is not known well enough to say that it has entered an untouched outline.
+  const bool certain = !zone().is_shade || membrane_depth_ > 0.5 * kEntered_px;
+  const bool entered = needle_.valid() && tip_depth() > kEntered_px && certain;
+  const bool through = entered && tip_depth() > kDeep_px && membrane_depth_ < 0.5 * tip_depth();
+  contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
+  touching_ = entered && !through;
+  drift_.reset();
+  if (!entered) learn_rest(frame);
+  quality_ = usual_quality_ = first_quality_ = quality_now();
+  measure_dent();
+  least_dent_ = dent_;
+  deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
+  return true;
+}
+
+}  // namespace pellucida
