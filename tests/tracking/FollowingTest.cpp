@@ -56,5 +56,24 @@ TEST(Following, AContourDoesNotJumpToAnEdgeWithin) {
   EXPECT_TRUE(was_followed);
 }
 
+// A ring far from the size of the kind is a bubble's, unless a person says that it is a cell.
+TEST(Following, ARingFarFromTheSizeOfTheKindIsNoCell) {
+  const std::vector<std::uint8_t> pixels = cell(60.0, 5U);
+  const auto sees_cell = [&](double expected_radius_um, bool is_clicked) {
+    TrackerOptions options;
+    options.detection = TrackerOptions::Detection::kLines;
+    options.expected_radius_um = expected_radius_um;
+    MembraneTracker tracker(options);
+    if (is_clicked) tracker.expect_cell({{160.0, 150.0}, {}});
+    return tracker.process(test::view_of_bytes(pixels, kCellWidth_px, kCellHeight_px, 0.5), 0.0, 0).outer.has_value();
+  };
+  const double radius_um = 0.5 * kOuter_px;
+  for (const double expected_um : {0.0, radius_um, 2.0 * radius_um, 0.5 * radius_um})
+    EXPECT_TRUE(sees_cell(expected_um, false)) << expected_um;
+  for (const double expected_um : {2.7 * radius_um, 0.3 * radius_um})
+    EXPECT_FALSE(sees_cell(expected_um, false)) << expected_um;
+  EXPECT_TRUE(sees_cell(2.7 * radius_um, true));
+}
+
 }  // namespace
 }  // namespace pellucida

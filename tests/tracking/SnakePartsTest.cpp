@@ -170,6 +170,17 @@ TEST(EdgeTemplate, CentreOfASymmetricLineIsItsMiddle) {
   EXPECT_NEAR(look.width(), 2.0, 1e-9);
 }
 
+TEST(EdgeTemplate, ALineThatIsTheSameOnBothSidesIsEvenAndAnyOtherIsNot) {
+  const auto asymmetry = [](const Edge& edge) {
+    EdgeTemplate look;
+    EXPECT_TRUE(learn(look, edge, {1.0, 0.0}));
+    return look.asymmetry();
+  };
+  EXPECT_LT(asymmetry({0.2, 2.0, 0.0, 0.0}), 0.01);
+  EXPECT_GT(asymmetry({0.2, 2.0, 0.1, 0.0}), 0.2);
+  EXPECT_GT(asymmetry({0.2, 2.0, 0.0, 0.1}), 0.2);
+}
+
 TEST(EdgeTemplate, SpreadOfPlacesIsAsPredicted) {
   const Edge edge{0.2, 2.0, 0.1, 0.05};
   EdgeTemplate look;

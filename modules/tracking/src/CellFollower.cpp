@@ -35,6 +35,8 @@ constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4,
 constexpr double kAtRest_ratio = 0.5;
 // Of the quality: seen about as well.
 constexpr double kAsWell_ratio = 0.8;
+// Of the tip's depth: the contour lies on it.
+constexpr double kOnTip_ratio = 0.85;
 // Of an outline's area, what is left of it in the next frame at least.
 constexpr double kKeptArea_ratio = 0.9;
 
@@ -153,7 +155,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
 // dimple: where it is seen at rest about as well, that is where it is.
 void CellFollower::follow_unpushed(const FrameInput& frame, const NeedleZone* needle) {
   measure_dent();
-  if (new_dent_ratio() < kUnpushedDent_ratio) return;
+  if (new_dent_ratio() < kUnpushedDent_ratio || measure_membrane_depth() < kOnTip_ratio * tip_depth()) return;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
   snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
   snakes_.track(frame.image, frame.noise, Eigen::Vector2d::Zero(), needle_.motion(), needle,

@@ -145,7 +145,8 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
   } else {
     for (const SceneTool& seen : frame.scene->needles) {
       const ExpectedTip expected = expected_tip(seen);
-      const auto is_whole = [&] { return !is_one_wall(needle_.estimate(), seen); };
+      // Dark lines may be those of one wall alone; in other looks the network reads the tip.
+      const auto is_whole = [&] { return frame.reader != nullptr || !is_one_wall(needle_.estimate(), seen); };
       for (const FoundTool& tool : tools)
         if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px) && is_whole()) return;
       if (is_needle(found_tool(seen), &expected, seen.half_width_px)) return;

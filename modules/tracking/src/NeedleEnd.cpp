@@ -47,7 +47,7 @@ void NeedleTracker::learn_end(const FrameSampler& image, double noise, const Sha
         end_misfits_[static_cast<std::size_t>(least)] < -kLessRound ? static_cast<std::size_t>(least) : 0;
     const auto before = static_cast<std::size_t>(
         std::find(kRoundness.begin(), kRoundness.end(), model_.cone.roundness()) - kRoundness.begin());
-    if (best != before || is_first) {
+    if (best != before) {
       const double further = ends[best].ahead - (is_first ? 0.0 : ends[before].ahead);
       axis_.tip += further * axis_.direction;
       model_.cone.move(further, 0.0);
