@@ -22,8 +22,8 @@ constexpr double kLeastOfScene = 0.6, kMostOfScene = 1.3;
 // tuning films (seeds 63001 to 63090) a tip was read within 2 px of where it was.
 constexpr double kSameRead_px = 3.0, kSameReadHalfWidths = 0.3;
 
-// Along the needle, so many half widths of the tip: networks may read the end of the lumen for that of the needle, where
-// edges show the end plainly.
+// Along the needle, so many half widths of the tip: networks may read the end of the lumen for that of the needle,
+// where edges show the end plainly.
 constexpr double kRimHalfWidths = 0.6;
 
 // In contact: a tip read so far further back, px and in standard deviations, than the shaft has gone has sprung back
