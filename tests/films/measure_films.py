@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Measures films drawn by path_films.py or wave_films.py with the program, and compares with their truth.
+"""Measures films drawn by path_films.py, sketch_films.py or wave_films.py with the program, and compares with their truth.
 
     python3 measure_films.py FILMS WORK [--pellucida PROGRAM] [--options="--detection scene"]
 

@@ -15,16 +15,13 @@ the columns of a simulated recording's truth. A film depends on the seed and on 
 Nothing in the tracker may be set against these films but for those with the seed 20261124, whose failures were looked at.
 Needs Debian's python3-numpy, python3-scipy and python3-opencv.
 """
-import argparse
-import csv
-import json
-import os
 import zlib
 
 import cv2
 import numpy as np
 
-from path_optics import GRID_UM, Contrast, Projector, Specimen, blurred, coverage, find_specimens, mirrored, sphere_chord_um
+from film_folders import axes, closed, draw_films
+from path_optics import GRID_UM, Contrast, Projector, Specimen, blurred, coverage, mirrored, sphere_chord_um
 
 LOOKED_AT_SEED = 20261124
 MARGIN_UM = 10.0             # of a tool's grid before the tool's end, room for its blur
@@ -269,10 +266,10 @@ class Film:
         return [blurred(field, plan.spread_um / GRID_UM) for field in (path, mirrored(whole - inside), ooplasm)]
 
     def outlines(self, depth_um):
-        """Both faces of the zona as closed polygons, pixels; no point comes twice."""
+        """Both faces of the zona as closed polygons, pixels."""
         if not self.specimen:
-            return None, None
-        return [self.place(np.r_[half, (half * [-1, 1])[-2:0:-1]]) for half in self.specimen.sections_at(depth_um)]
+            return None
+        return [self.place(closed(half)) for half in self.specimen.sections_at(depth_um)]
 
     def frame(self, tip_px, depth_um):
         plan, random = self.plan, self.random
@@ -294,33 +291,11 @@ class Film:
         level = level + random.normal(size=level.shape) * np.hypot(plan.noise, shot)
         return np.clip(np.round(level), 0, 255).astype(np.uint8)
 
-    def write(self, folder, most_frames):
-        plan, pixel_um = self.plan, self.plan.pixel_um
-        os.makedirs(folder)
-        with open(os.path.join(folder, "film.json"), "w") as file:
-            json.dump({"pixel_size_um": pixel_um, "contrast": plan.contrast, "specimen": int(plan.number) if plan.has_cell else None,
-                       "scale": plan.scale, "outcome": plan.outcome, "cell_radius_um": self.top_um if plan.has_cell else None,
-                       "frame_rate_hz": plan.frame_rate_hz}, file, indent=1)
-        with open(os.path.join(folder, "t.csv"), "w") as truth, open(os.path.join(folder, "t_contours.csv"), "w") as shapes:
-            rows, contours = csv.writer(truth), csv.writer(shapes)
-            rows.writerow(["frame", "time_s", "state", "tip_x_um", "tip_y_um", "indentation_um", "force_uN"])
-            contours.writerow(["frame", "membrane", "point", "x_um", "y_um"])
-            for k, (tip_um, depth_um, force_uN, state) in enumerate(plan.path(self.specimen)):
-                if k == most_frames:
-                    break
-                tip_px = self.place(np.array([0.0, self.top_um - tip_um]))
-                image = self.frame(tip_px, depth_um)
-                cv2.imwrite(os.path.join(folder, f"frame_{k:05d}.png"), image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
-                at = tip_px * pixel_um
-                rows.writerow([k, k / plan.frame_rate_hz, state, at[0], at[1], depth_um, force_uN])
-                for name, outline in zip(("outer", "inner"), self.outlines(depth_um)):
-                    for i, point in enumerate([] if outline is None else outline * pixel_um):
-                        contours.writerow([k, name, i, round(point[0], 4), round(point[1], 4)])
-
-
-def axes(angle_rad):
-    """Unit vectors along an axis and across it, in the image."""
-    return np.array([np.cos(angle_rad), np.sin(angle_rad)]), np.array([-np.sin(angle_rad), np.cos(angle_rad)])
+    def frames(self):
+        """As write_film takes them."""
+        for tip_um, depth_um, force_uN, state in self.plan.path(self.specimen):
+            tip_px = self.place(np.array([0.0, self.top_um - tip_um]))
+            yield self.frame(tip_px, depth_um), tip_px, depth_um, force_uN, state, self.outlines(depth_um)
 
 
 def catalogue(specimens, seed):
@@ -338,48 +313,5 @@ def catalogue(specimens, seed):
     return plans
 
 
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        self.exit(2, f"{self.prog}: {message}\n")
-
-
-def main():
-    parser = Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="films to make; all when none is named")
-    parser.add_argument("--specimens", nargs="+", required=True, metavar="FOLDER", help="tables of finite-element specimens")
-    parser.add_argument("--first", type=int, help="smallest number of a specimen")
-    parser.add_argument("--last", type=int, help="greatest number of a specimen")
-    parser.add_argument("--out", help="folder for the films")
-    parser.add_argument("--seed", type=int, default=LOOKED_AT_SEED)
-    parser.add_argument("--frames", type=int, help="make at most so many frames of each film")
-    parser.add_argument("--list", action="store_true", help="print what the films are and make none")
-    options = parser.parse_intermixed_args()
-    if not options.list and not options.out:
-        parser.error("--out is needed, or --list")
-    if options.frames is not None and options.frames < 1:
-        parser.error("--frames must be at least 1")
-    if options.seed < 0:
-        parser.error("--seed must not be negative")
-    for folder in options.specimens:
-        if not os.path.isdir(folder):
-            parser.error(f"no such folder: {folder}")
-    specimens = find_specimens(options.specimens, options.first, options.last)
-    if not specimens:
-        parser.error(f"no suitable specimen in {' '.join(options.specimens)}")
-    plans = catalogue(specimens, options.seed)
-    for name in options.names:
-        if name not in [plan.name for plan in plans]:
-            parser.error(f"no film is called {name} (--list names them)")
-    plans = [plan for plan in plans if not options.names or plan.name in options.names]
-    for plan in plans:
-        if not options.list and os.path.exists(os.path.join(options.out, plan.name)):
-            parser.error(f"{os.path.join(options.out, plan.name)} is there already")
-    for plan in plans:
-        print(f"{plan.name} specimen {plan.number if plan.has_cell else '-'} pixel {plan.pixel_um:.3f} um, {plan.frame_rate_hz} Hz, "
-              f"{plan.frames} frames, {plan.outcome}", flush=True)
-        if not options.list:
-            Film(plan, options.seed).write(os.path.join(options.out, plan.name), options.frames)
-
-
 if __name__ == "__main__":
-    main()
+    draw_films(__doc__, LOOKED_AT_SEED, catalogue, Film)

@@ -11,16 +11,13 @@ and s^2 in force. The needle comes from any side. There are twelve films of each
 as path_films.py writes it; measure_films.py measures it. Nothing in the tracker may be set against these films but for those with
 the seed 20261125, whose failures were looked at. Needs Debian's python3-numpy, python3-scipy and python3-opencv.
 """
-import argparse
-import csv
-import json
-import os
 import zlib
 
 import cv2
 import numpy as np
 
-from path_optics import Specimen, find_specimens
+from film_folders import axes, closed, draw_films
+from path_optics import Specimen
 
 LOOKED_AT_SEED = 20261125
 FINE = 3                     # cells of an outline's mask to a pixel
@@ -99,7 +96,7 @@ class Film:
         self.plan, self.random = plan, np.random.default_rng([seed, zlib.crc32(plan.name.encode())])
         width, height = plan.size_px
         self.y, self.x = np.mgrid[:height, :width].astype(np.float32)
-        self.along, self.across = turned(plan.axis_rad)
+        self.along, self.across = axes(plan.axis_rad)
         self.middle_px = np.array([width, height]) * (.5 + plan.shift)
         self.specimen = Specimen(plan.number, plan.folder, plan.scale) if plan.has_cell else None
         self.top_um = self.specimen.top_um if plan.has_cell else NO_CELL["top_um"]
@@ -150,7 +147,7 @@ class Film:
     def tools(self, tip_px, drift_px):
         """[(outer distance, inner distance or None, radius)] of needle and holder, px."""
         plan = self.plan
-        way, _ = turned(plan.axis_rad + plan.tilt_rad)
+        way, _ = axes(plan.axis_rad + plan.tilt_rad)
         outer, radius = self.rod(tip_px, way, plan.tip_um, plan.taper, SHAFT_UM)
         lumen = None if plan.is_filled else outer + np.maximum(plan.wall_share * radius, .6)
         height_um = self.specimen.height_at(plan.holder_um * .75) if self.specimen else -self.top_um
@@ -227,33 +224,15 @@ class Film:
             picture = cv2.imdecode(cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, plan.jpeg])[1], cv2.IMREAD_GRAYSCALE)
         return picture
 
-    def write(self, folder):
-        plan, pixel_um = self.plan, self.plan.pixel_um
-        os.makedirs(folder)
-        with open(os.path.join(folder, "film.json"), "w") as file:
-            json.dump({"pixel_size_um": pixel_um, "contrast": plan.contrast, "specimen": int(plan.number) if plan.has_cell else None,
-                       "scale": float(plan.scale), "outcome": plan.outcome, "cell_radius_um": float(self.top_um) if plan.has_cell else None,
-                       "frame_rate_hz": plan.frame_rate_hz}, file, indent=1)
-        with open(os.path.join(folder, "t.csv"), "w") as truth, open(os.path.join(folder, "t_contours.csv"), "w") as shapes:
-            rows, contours = csv.writer(truth), csv.writer(shapes)
-            rows.writerow(["frame", "time_s", "state", "tip_x_um", "tip_y_um", "indentation_um", "force_uN"])
-            contours.writerow(["frame", "membrane", "point", "x_um", "y_um"])
-            for k, (tip_um, depth_um, force_uN, state) in enumerate(plan.path(self.specimen)):
-                drift_px = k * plan.drift_px
-                tip_px = self.place(np.array([[0.0, self.top_um - tip_um]]), drift_px)[0]
-                outlines = None
-                if self.specimen:
-                    outlines = [self.place(np.r_[half, (half * [-1, 1])[-2:0:-1]], drift_px) for half in self.specimen.sections_at(depth_um)]
-                cv2.imwrite(os.path.join(folder, f"frame_{k:05d}.png"), self.frame(outlines, tip_px, drift_px), [cv2.IMWRITE_PNG_COMPRESSION, 1])
-                rows.writerow([k, k / plan.frame_rate_hz, state, *(tip_px * pixel_um), depth_um, force_uN])
-                for name, outline in zip(("outer", "inner"), outlines or []):
-                    for i, point in enumerate(outline * pixel_um):
-                        contours.writerow([k, name, i, round(point[0], 4), round(point[1], 4)])
-
-
-def turned(angle_rad):
-    """Unit vectors along an axis and across it, in the image."""
-    return np.array([np.cos(angle_rad), np.sin(angle_rad)]), np.array([-np.sin(angle_rad), np.cos(angle_rad)])
+    def frames(self):
+        """As write_film takes them."""
+        for k, (tip_um, depth_um, force_uN, state) in enumerate(self.plan.path(self.specimen)):
+            drift_px = k * self.plan.drift_px
+            tip_px = self.place(np.array([[0.0, self.top_um - tip_um]]), drift_px)[0]
+            outlines = None
+            if self.specimen:
+                outlines = [self.place(closed(half), drift_px) for half in self.specimen.sections_at(depth_um)]
+            yield self.frame(outlines, tip_px, drift_px), tip_px, depth_um, force_uN, state, outlines
 
 
 def chord(depth, radius):
@@ -273,41 +252,5 @@ def catalogue(specimens, seed):
     return plans
 
 
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        self.exit(2, f"{self.prog}: {message}\n")
-
-
-def main():
-    parser = Parser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="films to make; all when none is named")
-    parser.add_argument("--specimens", nargs="+", required=True, metavar="FOLDER", help="tables of finite-element specimens")
-    parser.add_argument("--out", help="folder for the films")
-    parser.add_argument("--seed", type=int, default=LOOKED_AT_SEED)
-    parser.add_argument("--list", action="store_true", help="print what the films are and make none")
-    options = parser.parse_intermixed_args()
-    if not options.list and not options.out:
-        parser.error("--out is needed, or --list")
-    for folder in options.specimens:
-        if not os.path.isdir(folder):
-            parser.error(f"no such folder: {folder}")
-    specimens = find_specimens(options.specimens, None, None)
-    if not specimens:
-        parser.error(f"no suitable specimen in {' '.join(options.specimens)}")
-    plans = catalogue(specimens, options.seed)
-    for name in options.names:
-        if name not in [plan.name for plan in plans]:
-            parser.error(f"no film is called {name} (--list names them)")
-    plans = [plan for plan in plans if not options.names or plan.name in options.names]
-    for plan in plans:
-        if not options.list and os.path.exists(os.path.join(options.out, plan.name)):
-            parser.error(f"{os.path.join(options.out, plan.name)} is there already")
-    for plan in plans:
-        print(f"{plan.name} specimen {plan.number if plan.has_cell else '-'} pixel {plan.pixel_um:.3f} um, {plan.frame_rate_hz} Hz, "
-              f"{plan.frames} frames, {plan.outcome}", flush=True)
-        if not options.list:
-            Film(plan, options.seed).write(os.path.join(options.out, plan.name))
-
-
 if __name__ == "__main__":
-    main()
+    draw_films(__doc__, LOOKED_AT_SEED, catalogue, Film)

@@ -42,13 +42,11 @@ void NeedleTracker::learn_end(const FrameSampler& image, double noise, const Sha
     end_frames_ = std::min(end_frames_ + 1, kEndFrames);
     for (std::size_t k = 0; k < ends.size(); ++k)
       end_misfits_[k] += (std::log(ends[k].unexplained / ends[0].unexplained) - end_misfits_[k]) / end_frames_;
-    const auto least = std::min_element(end_misfits_.begin(), end_misfits_.end()) - end_misfits_.begin();
-    const std::size_t best =
-        end_misfits_[static_cast<std::size_t>(least)] < -kLessRound ? static_cast<std::size_t>(least) : 0;
-    const auto before = static_cast<std::size_t>(
-        std::find(kRoundness.begin(), kRoundness.end(), model_.cone.roundness()) - kRoundness.begin());
-    if (best != before) {
-      const double further = ends[best].ahead - (is_first ? 0.0 : ends[before].ahead);
+    const auto least = std::min_element(end_misfits_.begin(), end_misfits_.end());
+    const auto best = *least < -kLessRound ? static_cast<std::size_t>(least - end_misfits_.begin()) : 0;
+    if (best != end_) {
+      const double further = ends[best].ahead - (is_first ? 0.0 : ends[end_].ahead);
+      end_ = best;
       axis_.tip += further * axis_.direction;
       model_.cone.move(further, 0.0);
       model_.cone.set_roundness(kRoundness[best]);

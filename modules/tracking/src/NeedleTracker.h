@@ -160,6 +160,7 @@ class NeedleTracker {
   // Of each roundness tried: the mean logarithm of what it leaves unexplained, over that of a half ball.
   std::array<double, kEnds> end_misfits_{};
   int end_frames_ = 0;             // that this was learnt from
+  std::size_t end_ = 0;            // the one that fits best
   double anchor_sigma_ = 1.0;      // px: how well the cone's place on the needle is known
   double beside_ = 0.0;            // px: the tip lies so far beside the axis, as a bevel's does
   double read_half_width_ = 0.0;   // px; above 0: no shaft is followed
