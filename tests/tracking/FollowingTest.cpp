@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -64,7 +65,7 @@ TEST(Following, ARingFarFromTheSizeOfTheKindIsNoCell) {
     options.detection = TrackerOptions::Detection::kLines;
     options.expected_radius_um = expected_radius_um;
     MembraneTracker tracker(options);
-    if (is_clicked) tracker.expect_cell({{160.0, 150.0}, {}});
+    if (is_clicked) tracker.expect_cell({.inside_um = Eigen::Vector2d(80.0, 75.0), .outline_um = std::nullopt});
     return tracker.process(test::view_of_bytes(pixels, kCellWidth_px, kCellHeight_px, 0.5), 0.0, 0).outer.has_value();
   };
   const double radius_um = 0.5 * kOuter_px;
