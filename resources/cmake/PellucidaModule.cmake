@@ -2,7 +2,7 @@
 
 # pellucida_add_header_set(NAME HEADERS ... LIBRARIES ... [EXECUTABLE])
 # Library headers compiled once for all targets that use the set. None of ours: a change to one would recompile everything.
-# EXECUTABLE: for programs, whose position-independent code is of another kind.
+# EXECUTABLE: for test programs, whose position-independent code and optimisation are of another kind.
 function(pellucida_add_header_set NAME)
   cmake_parse_arguments(ARG "EXECUTABLE" "" "HEADERS;LIBRARIES" ${ARGN})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/header_sets/${NAME}.cpp)
@@ -12,7 +12,7 @@ function(pellucida_add_header_set NAME)
   target_precompile_headers(pellucida_headers_${NAME} PRIVATE ${ARG_HEADERS})
   if(ARG_EXECUTABLE)
     set_target_properties(pellucida_headers_${NAME} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(pellucida_headers_${NAME} PRIVATE -fPIE)
+    target_compile_options(pellucida_headers_${NAME} PRIVATE -fPIE ${PELLUCIDA_TEST_OPTIONS})
   endif()
 endfunction()
 
@@ -54,6 +54,7 @@ function(pellucida_add_test NAME)
   cmake_parse_arguments(ARG "WHOLE;LONG" "" "SOURCES;LIBRARIES;LABELS" ${ARGN})
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} pellucida::build_options GTest::gtest_main Threads::Threads)
+  target_compile_options(${NAME} PRIVATE ${PELLUCIDA_TEST_OPTIONS})
   target_precompile_headers(${NAME} REUSE_FROM pellucida_headers_tests)
   pellucida_see_private_parts(${NAME})
   # Read by tests that look at the shipped resources, the small test data, or (where it is there) the folder beside the checkout.

@@ -72,5 +72,10 @@ if(PELLUCIDA_FUZZ)
   target_compile_options(pellucida_build_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# Test programs themselves: what takes time when they run lies in the libraries, and the rest compiles in two thirds of the time.
+if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(PELLUCIDA_TEST_OPTIONS -O1)
+endif()
+
 # For files that use ITK: Debian's headers refuse any compiler but GCC by name.
 set(PELLUCIDA_ITK_OPTIONS "$<$<CXX_COMPILER_ID:Clang>:-include;${CMAKE_CURRENT_LIST_DIR}/itk_with_clang.h>")

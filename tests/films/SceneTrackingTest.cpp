@@ -113,7 +113,7 @@ TEST(SceneTracking, DepthsCountFromTheSeatAndTheTipHasItsRadius) {
 // The tracker begins with the needle deep in the cell, as it does after it has lost one; in the last film the membrane
 // has given way. Read from the outline as detection gave it, contours were off by 2.0 to 4.3 % of the radius.
 TEST(SceneTracking, ADimpleIsFollowedFromItsFirstSight) {
-  const std::vector<std::string> specimens = specimens_in(std::string(PELLUCIDA_SOURCE_DIR) + "/resources/reference");
+  const std::vector<std::string> specimens = specimens_in(PELLUCIDA_SOURCE_DIR "/resources/reference");
   for (const auto& [seed, skipped] : {std::pair{173005, 20}, {173017, 19}, {173023, 26}, {173012, 15}, {173035, 22}}) {
     SCOPED_TRACE(seed);
     const RandomFilm film = draw_film(Split::kTuning, static_cast<std::uint64_t>(seed), 1024, specimens);
