@@ -178,7 +178,7 @@ double CellFollower::depth_sigma() const {
 }
 
 double CellFollower::confidence() const {
-  const bool is_tip_vague = needle_.valid() && needle_.estimate().tip_sigma > kVagueTip_px;
+  const bool is_tip_vague = needle_.valid() && (needle_.is_read() || needle_.estimate().tip_sigma > kVagueTip_px);
   return is_tip_vague ? std::min(kMostOfOneWay, membranes_confidence()) : membranes_confidence();
 }
 

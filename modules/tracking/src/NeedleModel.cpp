@@ -178,6 +178,7 @@ void NeedleCone::fit(const std::vector<double>& behind, const std::vector<double
 
 void NeedleCone::move(double by, double wider) {
   shift_ -= by;
+  seen_to_ += by;
   c_[0] += wider;
   find_radius();
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -80,9 +81,13 @@ class NeedleCone {
   /// The tip lies `by` px further ahead (behind grows by it) and the outline `wider` px further out.
   void move(double by, double wider);
 
+  /// How far behind the tip it has been seen; further back `half_width` is a guess.
+  double seen_to() const noexcept { return seen_to_; }
+  void see_to(double behind) noexcept { seen_to_ = std::max(seen_to_, behind); }
+
  private:
   void find_radius();
-  double from_ = 0.0, to_ = 1.0, shift_ = 0.0;
+  double from_ = 0.0, to_ = 1.0, shift_ = 0.0, seen_to_ = 0.0;
   std::array<double, 4> c_{2.0, 0.0, 0.0, 0.0};
   double radius_ = 2.0, roundness_ = 1.0;
 };

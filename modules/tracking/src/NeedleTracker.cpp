@@ -15,6 +15,8 @@ constexpr int kLearnFrames = 40;
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 
+// Of the contrast learnt: a shaft with less is out of focus, and blurred by as much more.
+constexpr double kSameContrast = 0.9;
 // So many blurs ahead of the tip must be free of other bodies for a blurred end to be located.
 constexpr double kEndBlurs = 2.5;
 
@@ -288,7 +290,8 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
   if (!tip.found) return {};
   const double floor = (cue.in_the_clear ? kEndFloor : kEndHidden) * model_.unit_px;
   const double noisy = tip.ahead_sigma * std::max(1.0, tip.disagreement);
-  return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor};
+  const double blurred = shaft_.blur_px() * std::max(0.0, kSameContrast / shaft.gain - 1.0);
+  return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor + blurred * blurred};
 }
 
 bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence) {

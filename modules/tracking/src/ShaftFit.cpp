@@ -13,6 +13,8 @@ namespace {
 constexpr double kStationFloor = 0.02;
 // How far the width of the whole shaft may be wrong although the noise is nothing: blur and light change it.
 constexpr double kWidthFloor = 0.009;
+// A shaft of another contrast than the learnt one is out of focus: of its blur, how far its width may be wrong by then.
+constexpr double kWidthOfContrast = 0.3, kSameContrast = 0.05;
 // Samples closer than a pixel share its noise.
 double shared_noise(double step) {
   return std::max(1.0, 1.0 / step);
@@ -26,6 +28,7 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
   step_ = model.look.step();
   lines_ = std::clamp(static_cast<int>(std::lround(unit_)), 1, 4);
   blur_ = model.look.blur();
+  seen_to_ = model.cone.seen_to();
   const double begin = model.cone.tip_radius() + 2.0 * unit_;
   const int count = std::max(1, static_cast<int>((behind_px - begin) / unit_) + 1);
   const double widest = std::max(model.cone.half_width(begin), model.cone.half_width(behind_px));
@@ -190,7 +193,7 @@ void ShaftFit::fit_cone(double noise, ShaftResult& result) {
     double right = 0.0, squares = 0.0, count = 0.0;
     information = slopes = weights = 0.0;
     for (const Station& station : stations_) {
-      if (!station.seen) continue;
+      if (!station.seen || station.s > seen_to_) continue;
       const double variance = station.width_variance * noise * noise + floor * floor;
       const double off = station.wider - station.widening * ahead;
       const double robust = 1.0 / (1.0 + off * off / (scale * scale + 4.0 * variance));
@@ -211,7 +214,8 @@ void ShaftFit::fit_cone(double noise, ShaftResult& result) {
     result.ahead_sigma = 1e3;
     return;
   }
-  const double bias = kWidthFloor * blur_ / mean_slope;
+  const double other_contrast = std::max(0.0, std::abs(1.0 - result.gain) - kSameContrast);
+  const double bias = (kWidthFloor + kWidthOfContrast * other_contrast) * blur_ / mean_slope;
   result.ahead = ahead;
   result.ahead_sigma = std::sqrt(1.0 / information + bias * bias);
 }
@@ -222,12 +226,14 @@ void ShaftFit::learn(NeedleModel& model, double ahead, double weight) {
   learn_width_.clear();
   learn_weight_.clear();
   for (const Station& station : stations_) {
-    const double wider = station.wider - station.widening * ahead;
+    const double wider = station.wider - station.widening * ahead, share = station.s > seen_to_ ? 1.0 : weight;
     learn_s_.push_back(station.s);
-    learn_width_.push_back(station.half_width + (station.seen ? weight * wider : 0.0));
+    learn_width_.push_back(station.half_width + (station.seen ? share * wider : 0.0));
     learn_weight_.push_back((station.seen ? 1.0 : 0.2) / (station.width_variance + 1e-6));
   }
   model.cone.fit(learn_s_, learn_width_, learn_weight_);
+  for (const Station& station : stations_)
+    if (station.seen) model.cone.see_to(station.s);
 
   // Then the look: every station's samples, centred on the fitted axis.
   model.look.clear_samples();
