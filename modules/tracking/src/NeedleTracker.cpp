@@ -360,8 +360,12 @@ void NeedleTracker::fill(double noise, const ShaftResult& shaft) {
   if (!(now_.evidence & kTipEnd)) now_.tip_sigma = std::max(now_.tip_sigma, anchor_sigma_);
   const double contrast = shaft.gain * shaft.medium * std::abs(model_.look.depth());
   const double clear = std::clamp(contrast / (5.0 * std::max(noise, 1e-6)), 0.0, 1.0);
-  const double sure = 1.0 / (1.0 + std::pow(now_.tip_sigma / (3.0 * model_.unit_px), 2));
-  now_.confidence = clear * std::clamp(shaft.support / 0.7, 0.0, 1.0) * sure;
+  clarity_ = clear * std::clamp(shaft.support / 0.7, 0.0, 1.0);
+  now_.confidence = confidence();
+}
+
+double NeedleTracker::confidence() const {
+  return clarity_ / (1.0 + std::pow(now_.tip_sigma / (3.0 * model_.unit_px), 2));
 }
 
 }  // namespace pellucida

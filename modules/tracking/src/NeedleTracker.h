@@ -146,6 +146,7 @@ class NeedleTracker {
   void update(double ahead, double variance);
   void learn(double end_ahead);
   void fill(double noise, const ShaftResult& shaft);
+  double confidence() const;
 
   NeedleEstimate now_;
   NeedleAxis axis_, axis_before_;
@@ -162,6 +163,7 @@ class NeedleTracker {
   int end_frames_ = 0;             // that this was learnt from
   std::size_t end_ = 0;            // the one that fits best
   double anchor_sigma_ = 1.0;      // px: how well the cone's place on the needle is known
+  double clarity_ = 0.0;           // 0..1: how well its shaft is seen
   double beside_ = 0.0;            // px: the tip lies so far beside the axis, as a bevel's does
   double read_half_width_ = 0.0;   // px; above 0: no shaft is followed
   double scene_half_width_ = 0.0;  // px; 0: no scene was seen

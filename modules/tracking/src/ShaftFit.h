@@ -64,7 +64,7 @@ class ShaftFit {
   std::vector<float> mean_, wide_;
   std::vector<double> scratch_, learn_s_, learn_width_, learn_weight_;
   double step_ = 0.5, half_across_ = 0.0, behind_px_ = 0.0, unit_ = 1.0, blur_ = 1.0;
-  double seen_to_ = 0.0;  // px behind the tip
+  double seen_to_ = 0.0;               // px behind the tip
   double offset_ = 0.0, slope_ = 0.0;  // of the last frame
   int columns_ = 0, lines_ = 1;
 };
