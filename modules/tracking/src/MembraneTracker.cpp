@@ -9,15 +9,19 @@
 #include "ContourMath.h"
 #include "Deinterlacer.h"
 #include "HintedNeedle.h"
+#include "LoneNeedle.h"
 #include "ObservationReport.h"
 #include "PersonHints.h"
 #include "PictureOrientation.h"
 #include "Rereading.h"
+#include "RingChoice.h"
 #include "SceneReader.h"
 #include "SceneVerdict.h"
 #include "TrackerChecks.h"
 #include "TrackerPace.h"
+
 namespace pellucida {
+
 class MembraneTracker::Impl {
  public:
   explicit Impl(const TrackerOptions& options) : options_(options), cell_(options) {}
@@ -58,7 +62,9 @@ class MembraneTracker::Impl {
       detect(frame);
     }
 
-    has_cell_ ? lone_needle_.reset() : follow_lone_needle(frame);
+    // Without a cell it is looked for when that is.
+    const bool has_lines = !by_scene() && frames_since_detection_ == 0;
+    has_cell_ ? lone_needle_.reset() : lone_needle_.follow(frame, reader_, has_lines ? &whole_ : nullptr);
     if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
       outcomes_.needle = start_hinted_needle(frame, *tip) ? "followed" : "no straight shaft was found that ends there";
     if (const std::optional<Eigen::Vector2d> place = hints_.take_holder(laid_, view.pixel_size_um))
@@ -130,7 +136,7 @@ class MembraneTracker::Impl {
     load(frame.view, whole_);
     NeedleTracker found;
     if (!start_at_hint(found, frame, find_tools(whole_), tip)) return false;
-    lone_needle_ = std::move(found);
+    lone_needle_.take(std::move(found));
     return true;
   }
 
@@ -170,14 +176,14 @@ class MembraneTracker::Impl {
   bool start_at(FrameInput& frame, const DetectionHint& hint) {
     const std::optional<DetectedCell> found = detect_cell(whole_, options_, &hint);
     const auto by_lines = [&] { return found && cell_.start(frame, *found); };
-    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, &hint) : by_lines();
+    return options_.detection == Detection::kAuto ? start_confirmed(frame, found, by_lines, &hint) : by_lines();
   }
 
   bool start_best(FrameInput& frame) {
     if (options_.detection == Detection::kScene) return start_seen(frame, nullptr);
     const std::optional<DetectedCell> found = detect_by_lines(frame);
     const auto by_lines = [&] { return found && start_at_tools(frame, *found); };
-    return options_.detection == Detection::kAuto ? start_confirmed(frame, by_lines, nullptr) : by_lines();
+    return options_.detection == Detection::kAuto ? start_confirmed(frame, found, by_lines, nullptr) : by_lines();
   }
 
   // A cell of the scene; with a hint the one that was drawn, or else one that holds the point.
@@ -198,7 +204,8 @@ class MembraneTracker::Impl {
   // By the network where it is at home, and where lines and network don't agree: lines follow a halo, the inner
   // boundary or a neighbour as surely as a membrane. Else by lines, in doubt where only they see a cell.
   template <class ByLines>
-  bool start_confirmed(FrameInput& frame, const ByLines& by_lines, const DetectionHint* hint) {
+  bool start_confirmed(FrameInput& frame, const std::optional<DetectedCell>& found, const ByLines& by_lines,
+                       const DetectionHint* hint) {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
     const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
@@ -207,6 +214,8 @@ class MembraneTracker::Impl {
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
     frame.least_score = least_score(verdict);
+    if (found && scene_.cells.empty())
+      add_likeliest_ring(scene_, whole_, options_, found->circle, frame.image, reader_);
     const bool has_seen = start_seen(frame, hint);
     const bool strays = has_lines && has_seen && is_bystander(cell_, scene_) && !is_bystander(lines, scene_);
     if (has_seen && !strays && (!has_lines || is_preferred(cell_, verdict))) return true;
@@ -298,50 +307,12 @@ class MembraneTracker::Impl {
 
   bool has_tools() const { return cell_.holder() || cell_.needle().valid(); }
 
-  // A needle without a cell is followed too: it is looked for together with a cell.
-  void follow_lone_needle(const FrameInput& frame) {
-    const PartTimer timer(timings_.needle_us);
-    if (lone_needle_.valid()) {
-      const NeedleCue cue{kNeedleReach_px, true, frame.command, {0.0, 0.0}, std::nullopt};
-      const bool seen = lone_needle_.is_read() ? lone_needle_.follow_read(reader_.tips(), frame.image, cue)
-                                               : lone_needle_.track(frame.image, frame.noise, cue);
-      if (!seen && lone_needle_.estimate().confidence < kLeastNeedleConfidence) lone_needle_.reset();
-      const bool is_asked = seen && frame.networks && !lone_needle_.is_read();
-      if (is_asked && (by_scene() || !lone_needle_.is_where_read(reader_.tips(), frame.image)))
-        lone_needle_.read_tip(reader_.tips(), frame.image, kLoneTipShare);
-      if (seen) learn_command(frame, false);
-    } else if (start_lone_needle(frame)) {
-      learn_command(frame, true);
-    }
-  }
-
-  void learn_command(const FrameInput& frame, bool is_new) {
-    const NeedleEstimate& n = lone_needle_.estimate();
-    if (frame.command && lone_needle_.valid()) frame.command->learn(n.tip, n.direction, n.tip_sigma, is_new);
-  }
-
-  // The scene knows a needle from a holding pipette; lines may find one that it doesn't see.
-  bool start_lone_needle(const FrameInput& frame) {
-    const auto starts = [&](const SceneTool& seen) {
-      const ExpectedTip expected = expected_tip(seen);
-      if (!lone_needle_.start(frame.image, found_tool(seen), frame.noise, &expected))
-        return lone_needle_.start_read(reader_.tips(), frame.image, {seen.tip, seen.direction}, seen.half_width_px);
-      lone_needle_.read_tip(reader_.tips(), frame.image, 1.0);
-      return true;
-    };
-    const bool has_lines = !by_scene() && frames_since_detection_ == 0;
-    const bool is_found = (frame.seen && std::any_of(scene_.needles.begin(), scene_.needles.end(), starts)) ||
-                          (has_lines && lone_needle_.start_anywhere(frame.image, whole_, frame.noise));
-    if (!is_found) lone_needle_.reset();
-    return is_found;
-  }
-
   TrackerOptions options_;
   TrackerTimings timings_;
   Deinterlacer fields_;
   PictureOrientation laid_;
   CellFollower cell_;
-  NeedleTracker lone_needle_;
+  LoneNeedle lone_needle_;
   GrayImage whole_;
   SceneReader reader_;
   SceneReading scene_;
