@@ -24,6 +24,7 @@ struct Drawing {
   double angle_rad = 0.0;  // of the shaft, from the tip outwards
   double tip_radius = 2.0, slope = 0.045, blur = 1.0, noise = 0.01;
   bool wedge = false, straight = false;
+  double tapered_px = 1e9;  // so far behind the tip it is as wide as it gets
   // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
   double membrane_ahead = -1.0;
   unsigned seed = 1;
@@ -60,10 +61,11 @@ Picture draw(const Drawing& d) {
     for (int x = 0; x < kWidth; ++x) {
       const Eigen::Vector2d from = Eigen::Vector2d(x, y) - d.tip;
       const double s = from.dot(back), v = std::abs(from.dot(across));
-      const double side = v - d.tip_radius - d.slope * std::max(0.0, s);
+      const double tapered = std::min(s, d.tapered_px);
+      const double side = v - d.tip_radius - d.slope * std::max(0.0, tapered);
       const double distance = d.straight         ? (side > 0.0 && s < 0.0 ? std::hypot(side, s) : std::max(side, -s))
                               : s < d.tip_radius ? std::hypot(s - d.tip_radius, v) - d.tip_radius
-                                                 : v - d.tip_radius - d.slope * (s - d.tip_radius);
+                                                 : v - d.tip_radius - d.slope * (tapered - d.tip_radius);
       double light = 0.55 + 0.0002 * x;
       light *= d.wedge ? 1.0 - 0.4 * 0.5 * std::erfc(distance / (d.blur * std::sqrt(2.0)))
                        : 1.0 - 0.45 * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
@@ -179,6 +181,41 @@ TEST(NeedleTracker, FollowsIntoAMembraneThatHidesItsEnd) {
   }
   EXPECT_TRUE(needle.estimate().evidence & kKnownCone);
   EXPECT_GE(within_sigma, 12);
+}
+
+// What comes into view behind the part that was seen in the clear says nothing about where the tip is.
+TEST(NeedleTracker, AShaftThatTapersNoFurtherDoesNotHoldTheTipBack) {
+  Drawing d = with(0.0, 1.0, false, 0.01);
+  d.tip.x() = 370.0;
+  d.tapered_px = 50.0;
+  NeedleTracker needle;
+  for (int k = 0; k < 28; ++k, d.tip.x() -= 4.0) {
+    d.membrane_ahead = k < 6 ? -1.0 : 0.5;
+    const Picture picture = draw(d);
+    const FrameSampler image(picture.view());
+    ASSERT_TRUE(k > 0 || needle.start(image, tool_of(d), noise_level(image)));
+    NeedleCue cue;
+    cue.in_the_clear = k < 6;
+    ASSERT_TRUE(needle.track(image, noise_level(image), cue));
+    EXPECT_NEAR(error_of(needle, d).along, 0.0, 1.0) << "frame " << k;
+  }
+}
+
+// Blur makes its lines fainter and seem further apart: it is no nearer for that.
+TEST(NeedleTracker, LiftedOutOfFocusItStaysWhereItIs) {
+  Drawing d = with(0.3, 1.0, false, 0.005);
+  d.slope = 0.015;
+  NeedleTracker needle;
+  for (int k = 0; k < 16; ++k) {
+    if (k > 6) d.blur *= 1.1;
+    const Picture picture = draw(d);
+    const FrameSampler image(picture.view());
+    ASSERT_TRUE(k > 0 || needle.start(image, tool_of(d), noise_level(image)));
+    NeedleCue cue;
+    cue.in_the_clear = k < 6;
+    ASSERT_TRUE(needle.track(image, noise_level(image), cue));
+    EXPECT_NEAR(error_of(needle, d).along, 0.0, 1.0) << "frame " << k;
+  }
 }
 
 TEST(NeedleTracker, AStopIsNotSmeared) {
