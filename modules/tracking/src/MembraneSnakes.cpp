@@ -22,9 +22,12 @@ constexpr double kBilinearShare = 0.5;  // of a pixel's variance that bilinear s
 constexpr double kSigmaFloor = 0.010;   // px, at a width of 1 px: no point is known better
 constexpr double kNarrow = 0.6;         // of that, of a line that is 1 px wide: too few pixels draw it
 constexpr double kBroad_px = 2.4;       // width from which on that is a fixed share of it
-constexpr double kCrowded = 0.258;      // width over thickness at which the doubt about the centre doubles
-constexpr int kReach = 6;               // samples to both sides of the prediction
-constexpr double kSettled_px = 0.6;     // displacement after which the profiles are not sampled again
+// Of the zona's thickness: how thin it may be under a tip, and how thick by what was learnt of it. A line further in is
+// the oolemma, beyond a perivitelline gap, and often the stronger one.
+constexpr double kThinnest_ratio = 0.45, kThickest_ratio = 1.3;
+constexpr double kCrowded = 0.258;   // width over thickness at which the doubt about the centre doubles
+constexpr int kReach = 6;            // samples to both sides of the prediction
+constexpr double kSettled_px = 0.6;  // displacement after which the profiles are not sampled again
 constexpr int kMostRounds = 4;
 constexpr double kLeastScoreRatio = 0.85;  // of the usual score: below, the contours are sought anew
 constexpr double kLooseRatio = 0.08;       // share of edges not found within reach: above, the same
@@ -107,8 +110,8 @@ void MembraneSnakes::search(const FrameSampler& image, const NeedleZone* needle,
   constexpr float kSlope = 0.2F, kGap = 0.2F;
   const std::vector<int>*outer_path = nullptr, *inner_path = nullptr;
   if (has_inner()) {
-    const int gap_from = std::max(2, static_cast<int>(0.45 * thickness_ / kSearchStep));
-    const int gap_to = static_cast<int>(std::ceil(1.5 * thickness_ / kSearchStep));
+    const int gap_from = std::max(2, static_cast<int>(kThinnest_ratio * thickness_ / kSearchStep));
+    const int gap_to = static_cast<int>(std::ceil(kThickest_ratio * thickness_ / kSearchStep));
     const PathPair& pair = path_search_.closed_pair(reward_outer_, reward_inner_, gap_from, gap_to, kSlope, kGap);
     outer_path = &pair.outer;
     inner_path = &pair.inner;
