@@ -22,7 +22,7 @@ constexpr int kWidth = 420, kHeight = 340;
 struct Drawing {
   Eigen::Vector2d tip{180.3, 171.6};
   double angle_rad = 0.0;  // of the shaft, from the tip outwards
-  double tip_radius = 2.0, slope = 0.045, blur = 1.0, noise = 0.01;
+  double tip_radius = 2.0, slope = 0.045, blur = 1.0, depth = 0.45, noise = 0.01;
   bool wedge = false, straight = false;
   double tapered_px = 1e9;  // so far behind the tip it is as wide as it gets
   // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
@@ -68,7 +68,7 @@ Picture draw(const Drawing& d) {
                                                  : v - d.tip_radius - d.slope * (tapered - d.tip_radius);
       double light = 0.55 + 0.0002 * x;
       light *= d.wedge ? 1.0 - 0.4 * 0.5 * std::erfc(distance / (d.blur * std::sqrt(2.0)))
-                       : 1.0 - 0.45 * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
+                       : 1.0 - d.depth * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
       if (d.membrane_ahead >= 0.0) {
         const double off = (s + d.membrane_ahead) / 1.2;
         light *= 1.0 - 0.4 * std::exp(-0.5 * off * off);
@@ -207,7 +207,10 @@ TEST(NeedleTracker, LiftedOutOfFocusItStaysWhereItIs) {
   d.slope = 0.015;
   NeedleTracker needle;
   for (int k = 0; k < 16; ++k) {
-    if (k > 6) d.blur *= 1.1;
+    if (k > 6) {
+      d.blur *= 1.1;
+      d.depth /= 1.1;
+    }
     const Picture picture = draw(d);
     const FrameSampler image(picture.view());
     ASSERT_TRUE(k > 0 || needle.start(image, tool_of(d), noise_level(image)));

@@ -178,7 +178,8 @@ double CellFollower::depth_sigma() const {
 }
 
 double CellFollower::confidence() const {
-  const bool is_tip_vague = needle_.valid() && (needle_.is_read() || needle_.estimate().tip_sigma > kVagueTip_px);
+  const NeedleEstimate& n = needle_.estimate();
+  const bool is_tip_vague = needle_.valid() && (needle_.is_read() || n.is_disputed || n.tip_sigma > kVagueTip_px);
   return is_tip_vague ? std::min(kMostOfOneWay, membranes_confidence()) : membranes_confidence();
 }
 

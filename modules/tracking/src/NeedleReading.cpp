@@ -108,6 +108,7 @@ void NeedleTracker::take(const TipReading& seen, double share) {
   prepare();
   now_.tip = tip();
   now_.tip_sigma = seen.along_sigma_px;
+  now_.is_disputed = false;
   now_.confidence = confidence();
   now_.tip_half_width = model_.cone.tip_radius();
   take_width();

@@ -15,6 +15,8 @@ constexpr int kLearnFrames = 40;
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 
+// Apart by so much, px, end and cone leave the tip in doubt, whichever counts.
+constexpr double kDisputed_px = 3.0;
 // Of the contrast learnt: a shaft with less is out of focus, and blurred by as much more.
 constexpr double kSameContrast = 0.9;
 // So many blurs ahead of the tip must be free of other bodies for a blurred end to be located.
@@ -296,13 +298,16 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
 
 bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence) {
   bool use_end = end.valid, use_cone = cone.valid;
+  now_.is_disputed = false;
   if (use_end && use_cone) {
     // Where the two contradict each other: in the clear the end is right; under a membrane the cone, unless the end is
     // where the needle was due and the cone isn't.
     const double apart = end.ahead - cone.ahead;
     const bool is_end_due = end.ahead * end.ahead < covariance_(0, 0) + end.variance &&
                             cone.ahead * cone.ahead > 9.0 * (covariance_(0, 0) + cone.variance);
-    if (apart * apart > 9.0 * (end.variance + cone.variance)) (clear || is_end_due ? use_cone : use_end) = false;
+    const bool contradict = apart * apart > 9.0 * (end.variance + cone.variance);
+    now_.is_disputed = !clear && contradict && std::abs(apart) > kDisputed_px;
+    if (contradict) (clear || is_end_due ? use_cone : use_end) = false;
   }
   double information = 0.0, sum = 0.0;
   if (use_end) {

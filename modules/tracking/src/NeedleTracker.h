@@ -28,7 +28,8 @@ struct NeedleEstimate {
   double widening = 0.0;          ///< half width gained per px behind the tip
   double edge_blur = 0.0;  ///< px, standard deviation: how far its edges' own darkness reaches beyond its outline
   double confidence = 0.0;
-  double tip_sigma = 0.0;  ///< px along the direction
+  double tip_sigma = 0.0;    ///< px along the direction
+  bool is_disputed = false;  ///< its end and its width have the tip in different places
   NeedleEvidence evidence = kNoNeedleEvidence;
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kStationFloor = 0.02;
 // How far the width of the whole shaft may be wrong although the noise is nothing: blur and light change it.
 constexpr double kWidthFloor = 0.009;
-// A shaft of another contrast than the learnt one is out of focus: of its blur, how far its width may be wrong by then.
+// A shaft with less contrast than the learnt one is out of focus: of its blur, how far its width may be wrong by then.
 constexpr double kWidthOfContrast = 0.3, kSameContrast = 0.05;
 // Samples closer than a pixel share its noise.
 double shared_noise(double step) {
@@ -214,8 +214,8 @@ void ShaftFit::fit_cone(double noise, ShaftResult& result) {
     result.ahead_sigma = 1e3;
     return;
   }
-  const double other_contrast = std::max(0.0, std::abs(1.0 - result.gain) - kSameContrast);
-  const double bias = (kWidthFloor + kWidthOfContrast * other_contrast) * blur_ / mean_slope;
+  const double lost_contrast = std::max(0.0, 1.0 - result.gain - kSameContrast);
+  const double bias = (kWidthFloor + kWidthOfContrast * lost_contrast) * blur_ / mean_slope;
   result.ahead = ahead;
   result.ahead_sigma = std::sqrt(1.0 / information + bias * bias);
 }
