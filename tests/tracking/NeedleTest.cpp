@@ -183,6 +183,18 @@ TEST(NeedleTracker, FollowsIntoAMembraneThatHidesItsEnd) {
   EXPECT_GE(within_sigma, 12);
 }
 
+// Frame `k` of a needle that touches something from the seventh on: followed, to a pixel.
+constexpr int kClearFrames = 6;
+void follow(NeedleTracker& needle, const Drawing& d, int k) {
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  ASSERT_TRUE(k > 0 || needle.start(image, tool_of(d), noise_level(image)));
+  NeedleCue cue;
+  cue.in_the_clear = k < kClearFrames;
+  ASSERT_TRUE(needle.track(image, noise_level(image), cue));
+  EXPECT_NEAR(error_of(needle, d).along, 0.0, 1.0) << "frame " << k;
+}
+
 // What comes into view behind the part that was seen in the clear says nothing about where the tip is.
 TEST(NeedleTracker, AShaftThatTapersNoFurtherDoesNotHoldTheTipBack) {
   Drawing d = with(0.0, 1.0, false, 0.01);
@@ -190,14 +202,8 @@ TEST(NeedleTracker, AShaftThatTapersNoFurtherDoesNotHoldTheTipBack) {
   d.tapered_px = 50.0;
   NeedleTracker needle;
   for (int k = 0; k < 28; ++k, d.tip.x() -= 4.0) {
-    d.membrane_ahead = k < 6 ? -1.0 : 0.5;
-    const Picture picture = draw(d);
-    const FrameSampler image(picture.view());
-    ASSERT_TRUE(k > 0 || needle.start(image, tool_of(d), noise_level(image)));
-    NeedleCue cue;
-    cue.in_the_clear = k < 6;
-    ASSERT_TRUE(needle.track(image, noise_level(image), cue));
-    EXPECT_NEAR(error_of(needle, d).along, 0.0, 1.0) << "frame " << k;
+    d.membrane_ahead = k < kClearFrames ? -1.0 : 0.5;
+    follow(needle, d, k);
   }
 }
 
@@ -207,17 +213,11 @@ TEST(NeedleTracker, LiftedOutOfFocusItStaysWhereItIs) {
   d.slope = 0.015;
   NeedleTracker needle;
   for (int k = 0; k < 16; ++k) {
-    if (k > 6) {
+    if (k > kClearFrames) {
       d.blur *= 1.1;
       d.depth /= 1.1;
     }
-    const Picture picture = draw(d);
-    const FrameSampler image(picture.view());
-    ASSERT_TRUE(k > 0 || needle.start(image, tool_of(d), noise_level(image)));
-    NeedleCue cue;
-    cue.in_the_clear = k < 6;
-    ASSERT_TRUE(needle.track(image, noise_level(image), cue));
-    EXPECT_NEAR(error_of(needle, d).along, 0.0, 1.0) << "frame " << k;
+    follow(needle, d, k);
   }
 }
 

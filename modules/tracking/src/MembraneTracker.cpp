@@ -62,7 +62,7 @@ class MembraneTracker::Impl {
       detect(frame);
     }
 
-    // Without a cell it is looked for when that is.
+    // Lines look for a needle alone only in the frames in which a cell is looked for too.
     const bool has_lines = !by_scene() && frames_since_detection_ == 0;
     has_cell_ ? lone_needle_.reset() : lone_needle_.follow(frame, reader_, has_lines ? &whole_ : nullptr);
     if (const std::optional<Eigen::Vector2d> tip = hints_.take_tip(laid_, view.pixel_size_um))
