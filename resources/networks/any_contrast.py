@@ -159,11 +159,13 @@ class Scene:
         if "inner" not in self.outlines:
             return picture
         inner = self.away(self.outlines["inner"])
+        gap = -float(inner.min()) * random.uniform(0.01, 0.15) * self.chance(0.5)  # a perivitelline space
         if self.chance(0.35):
-            picture = picture + self.path(outer, inner)
+            picture = picture + self.path(outer, inner, inner + np.float32(gap) if gap and self.chance(0.7) else None)
+            if self.chance(0.4):
+                return picture
         picture = self.with_body(picture, inner, 0.0 if self.chance(0.25) else 0.3)
-        if self.chance(0.5):  # a perivitelline space
-            gap = -float(inner.min()) * random.uniform(0.01, 0.15)
+        if gap:
             picture = self.with_body(picture, inner + np.float32(gap), 0.2)
         for _ in range(random.integers(0, 3) * self.chance(0.4)):  # bodies in the cell
             r = -float(inner.min()) * random.uniform(0.05, 0.35)
@@ -174,16 +176,27 @@ class Scene:
                 picture = self.with_body(picture, (np.hypot(x - xs[k], y - ys[k]) - r).astype(np.float32), 0.1)
         return picture
 
-    def path(self, outer, inner):
-        """The path of light through a body and one within it as if both were round, its slope or its curvature."""
+    def path(self, outer, inner, core=None):
+        """The path of light through a body and one within it as if both were round, its slope, its curvature, or what it is
+        above its surroundings; strong ones saturate."""
         r = max(4.0, -float(outer.min()))
-        path = sum(np.float32(weight) * np.sqrt(np.clip(-away * (2 * r + away), 0, None)) / r
-                   for weight, away in zip(self.random.normal(0, 1, 2), (outer, inner)))
+        weights = self.random.normal(0, 1, 2)
+        bodies = [(weights[0], outer), (weights[1], inner)]
+        if core is not None:  # a shell, and within it a body of its own
+            bodies = [(weights[0], outer), (-weights[0], inner), (weights[1], core)]
+        path = sum(np.float32(weight) * np.sqrt(np.clip(-away * (2 * r + away), 0, None)) / r for weight, away in bodies)
         path = cv2.GaussianBlur(path.astype(np.float32), (0, 0), max(0.5, 0.6 * self.focus))
         x, y = cv2.Sobel(path, cv2.CV_32F, 1, 0), cv2.Sobel(path, cv2.CV_32F, 0, 1)
-        way = self.random.choice(3)
-        part = (path, np.cos(self.shear) * x + np.sin(self.shear) * y, cv2.Laplacian(path, cv2.CV_32F))[way]
-        return part * np.float32(self.random.uniform(0.2, 1.2) / (np.percentile(np.abs(part), 98) + 1e-3))
+        way = self.random.choice(4)
+        if way == 3:
+            reach = self.unit * np.exp(self.random.uniform(np.log(6), np.log(40)))
+            part = path - np.float32(self.random.uniform(0.5, 1)) * cv2.GaussianBlur(path, (0, 0), reach)
+        else:
+            part = (path, np.cos(self.shear) * x + np.sin(self.shear) * y, cv2.Laplacian(path, cv2.CV_32F))[way]
+        part = part / np.float32(np.percentile(np.abs(part), 98) + 1e-3)
+        if self.chance(0.3):
+            part = np.tanh(part * np.float32(self.random.uniform(1, 2.5)))
+        return part * np.float32(self.random.uniform(0.2, 1.2))
 
     def with_blobs(self, picture, outer):
         r = -float(outer.min())

@@ -13,7 +13,6 @@ COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the ou
 sample ZERO. Its four planes: grey values (median 0, mean deviation 1), the normal's x and y, and how many pixels a
 sample takes (SPACING_OF of train and program alike).
 """
-import glob
 import os
 
 import cv2
@@ -21,11 +20,14 @@ import numpy as np
 import torch
 from torch import nn
 
-from training import UNetwork, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
+from any_contrast import Drawings, drawn_anew, moved
+from training import UNetwork, arguments_of, export, normalised, outlines_in, sampled, spacing_of, train, varied
 
 NORMALS, WRAP, COLUMNS, ZERO, RADIUS_SAMPLES = 128, 16, 96, 58, 160
 LABEL_SIGMA = 1.0      # of the label's spot, samples
 ON_INNER = 0.12        # share of the outlines that lie on the inner boundary
+MOSTLY = 0.6           # of the normals must meet the outer boundary
+ANEW, REACH = 0.15, 1.7 # share of the pictures drawn from the outlines alone; how far about the cell, in radii
 TIGHT = 0.5            # share of the loss for the mean of the spot
 
 
@@ -74,31 +76,39 @@ class Samples:
     """Pictures of a folder that show a cell, with both boundaries; `load` takes in what has been added since."""
 
     def __init__(self, folder):
-        self.folder, self.items, self.known = folder, [], set()
+        self.folder, self.items, self.known, self.drawings = folder, [], set(), Drawings()
         self.load()
 
     def load(self):
-        for path in sorted(glob.glob(os.path.join(self.folder, "contours*.csv"))):
-            found = {}
-            with open(path) as file:
-                for line in file:
-                    if not line.endswith("\n"):
-                        continue
-                    name, which, *values = line.strip().split(",")
-                    found.setdefault(name, {})[which] = np.array(values, float).reshape(-1, 2).T
-            for name, both in found.items():
-                if name in self.known or "outer" not in both or "inner" not in both:
-                    continue
-                image = cv2.imread(os.path.join(self.folder, name), cv2.IMREAD_GRAYSCALE)
-                if image is None:
-                    continue
-                both = {key: value if area(value) > 0 else value[:, ::-1] for key, value in both.items()}
-                self.known.add(name)
-                self.items.append((image, both["outer"], both["inner"]))
+        for name, outlines in outlines_in(self.folder).items():
+            if name in self.known or "outer" not in outlines or "inner" not in outlines:
+                continue
+            path = os.path.join(self.folder, name)
+            image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+            if image is None or label is None:
+                continue
+            self.known.add(name)
+            for key in ("outer", "inner"):
+                if area(outlines[key]) < 0:
+                    outlines[key] = outlines[key][:, ::-1]
+            self.items.append((image, label, outlines))
 
     def draw(self, random):
-        image, outer, inner = self.items[random.integers(len(self.items))]
-        return strip_of(image, outer, inner, random)
+        item = self.items[random.integers(len(self.items))]
+        if random.random() < ANEW:
+            return strip_of(*self.drawings.pick(lambda: anew(*item, random), random), random)
+        image, _, outlines = item
+        return strip_of(image, outlines["outer"], outlines["inner"], random)
+
+
+def anew(image, label, outlines, random):
+    """The part about the cell of a picture of the same shapes, and the outer and the inner boundary in it."""
+    outer, inner = outlines["outer"], outlines["inner"]
+    middle, radius = outer.mean(1), np.sqrt(area(outer) / np.pi)
+    low = np.maximum(np.floor(middle - REACH * radius).astype(int), 0)
+    high = np.minimum(np.ceil(middle + REACH * radius).astype(int), image.shape[::-1])
+    part = drawn_anew(moved(outlines, np.eye(2), -low), label[low[1]:high[1], low[0]:high[0]], random, radius / RADIUS_SAMPLES)
+    return part, outer - low[:, None], inner - low[:, None]
 
 
 def rough(outer, random):
@@ -139,7 +149,7 @@ def strip_of(image, outer, inner, random):
     low = np.floor(points.min(1) + 2 * reach[0]).astype(int) - 8
     high = np.ceil(points.max(1) - 2 * reach[0]).astype(int) + 8
     low, high = np.maximum(low, 0), np.minimum(high, image.shape[::-1])
-    if np.any(high - low < 16):
+    if np.any(high - low < 16) or np.isfinite(truth[0]).mean() < MOSTLY:
         return None
     part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
     offsets = (np.arange(COLUMNS) - ZERO) * spacing
@@ -161,30 +171,23 @@ def loss_of(logits, truth):
     """Cross entropy with a spot at the truth, and how far the mean of the place is off, in samples."""
     known = torch.isfinite(truth)
     truth = torch.where(known, truth, torch.zeros_like(truth))
-    place = torch.arange(COLUMNS, dtype=torch.float32)
+    place = torch.arange(COLUMNS, dtype=torch.float32, device=logits.device)
     label = torch.exp(-0.5 * ((place - truth[..., None]) / LABEL_SIGMA) ** 2)
     label = label / label.sum(-1, keepdim=True).clamp(min=1e-6)
     logs = torch.log_softmax(logits, -1)
     crossed = -(label * logs).sum(-1)
     mean = (torch.exp(logs) * place).sum(-1)
     off = (mean - truth).abs()
-    weight = known.float() * torch.tensor([1.0, 0.5])[None, :, None]
+    weight = known.float() * torch.tensor([1.0, 0.5], device=logits.device)[None, :, None]
     total = weight.sum()
-    return ((crossed + TIGHT * torch.minimum(off, 1 + 0.2 * off)) * weight).sum() / total, (off[:, 0][known[:, 0]]).detach()
+    return ((crossed + TIGHT * torch.minimum(off, 1 + 0.2 * off)) * weight).sum() / total, off[:, 0][known[:, 0]].detach().median()
 
 
 def main():
     options = arguments_of(__doc__, 80)
-    random = np.random.default_rng(1)
     samples = Samples(options.samples)
     network = boundary_network()
-
-    def loss_of_batch():
-        strips, truth = draw_batch(lambda: samples.draw(random), lambda one: np.isfinite(one[1][0]).mean() > 0.6, 8)
-        loss, off = loss_of(network(strips), truth)
-        return loss, off.median().item()
-
-    train(network, options, samples, loss_of_batch)
+    train(network, options, samples, samples.draw, 8, loss_of)
     export(network, options.output, (1, 4, NORMALS + 2 * WRAP, COLUMNS), "strip", "boundaries")
 
 

@@ -19,7 +19,7 @@ import torch
 from torch import nn
 
 from any_contrast import Drawings, drawn_anew, moved
-from training import Block, arguments_of, draw_batch, export, normalised, other_look, outlines_in, rows_of, spacing_of, train
+from training import Block, Feed, arguments_of, export, normalised, other_look, outlines_in, rows_of, spacing_of, train
 
 SIDE, RADIUS_SAMPLES = 80, 25.0
 HELD_OUT = 12          # every so manieth picture only checks
@@ -120,7 +120,8 @@ class Samples:
                 continue
             return item
 
-    def draw(self, items, random):
+    def draw(self, random, items=None):
+        items = items or self.items
         is_cell = random.random() < CELL_SHARE
         item = self.pick(items, is_cell, random)
         circle = cell_circle(item, random) if is_cell else other_circle(item, random)
@@ -197,22 +198,19 @@ def anew(item, circle, turn, random):
     return drawn_anew(moved(item.outlines, a, b), label, random, 1.0)
 
 
+def loss_of(answer, truth):
+    wrong = ((answer[:, 0] > 0) != (truth > 0.5)).float().mean()
+    # No single picture is worth more than a confident answer to it: some patches can't be told.
+    return nn.functional.binary_cross_entropy_with_logits(answer[:, 0], 0.98 * truth + 0.01), wrong
+
+
 def main():
     options = arguments_of(__doc__, 25)
-    random = np.random.default_rng(1)
     samples = Samples(options.samples)
     network = CellNetwork()
-
-    def loss_of_batch():
-        patches, truth = draw_batch(lambda: samples.draw(samples.items, random), lambda one: True, 32)
-        logits = network(patches)[:, 0]
-        wrong = ((logits > 0) != (truth > 0.5)).float().mean().item()
-        # No single picture is worth more than a confident answer to it: some patches can't be told.
-        return nn.functional.binary_cross_entropy_with_logits(logits, 0.98 * truth + 0.01), wrong
-
-    train(network, options, samples, loss_of_batch)
+    train(network, options, samples, samples.draw, 32, loss_of)
     with torch.no_grad():
-        patches, truth = draw_batch(lambda: samples.draw(samples.held_out, random), lambda one: True, 6000)
+        patches, truth = Feed(lambda random: samples.draw(random, samples.held_out), 6000).next("cpu")
         share = torch.sigmoid(network(patches)[:, 0]).numpy()
     truth = truth.numpy() > 0.5
     for least in (0.02, 0.05, 0.1, 0.2, 0.3, 0.5):

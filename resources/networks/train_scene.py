@@ -18,7 +18,7 @@ import torch
 from torch import nn
 
 from any_contrast import SHIFT, Drawings, drawn_anew, moved
-from training import Block, UNetwork, arguments_of, draw_batch, export, normalised, other_look, outlines_in, rows_of, train
+from training import Block, UNetwork, arguments_of, export, normalised, other_look, outlines_in, rows_of, train
 
 CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
 SIDE = 192             # of a training picture, network pixels
@@ -65,7 +65,7 @@ class Samples:
             x, y, heat = self.drawings.pick(lambda: self.view(random, True), random)
         else:
             x, y, heat = self.view(random, False)
-        return normalised(other_look(x, 1.0, random)), y, heat
+        return normalised(other_look(x, 1.0, random))[None], y, heat
 
     def view(self, random, is_anew):
         """A part of a sample as the network sees it, turned; labels and heat of the tip."""
@@ -114,7 +114,8 @@ def labels_of(outlines, label):
     return label
 
 
-def loss_of(out, labels, heat, weights):
+def loss_of(out, labels, heat):
+    weights = torch.tensor(CLASS_WEIGHTS, device=out.device)
     # Weighted classes would come out more probable than they are.
     logits = out[:, :CLASSES] + torch.log(weights)[:, None, None]
     crossed = nn.functional.cross_entropy(logits, labels, weight=weights)
@@ -122,22 +123,15 @@ def loss_of(out, labels, heat, weights):
     truth = nn.functional.one_hot(labels, CLASSES).permute(0, 3, 1, 2).float()
     both = (share * truth).sum((0, 2, 3))
     dice = 1 - ((2 * both + 1) / (share.sum((0, 2, 3)) + truth.sum((0, 2, 3)) + 1)).mean()
-    tip = nn.functional.binary_cross_entropy_with_logits(out[:, CLASSES], heat, pos_weight=torch.tensor(20.0))
-    return crossed + dice + 2 * tip
+    tip = nn.functional.binary_cross_entropy_with_logits(out[:, CLASSES], heat, pos_weight=torch.tensor(20.0, device=out.device))
+    return crossed + dice + 2 * tip, tip.detach()
 
 
 def main():
     options = arguments_of(__doc__, 60)
-    random = np.random.default_rng(1)
     samples = Samples(options.samples)
     network = scene_network()
-    weights = torch.tensor(CLASS_WEIGHTS)
-
-    def loss_of_batch():
-        pictures, labels, heat = draw_batch(lambda: samples.draw(random), lambda one: True, 12)
-        return loss_of(network(pictures[:, None]), labels, heat, weights), float("nan")
-
-    train(network, options, samples, loss_of_batch)
+    train(network, options, samples, samples.draw, 12, loss_of)
     export(network, options.output, (1, 1, SIDE, 256), "picture", "scene")
 
 

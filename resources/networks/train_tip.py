@@ -21,7 +21,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from training import TipSamples, UNetwork, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
+from training import TipSamples, UNetwork, arguments_of, export, normalised, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
 LABEL_SIGMA = 1.0
@@ -57,6 +57,8 @@ class Samples(TipSamples):
         at = tip + spacing * (error[0] * way + error[1] * across)
         back = tip - at
         truth = np.array([AHEAD_OF + back @ way / spacing, (HEIGHT - 1) / 2 + back @ across / spacing])
+        if np.any((truth < 0) | (truth >= (WIDTH, HEIGHT))):
+            return None
         reach = int(np.ceil(spacing * np.hypot(WIDTH, HEIGHT))) + 8
         low = np.maximum(np.floor(at).astype(int) - reach, 0)
         high = np.minimum(np.ceil(at).astype(int) + reach, image.shape[::-1])
@@ -95,7 +97,8 @@ def with_droplet(part, tip, way, half, random):
 
 def loss_of(logits, truth):
     n = len(logits)
-    u, v = torch.arange(WIDTH, dtype=torch.float32), torch.arange(HEIGHT, dtype=torch.float32)[:, None]
+    u, v = (torch.arange(size, dtype=torch.float32, device=logits.device) for size in (WIDTH, HEIGHT))
+    v = v[:, None]
     spot = torch.exp(-0.5 * (((u - truth[:, 0, None, None]) ** 2 + (v - truth[:, 1, None, None]) ** 2)
                              / LABEL_SIGMA ** 2)).reshape(n, -1)
     logs = torch.log_softmax(logits.reshape(n, -1), 1)
@@ -103,21 +106,14 @@ def loss_of(logits, truth):
     share = torch.exp(logs).reshape(n, HEIGHT, WIDTH)
     mean = torch.stack([(share * u).sum((1, 2)), (share * v).sum((1, 2))], 1)
     off = (mean - truth).norm(dim=1)
-    return (crossed + 0.5 * torch.minimum(off, 1 + 0.2 * off)).mean(), off.detach()
+    return (crossed + 0.5 * torch.minimum(off, 1 + 0.2 * off)).mean(), off.detach().median()
 
 
 def main():
     options = arguments_of(__doc__, 30, {"fine": "the network that looks from nearer by (tip_fine.onnx)"})
-    random = np.random.default_rng(1)
     samples = (FineSamples if options.fine else Samples)(options.samples)
     network = tip_network()
-
-    def loss_of_batch():
-        patches, truth = draw_batch(lambda: samples.draw(random), lambda one: np.all((one[1] >= 0) & (one[1] < (WIDTH, HEIGHT))), 16)
-        loss, off = loss_of(network(patches), truth)
-        return loss, off.median().item()
-
-    train(network, options, samples, loss_of_batch)
+    train(network, options, samples, samples.draw, 16, loss_of)
     export(network, options.output, (1, 2, HEIGHT, WIDTH), "patch", "tip")
 
 

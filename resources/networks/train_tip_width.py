@@ -18,7 +18,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from training import Block, TipSamples, arguments_of, draw_batch, export, normalised, sampled, spacing_of, train, varied
+from training import Block, Feed, TipSamples, arguments_of, export, normalised, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 80, 48, 56
 WIDTH_SAMPLES, LEAST_PX, MOST_PX = 7.0, 0.4, 3.0
@@ -42,8 +42,8 @@ class Samples(TipSamples):
     def keep(self, item):
         (self.held_out if len(self.known) % HELD_OUT == 0 else self.items).append(item)
 
-    def draw(self, items, random):
-        image, tip, way, half, radius = self.pick(items, random)
+    def draw(self, random, items=None):
+        image, tip, way, half, radius = self.pick(items or self.items, random)
         if random.random() < 0.5:
             image, width = image[:, ::-1], image.shape[1]
             tip, way = np.array([width - 1 - tip[0], tip[1]]), way * (-1, 1)
@@ -71,23 +71,16 @@ def loss_of(answer, truth):
     sigma_log = answer[:, 1].clamp(-3.5, 1.0)
     off = (answer[:, 0] - truth).abs() * torch.exp(-sigma_log)
     # Normal near by, and no single picture decides: beyond two standard deviations it grows in proportion.
-    return (torch.where(off < 2, 0.5 * off ** 2, 2 * off - 2) + sigma_log).mean()
+    return (torch.where(off < 2, 0.5 * off ** 2, 2 * off - 2) + sigma_log).mean(), (answer[:, 0] - truth).detach().abs().median()
 
 
 def main():
     options = arguments_of(__doc__, 25)
-    random = np.random.default_rng(1)
     samples = Samples(options.samples, WIDTH_SAMPLES)
     network = WidthNetwork()
-
-    def loss_of_batch():
-        patches, truth = draw_batch(lambda: samples.draw(samples.items, random), lambda one: True, 24)
-        answer = network(patches)
-        return loss_of(answer, truth), (answer[:, 0] - truth).abs().median().item()
-
-    train(network, options, samples, loss_of_batch)
+    train(network, options, samples, samples.draw, 24, loss_of)
     with torch.no_grad():
-        patches, truth = draw_batch(lambda: samples.draw(samples.held_out, random), lambda one: True, 2000)
+        patches, truth = Feed(lambda random: samples.draw(random, samples.held_out), 2000).next("cpu")
         answer = network(patches)
         off = (answer[:, 0] - truth).numpy()
         sigma = torch.exp(answer[:, 1].clamp(-3.5, 1.0)).numpy()

@@ -5,6 +5,7 @@ Needs Debian's python3-torch, python3-opencv and python3-numpy.
 import argparse
 import csv
 import glob
+import multiprocessing
 import os
 import time
 
@@ -240,14 +241,57 @@ class TipSamples:
         self.items.append(item)
 
 
-def draw_batch(draw, is_usable, count):
-    """`count` samples that are usable, of draw(): inputs and truths as tensors."""
-    drawn = []
-    while len(drawn) < count:
-        one = draw()
-        if one is not None and is_usable(one):
-            drawn.append(one)
-    return tuple(torch.from_numpy(np.stack(part)) for part in zip(*drawn))
+class Feed:
+    """Batches of what `draw(random)` gives: tuples of arrays, or None, which counts for nothing. With workers, so many processes
+    draw, and a batch is taken at random from the last MOST samples that they have drawn, each of which is shown about REUSE times,
+    with other noise in its first plane, the grey values."""
+    MOST, REUSE, CHUNK, NOISE = 150000, 4, 32, 0.15
+
+    def __init__(self, draw, count, workers=0):
+        self.draw, self.count, self.is_shared = draw, count, workers > 0
+        self.random, self.drawn, self.shown, self.kept = np.random.default_rng(1), 0, 0, None
+        if self.is_shared:
+            context = multiprocessing.get_context("fork")
+            self.queue = context.Queue(2 * workers)
+            for seed in range(workers):
+                context.Process(target=self.work, args=(seed + 2,), daemon=True).start()
+
+    def work(self, seed):
+        torch.set_num_threads(1)
+        cv2.setRNGSeed(seed)
+        random = np.random.default_rng(seed)
+        while True:
+            inputs, *others = self.stack(random, self.CHUNK)
+            self.queue.put((inputs.astype(np.float16), *others))
+
+    def stack(self, random, count):
+        drawn = []
+        while len(drawn) < count:
+            one = self.draw(random)
+            if one is not None:
+                drawn.append(one)
+        return tuple(np.stack(part) for part in zip(*drawn))
+
+    def next(self, device):
+        """A batch, as tensors."""
+        if not self.is_shared:
+            return tuple(torch.from_numpy(part).to(device) for part in self.stack(self.random, self.count))
+        while self.drawn < 8 * self.count or self.shown > self.REUSE * self.drawn or not self.queue.empty():
+            self.keep(tuple(torch.from_numpy(part).to(device) for part in self.queue.get()))
+        self.shown += self.count
+        picked = torch.randint(min(self.drawn, self.MOST), (self.count,), device=device)
+        inputs, *others = (part[picked] for part in self.kept)
+        inputs = inputs.float()
+        inputs[:, :1] += self.NOISE * torch.rand((self.count, 1, 1, 1), device=device) ** 2 * torch.randn_like(inputs[:, :1])
+        return inputs, *others
+
+    def keep(self, chunk):
+        if self.kept is None:
+            self.kept = tuple(torch.empty((self.MOST, *part.shape[1:]), dtype=part.dtype, device=part.device) for part in chunk)
+        at = torch.arange(self.drawn, self.drawn + self.CHUNK, device=chunk[0].device) % self.MOST
+        for kept, part in zip(self.kept, chunk):
+            kept[at] = part
+        self.drawn += self.CHUNK
 
 
 def arguments_of(text, minutes, flags=None):
@@ -259,6 +303,8 @@ def arguments_of(text, minutes, flags=None):
     parser.add_argument("--start", help="weights to go on from (.pt, or a network as shipped, .onnx)")
     parser.add_argument("--rate", type=float, default=4e-3)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--workers", type=int, default=0, help="processes that draw, for a machine with a graphics processor")
+    parser.add_argument("--batch", type=int, help="samples a step")
     for name, help_text in (flags or {}).items():
         parser.add_argument(f"--{name}", action="store_true", help=help_text)
     options = parser.parse_args()
@@ -269,11 +315,11 @@ def arguments_of(text, minutes, flags=None):
     return options
 
 
-def go_on_from(network, path, loss_of_batch, batches=20):
+def go_on_from(network, path, inputs, batches=20):
     """Takes weights over. A shipped network's batch normalisation has gone into its weights: it is put back by what the
-    layers give in a few batches, so that the network answers as before."""
+    layers give in a few batches of inputs(), so that the network answers as before."""
     if path.endswith(".pt"):
-        network.load_state_dict(torch.load(path))
+        network.load_state_dict(torch.load(path, map_location="cpu"))
         return
     import onnx
     from onnx import numpy_helper
@@ -289,7 +335,7 @@ def go_on_from(network, path, loss_of_batch, batches=20):
     hooks = [layer.register_forward_hook(lambda one, *_: order.append(one)) for layer in layers]
     network.eval()
     with torch.no_grad():
-        loss_of_batch()
+        network(inputs())
     for hook in hooks:
         hook.remove()
     if len(order) != len(shipped):
@@ -310,7 +356,7 @@ def go_on_from(network, path, loss_of_batch, batches=20):
         hooks = [norm.register_forward_pre_hook(lambda one, x: means[one].append(
             torch.stack([x[0].mean((0, 2, 3)), (x[0] ** 2).mean((0, 2, 3))]))) for norm in means]
         for _ in range(batches):
-            loss_of_batch()
+            network(inputs())
         for hook in hooks:
             hook.remove()
         for norm, seen in means.items():
@@ -323,30 +369,40 @@ def go_on_from(network, path, loss_of_batch, batches=20):
     network.train()
 
 
-def train(network, options, samples, loss_of_batch):
-    """Steps until the time is up, at a rate that falls; `loss_of_batch()`: the loss, and a figure to be printed."""
+def train(network, options, samples, draw, count, loss_of):
+    """Steps until the time is up, at a rate that falls, with `count` samples each unless the options say otherwise. `draw(random)`
+    gives inputs and what loss_of(network's answer, *others) takes for the loss and a figure to be printed. Minutes are the
+    processor's, however busy the machine is, or the clock's where workers draw."""
     print(f"{len(samples.items)} samples, {sum(p.numel() for p in network.parameters())} parameters", flush=True)
+    feed = Feed(draw, options.batch or count, options.workers)  # before the graphics processor is touched
+    device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
+    network.to(device)
     if options.start:
-        go_on_from(network, options.start, loss_of_batch)
+        go_on_from(network, options.start, lambda: feed.next(device)[0])
     optimiser = torch.optim.AdamW(network.parameters(), lr=options.rate, weight_decay=1e-4)
-    begin, step, losses, figures = time.process_time(), 0, [], []  # of the processor, however busy the machine is
-    while (share := (time.process_time() - begin) / (60 * options.minutes)) < 1:
+    clock = time.monotonic if options.workers else time.process_time
+    begin, step, losses, figures = clock(), 0, [], []
+    while (share := (clock() - begin) / (60 * options.minutes)) < 1:
         for group in optimiser.param_groups:
             group["lr"] = options.rate * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
-        loss, figure = loss_of_batch()
+        inputs, *others = feed.next(device)
+        loss, figure = loss_of(network(inputs), *others)
         optimiser.zero_grad()
         loss.backward()
         nn.utils.clip_grad_norm_(network.parameters(), 1.0)
         optimiser.step()
-        losses.append(loss.item())
+        losses.append(loss.detach())
         figures.append(figure)
         step += 1
         if step % 100 == 0:
-            samples.load()
-            print(f"step {step}  {time.process_time() - begin:.0f} s  loss {np.mean(losses[-100:]):.3f}  "
-                  f"median off {np.mean(figures[-100:]):.2f}  {len(samples.items)} samples", flush=True)
+            if not options.workers:
+                samples.load()
+            mean = [torch.stack(values).mean().item() for values in (losses, figures)]
+            losses, figures = [], []
+            print(f"step {step}  {clock() - begin:.0f} s  loss {mean[0]:.3f}  figure {mean[1]:.2f}  {len(samples.items)} pictures, "
+                  f"{feed.drawn or step * feed.count} samples drawn", flush=True)
             torch.save(network.state_dict(), options.output[:-5] + ".pt")
-    network.eval()
+    network.eval().cpu()
     torch.save(network.state_dict(), options.output[:-5] + ".pt")
 
 

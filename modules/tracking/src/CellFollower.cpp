@@ -33,8 +33,6 @@ constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
 constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4, kMoved_sigmas = 3.0;
 // Of the narrow band: where a membrane that is back at rest is looked for.
 constexpr double kAtRest_ratio = 0.5;
-// Of the quality: seen about as well.
-constexpr double kAsWell_ratio = 0.8;
 // Of the tip's depth: the contour lies on it.
 constexpr double kOnTip_ratio = 0.85;
 // Of an outline's area, what is left of it in the next frame at least.

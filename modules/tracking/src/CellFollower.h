@@ -110,6 +110,8 @@ class CellFollower {
   NeedleZone zone() const;
   // Of the radius: a dent that counts as one where nothing pushes.
   static constexpr double kUnpushedDent_ratio = 0.06;
+  // Of the quality: seen about as well.
+  static constexpr double kAsWell_ratio = 0.8;
   // Through the part of a contour that nothing dents.
   static contour::Circle circle_of(const Eigen::Matrix2Xd& points);
   bool is_cell(const FrameInput& frame, const contour::Circle& circle) const;
@@ -127,10 +129,13 @@ class CellFollower {
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  void read_where_it_was(const FrameInput& frame, const NeedleZone* needle);
   void read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
   void follow_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_dimples(const FrameInput& frame);
+  double oddness() const;
+  void mend_dimple(const FrameInput& frame, const NeedleZone& needle);
   SnakeContour dimpled(SnakeContour snake, double reach_px) const;
   void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);

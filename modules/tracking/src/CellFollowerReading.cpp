@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "CellFollower.h"
+#include "Dimple.h"
 
 namespace pellucida {
 namespace {
@@ -25,6 +26,14 @@ constexpr double kDimples_ratio[] = {0.0, 0.4, 0.8};
 // Of the tip's depth: flanks as deep as this are pushed, and the membrane then lies at the tip, at least so deep. On 47
 // tuning and wide pictures of contact (173001 to 173150) outlines that cut across the dimple had flanks of 0.14 to 0.4.
 constexpr double kDimpleFlank_ratio = 0.12, kReached_ratio = 0.8;
+// Of the radius, and px: an outline that runs otherwise about the tip than a membrane can (`Dimple`) by more than this
+// has gone astray; where it is begun anew, half the width of the dimple.
+constexpr double kOdd_ratio = 0.04, kOdd_px = 2.0;
+constexpr double kNewDimples_ratio[] = {0.35, 0.6, 0.9};
+// What that takes from an outline's quality, beside itself as a share of the radius.
+constexpr double kOddCosts = 0.15;
+// Of the radius: what is read farther from such a dimple is another edge.
+constexpr double kTrusted_ratio = 0.06;
 
 }  // namespace
 
@@ -37,13 +46,19 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   snakes_.read(frame.image, network, needle, rounds);
   quality_ = quality_now();
   if (needle && touching_ && needle_.is_clear()) read_sprung_back(frame, *needle);
-  if (needle == nullptr || measure_membrane_depth() - tip_depth() > kBeyondTip_ratio * rest_.outer_radius)
+  const bool has_given_way = contact_.state() == CellState::kPunctured;
+  if (needle == nullptr || has_given_way ||
+      measure_membrane_depth() - tip_depth() > kBeyondTip_ratio * rest_.outer_radius)
     read_unpushed(frame, needle);
-  if (quality_ >= kPoorReading) return;
+  if (quality_ < kPoorReading) read_where_it_was(frame, needle);
+  if (needle && touching_ && is_pushed()) mend_dimple(frame, *needle);
+}
+
+void CellFollower::read_where_it_was(const FrameInput& frame, const NeedleZone* needle) {
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
   const double quality = quality_;
   snakes_.restore(outer_before_, inner_before_);
-  snakes_.read(frame.image, network, needle, kRoundsHigh);
+  snakes_.read(frame.image, frame.reader->boundaries(), needle, kRoundsHigh);
   quality_ = quality_now();
   if (quality_ > quality) return;
   snakes_.restore(outer, inner);
@@ -81,18 +96,53 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
 }
 
 // A dimple that no tip is at the bottom of may be one that the contour has stayed in: once more from the resting
-// outline.
+// outline. Where the membrane has given way, that counts if it is seen about as well.
 void CellFollower::read_unpushed(const FrameInput& frame, const NeedleZone* needle) {
   measure_dent();
   if (new_dent_ratio() < kUnpushedDent_ratio) return;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
   snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
   snakes_.read(frame.image, frame.reader->boundaries(), needle, kRoundsHigh);
-  if (quality_now() > quality_) {
+  const double least = contact_.state() == CellState::kPunctured ? kAsWell_ratio * quality_ : quality_;
+  if (quality_now() > least) {
     quality_ = quality_now();
   } else {
     snakes_.restore(outer, inner);
   }
+}
+
+double CellFollower::oddness() const {
+  const NeedleEstimate& n = needle_.estimate();
+  return Dimple::of(snakes_.outer().points, center_now(), rest_.outer_radius, n.tip, n.direction).worst_px();
+}
+
+// Normals of an outline that is kinked show nothing that would straighten it: it is begun anew from smooth dimples at
+// the tip. What is seen best, and runs as a membrane can, counts.
+void CellFollower::mend_dimple(const FrameInput& frame, const NeedleZone& needle) {
+  const double odd = oddness(), most = std::max(kOdd_px, kOdd_ratio * rest_.outer_radius);
+  if (odd < most && quality_ >= kPoorReading) return;
+  NeedleZone strict = needle;
+  strict.trust_px = kTrusted_ratio * rest_.outer_radius;
+  const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
+  SnakeContour best_outer = outer, best_inner = inner;
+  const auto judged = [&](double off) {
+    return quality_now() - off / rest_.outer_radius - (off < most ? 0.0 : kOddCosts);
+  };
+  double best = judged(odd);
+  for (const double width : kNewDimples_ratio) {
+    if (odd < most && width != kNewDimples_ratio[1]) continue;  // seen poorly, but not astray
+    SnakeContour smooth = outer;
+    smooth.points = with_smooth_dimple(outer.points, needle.tip, needle.direction, width * rest_.outer_radius);
+    snakes_.restore(smooth, inner);
+    snakes_.read(frame.image, frame.reader->boundaries(), &strict, kRoundsHigh);
+    const double score = judged(oddness());
+    if (score <= best) continue;
+    best = score;
+    best_outer = snakes_.outer();
+    best_inner = snakes_.inner();
+  }
+  snakes_.restore(best_outer, best_inner);
+  quality_ = quality_now();
 }
 
 // A needle that is past the outline at first sight: normals of an outline without a dimple do not cross one, and those

@@ -13,6 +13,8 @@ namespace {
 constexpr double kLeastSpreadShare = 0.0015;
 // Spread, of the radius, of an inner boundary that is not seen any more.
 constexpr double kUnseenShare = 0.05;
+// The same of one that is another edge's.
+constexpr double kAnotherShare = 0.2;
 // Of the radius: two boundaries this near to each other are one.
 constexpr double kOneShare = 0.03;
 constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with each reading
@@ -45,6 +47,14 @@ void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, doubl
   spread_out(places.offset_px, edges_);
   spread_out(places.sigma_px, sigmas_);
   sigmas_ = sigmas_.cwiseMax(kLeastSpreadShare * radius_px);
+  rigidity_.setConstant(n, kReadRigidity);
+  shape_share_.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool pushed =
+        needle && needle->touching && (outer_.points.col(i) - needle->tip).norm() < kDimpleRadii * radius_px;
+    shape_share_[i] = pushed ? kShapeShare : 1.0;
+    if (is_outer && pushed && std::abs(edges_[i]) > needle->trust_px) sigmas_[i] = kAnotherShare * radius_px;
+  }
   snake.confidence = confidence_of(sigmas_, radius_px);
   double score = 0.0, seen = 0.0;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -53,13 +63,6 @@ void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, doubl
     seen += 1.0;
   }
   snake.score = seen > 0.0 ? score / seen : 0.0;
-  rigidity_.setConstant(n, kReadRigidity);
-  shape_share_.resize(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const bool pushed =
-        needle && needle->touching && (outer_.points.col(i) - needle->tip).norm() < kDimpleRadii * radius_px;
-    shape_share_[i] = pushed ? kShapeShare : 1.0;
-  }
   if (is_outer && needle) use_needle(snake, true, *needle);
   rigidity_ = rigidity_.cwiseMin(kReadRigidity);
   // The weight of 1 belongs to an edge as sure as most.

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct NeedleZone {
   double widening = 0.0;                                 ///< half width gained per px behind the tip
   bool touching = false;                                 ///< the membrane is known to wrap the tip
   double tip_sigma = 0.5;                                ///< px
+  /// px: what is read farther from the outline than this, beside a tip that pushes, is another edge.
+  double trust_px = std::numeric_limits<double>::infinity();
   bool is_shade = false;  ///< so far out of focus that membranes show through it and its edges are like none of theirs
 
   /// Whether `p` lies on the shaft or within `margin` px of its edges; nothing does while it is a mere shade.
