@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Writes the mean of networks of one make, by the weights given, as a network of its own.
 
-    python3 mean_of.py tip_fine.onnx 1 before.onnx 1 quarter.onnx 1 half.onnx
+    python3 mean_of.py tip_fine.onnx 1 before.onnx 1 after.onnx
 
 Needs Debian's python3-onnx and python3-numpy.
 """

@@ -1,6 +1,8 @@
 // The boundaries of a cell that networks read, in a frame: from where they are expected, from where they were, and from
 // the resting outline, should the membrane have sprung back or nothing push it.
 #include <algorithm>
+#include <iterator>
+#include <span>
 
 #include "CellFollower.h"
 #include "Dimple.h"
@@ -27,9 +29,11 @@ constexpr double kDimples_ratio[] = {0.0, 0.4, 0.8};
 // tuning and wide pictures of contact (173001 to 173150) outlines that cut across the dimple had flanks of 0.14 to 0.4.
 constexpr double kDimpleFlank_ratio = 0.12, kReached_ratio = 0.8;
 // Of the radius, and px: an outline that runs otherwise about the tip than a membrane can (`Dimple`) by more than this
-// has gone astray; where it is begun anew, half the width of the dimple.
+// has gone astray; where it is begun anew, half the width of the dimple, and how many of these are tried for one that
+// is only seen poorly.
 constexpr double kOdd_ratio = 0.04, kOdd_px = 2.0;
-constexpr double kNewDimples_ratio[] = {0.35, 0.6, 0.9};
+constexpr double kNewDimples_ratio[] = {0.6, 0.35, 0.9};
+constexpr std::size_t kTriesIfPoor = 1;
 // What that takes from an outline's quality, beside itself as a share of the radius.
 constexpr double kOddCosts = 0.15;
 // Of the radius: what is read farther from such a dimple is another edge.
@@ -117,7 +121,7 @@ double CellFollower::oddness() const {
 }
 
 // Normals of an outline that is kinked show nothing that would straighten it: it is begun anew from smooth dimples at
-// the tip. What is seen best, and runs as a membrane can, counts.
+// the tip, and so is one that is seen poorly. What is seen best, and runs as a membrane can, counts.
 void CellFollower::mend_dimple(const FrameInput& frame, const NeedleZone& needle) {
   const double odd = oddness(), most = std::max(kOdd_px, kOdd_ratio * rest_.outer_radius);
   if (odd < most && quality_ >= kPoorReading) return;
@@ -129,8 +133,8 @@ void CellFollower::mend_dimple(const FrameInput& frame, const NeedleZone& needle
     return quality_now() - off / rest_.outer_radius - (off < most ? 0.0 : kOddCosts);
   };
   double best = judged(odd);
-  for (const double width : kNewDimples_ratio) {
-    if (odd < most && width != kNewDimples_ratio[1]) continue;  // seen poorly, but not astray
+  for (const double width :
+       std::span(kNewDimples_ratio).first(odd < most ? kTriesIfPoor : std::size(kNewDimples_ratio))) {
     SnakeContour smooth = outer;
     smooth.points = with_smooth_dimple(outer.points, needle.tip, needle.direction, width * rest_.outer_radius);
     snakes_.restore(smooth, inner);
