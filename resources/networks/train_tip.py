@@ -16,7 +16,6 @@ planes: grey values (median 0, mean deviation 1), and how many pixels a sample t
 the needle has expelled.
 """
 
-import cv2
 import numpy as np
 import torch
 from torch import nn

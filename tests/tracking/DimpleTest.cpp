@@ -37,11 +37,11 @@ Dimple dimple_of(const Eigen::Matrix2Xd& outline, double tip_depth_px) {
   return Dimple::of(outline, kCenter, kRadius_px, tip_at(tip_depth_px), kDirection);
 }
 
-// Moves what lies `from` to `to` px beside the needle's line, on the needle's side, by `way`.
-Eigen::Matrix2Xd with_moved(Eigen::Matrix2Xd outline, double from, double to, const Eigen::Vector2d& way) {
+// Moves what lies between `from_px` and `to_px` beside the needle's line, on the needle's side, by `way_px`.
+Eigen::Matrix2Xd with_moved(Eigen::Matrix2Xd outline, double from_px, double to_px, const Eigen::Vector2d& way_px) {
   for (Eigen::Index i = 0; i < outline.cols(); ++i) {
     const Eigen::Vector2d d = outline.col(i) - kCenter;
-    if (d.dot(kDirection) < 0.0 && d.dot(kAcross) > from && d.dot(kAcross) < to) outline.col(i) += way;
+    if (d.dot(kDirection) < 0.0 && d.dot(kAcross) > from_px && d.dot(kAcross) < to_px) outline.col(i) += way_px;
   }
   return outline;
 }
@@ -76,6 +76,7 @@ TEST(Dimple, IsMadeSmoothAndEndsOnTheTip) {
   EXPECT_GT((kinked - truth).colwise().norm().maxCoeff(), 14.0);
   for (Eigen::Index i = 0; i < smooth.cols(); ++i) EXPECT_LT(contour::distance_to(truth, smooth.col(i)), 3.0) << i;
   EXPECT_LT(dimple_of(smooth, kDepth_px).worst_px(), 0.5);
+  EXPECT_LT(contour::distance_to(smooth, tip_at(kDepth_px)), 0.5);
 }
 
 }  // namespace
