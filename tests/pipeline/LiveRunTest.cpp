@@ -156,6 +156,15 @@ TEST(LiveRun, APauseWhileRecordingIsReportedAndIsNoLossOfTheSource) {
   EXPECT_LT(run.status().gap_count - gaps_before, 20U);
 }
 
+/// A block handed over whole, as `Frozen` asks: once this has returned, nobody else holds a part of it.
+Frozen<vtkPolyData> hand_block() {
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  vtkNew<vtkPolyData> block;
+  block->SetPoints(points);
+  return Frozen<vtkPolyData>(block.Get());
+}
+
 // The window, the hand's recorder and others at once (the header says which calls may come from anywhere).
 TEST(LiveRun, AnyThreadMayCallWhatMayComeFromAnyThread) {
   LiveRun run(std::make_unique<test::FlatSource>(400, 400.0), {});
@@ -177,12 +186,8 @@ TEST(LiveRun, AnyThreadMayCallWhatMayComeFromAnyThread) {
       });
     }
     threads.emplace_back([&] {
-      vtkNew<vtkPoints> points;
-      points->InsertNextPoint(1.0, 2.0, 3.0);
       for (int i = 0; i < 200; ++i) {
-        vtkNew<vtkPolyData> block;
-        block->SetPoints(points);
-        run.record_hand(Frozen<vtkPolyData>(block.Get()), 0.01 * i);
+        run.record_hand(hand_block(), 0.01 * i);
         run.add_event({0.01 * i, "limit", "depth"});
         run.set_plan(R"({"depth_stop_um": 40})");
       }
