@@ -1932,6 +1932,10 @@
         <translation>die Szene enthält kein Bild zum Verfolgen</translation>
     </message>
     <message>
+        <source>the shape is unstable</source>
+        <translation>die Form ist instabil</translation>
+    </message>
+    <message>
         <source>the simulated injector</source>
         <translation>der simulierte Injektor</translation>
     </message>

@@ -73,6 +73,35 @@ TEST(ForceObserver, MeetsTheForceCurveAtAnyAngleInTheImage) {
   }
 }
 
+// The dimple of a thick, small cell gives way before the needle is 1.4 radii deep: said once the model was solved that
+// far, without solving again, and forgotten when the needle is back.
+TEST(ForceObserver, BeyondTheDeepestEquilibriumThereIsNoForceAndNoSolving) {
+  const CellProfile profile = load_profile("mouse-embryo");
+  ForceObserver observer(profile);
+  const auto at = [&](double depth_um, long frame) {
+    Observation o = make_observation(CellState::kContact, depth_um, 0.0, std::numbers::pi, frame);
+    o.rest_outer_radius_um = 41.0;
+    o.rest_inner_radius_um = 37.0;
+    o.needle->tip_um = o.center_um + (41.0 - depth_um) * o.axis;
+    return observer.process(o);
+  };
+  long frame = 0;
+  ForceEstimate before;
+  for (double depth_um = 1.0; depth_um < 38.0; depth_um += 1.0) before = at(depth_um, frame++);
+  ASSERT_TRUE(before.converged) << before.reason;
+  for (double depth_um = 39.0; depth_um < 50.0; depth_um += 1.0) at(depth_um, frame++);
+  for (int again = 0; again < 3; ++again) {
+    const ForceEstimate beyond = at(50.0, frame++);
+    EXPECT_FALSE(beyond.converged);
+    EXPECT_EQ(beyond.reason, "the model found no equilibrium: the shape is unstable");
+    EXPECT_EQ(beyond.iterations, 0);
+  }
+  for (int back = 0; back < 30; ++back) at(37.0, frame++);
+  const ForceEstimate after = at(37.0, frame++);
+  EXPECT_TRUE(after.converged) << after.reason;
+  EXPECT_NEAR(after.contact_force_uN, before.contact_force_uN, 0.02 * before.contact_force_uN);
+}
+
 TEST(ForceObserver, NodesLieOnTheCellAndTheirForcesBalance) {
   ForceObserver observer(load_profile("mouse-oocyte"));
   const ForceEstimate e = ramp(observer, 20.0, 0.5, 0.5 + std::numbers::pi);

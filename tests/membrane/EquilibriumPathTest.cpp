@@ -47,6 +47,25 @@ TEST_P(EquilibriumPathTest, ReadsWhatIsSolvedOneByOne) {
 }
 INSTANTIATE_TEST_SUITE_P(Configurations, EquilibriumPathTest, ::testing::Values(1, 2, 3, 4));
 
+// A thick, small cell's dimple gives way on the far side of its centre.
+TEST(EquilibriumPathEnd, IsTheDeepestShapeAndSaysWhy) {
+  const CellProfile profile = load_profile("mouse-embryo");
+  const MembraneGeometry geometry{
+      .mid_radius_um = 39.0, .thickness_um = 4.0, .tip_radius_um = 2.6, .holder_radius_um = 22.5};
+  const Eigen::Vector3d along = -Eigen::Vector3d::UnitZ();
+  EquilibriumPath path(profile, geometry, along, along);
+  double depth_um = 0.0;
+  while (path.at(depth_um)) depth_um += EquilibriumPath::kStep_um;
+  EXPECT_LT(depth_um, 1.4 * geometry.mid_radius_um);
+  const auto end = path.end();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->report.status, SolveStatus::kUnstable);
+  EXPECT_NEAR(end->depth_um, depth_um, EquilibriumPath::kStep_um);
+  Indenter reader(profile, geometry, along, along);
+  EXPECT_EQ(reader.adopt(*end).depth_um, end->depth_um);
+  EXPECT_EQ(reader.advance_to(end->depth_um).report.status, SolveStatus::kConverged);
+}
+
 // The modulus scales the forces on the nodes, which come with the shape.
 TEST(AdoptedShapeTest, AnotherModulusBringsTheForcesOnTheNodes) {
   CellProfile profile = load_profile("mouse-oocyte");

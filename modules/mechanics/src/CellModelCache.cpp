@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceInterval.h"
@@ -41,8 +42,7 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
            holds(&MembraneGeometry::holder_radius_um, kToolStep_ratio);
   }
   if (!fits) {
-    path_.reset();
-    steady_frames_ = 0;
+    forget_path();
     has_turned_ = false;
     built_ = seen;
     indenter_ = std::make_unique<Indenter>(profile_, built_, placement.push(), placement.holder());
@@ -51,8 +51,7 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
     outer_radius_um_ = built_.mid_radius_um + 0.5 * built_.thickness_um;
   } else if (model().setup().holder.dot(placement.holder()) < std::cos(kHolderTurn_rad)) {
     indenter_->set_holder(placement.holder());
-    path_.reset();
-    steady_frames_ = 0;
+    forget_path();
     has_turned_ = o.state != CellState::kFree;
   }
   if (o.state == CellState::kFree) {
@@ -60,6 +59,17 @@ bool CellModelCache::fit(const Observation& o, const CellPlacement& placement) {
     if (!path_ && ++steady_frames_ >= kSteadyFrames) start_path();
   }
   return !fits;
+}
+
+void CellModelCache::forget_path() {
+  path_.reset();
+  deepest_.reset();
+  steady_frames_ = 0;
+}
+
+void CellModelCache::set_deepest(std::optional<SolvedShape> shape) {
+  deepest_ = std::move(shape);
+  if (deepest_) deepest_->report = {.status = deepest_->report.status};  // what it took is spent once
 }
 
 void CellModelCache::start_path() {
@@ -79,14 +89,22 @@ IndentationState CellModelCache::press(double depth_um, const SolvedShape* known
       start_anew_ = false;
       return indenter_->adopt_checked(*shape, kPathTolerance_um);
     }
+    if (!deepest_) set_deepest(path_->end());
   }
   return press_solved(depth_um);
 }
 
 IndentationState CellModelCache::press_solved(double depth_um) {
-  if (start_anew_) indenter_->reset();
+  if (deepest_ && depth_um > deepest_->depth_um) {
+    start_anew_ = false;
+    return indenter_->adopt(*deepest_);
+  }
+  const bool from_rest = start_anew_;
+  if (from_rest) indenter_->reset();
   const IndentationState state = indenter_->advance_to(depth_um);
-  start_anew_ = state.report.status != SolveStatus::kConverged;
+  const bool is_solved = state.report.status == SolveStatus::kConverged;
+  if (!is_solved && from_rest) set_deepest(indenter_->shape(state.report));
+  start_anew_ = !is_solved && !from_rest;
   return state;
 }
 

@@ -25,7 +25,7 @@ class CellModelCache {
   /// radius above 0.
   bool fit(const Observation& observation, const CellPlacement& placement);
   void forget() {
-    path_.reset();
+    forget_path();
     indenter_.reset();
     geometry_.forget();
   }
@@ -38,7 +38,8 @@ class CellModelCache {
 
   /// Equilibrium at a depth: `known` (may be null), if it is one at this depth, as the model of another modulus found
   /// it; else read off the path ahead; else, where that ends or the holder has turned since the contact began, solved
-  /// from the last one, after a failure from rest.
+  /// from the last one, after a failure from rest. Deeper than the model was found to reach: the deepest one, whose
+  /// report says so, at once.
   IndentationState press(double depth_um, const SolvedShape* known = nullptr);
   /// The same, always solved from the last one: with a contour that pulls.
   IndentationState press_solved(double depth_um);
@@ -70,6 +71,8 @@ class CellModelCache {
   std::optional<PushModel> model_of(const Palpation& push);
 
   void start_path();
+  void forget_path();
+  void set_deepest(std::optional<SolvedShape> shape);
 
   const CellProfile& profile_;
   std::unique_ptr<Indenter> indenter_;
@@ -77,6 +80,7 @@ class CellModelCache {
   int steady_frames_ = 0;    // free ones since the model was built or its holder moved
   bool has_turned_ = false;  // the holder, in this contact: the path is another's
   bool start_anew_ = false;
+  std::optional<SolvedShape> deepest_;  // once a deeper one was not found, from rest or on the path
   GeometryEstimate geometry_;
   MembraneGeometry built_;  // the model's
   double outer_radius_um_ = 0.0, offset_um_ = 0.0;

@@ -6,6 +6,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace pellucida {
 namespace {
@@ -85,6 +86,11 @@ class EquilibriumPath::Impl {
     return between(a, b, depth_um);
   }
 
+  std::optional<SolvedShape> end() const {
+    const std::scoped_lock lock(mutex_);
+    return end_;
+  }
+
   double solved_to_um() const {
     const std::scoped_lock lock(mutex_);
     return nodes_.empty() ? 0.0 : nodes_.back().shape.depth_um;
@@ -113,7 +119,12 @@ class EquilibriumPath::Impl {
 
   bool add_node(Indenter& indenter) {
     const IndentationState state = indenter.advance_to(static_cast<double>(nodes_.size()) * kStep_um);
-    if (state.report.status != SolveStatus::kConverged) return false;
+    if (state.report.status != SolveStatus::kConverged) {
+      SolvedShape end = indenter.shape(state.report);
+      const std::scoped_lock lock(mutex_);
+      end_ = std::move(end);
+      return false;
+    }
     PathNode node{indenter.shape(state.report), indenter.force_slopes()};
     const std::scoped_lock lock(mutex_);
     nodes_.push_back(std::move(node));
@@ -129,6 +140,7 @@ class EquilibriumPath::Impl {
   std::deque<PathNode> nodes_;  // `kStep_um` apart, from 0; only the thread adds
   double wanted_um_ = kAhead_um;
   bool has_ended_ = false;
+  std::optional<SolvedShape> end_;
   std::jthread thread_;  // last: it uses all of the above
 };
 
@@ -139,6 +151,9 @@ EquilibriumPath::~EquilibriumPath() = default;
 
 std::optional<SolvedShape> EquilibriumPath::at(double depth_um) {
   return impl_->at(depth_um);
+}
+std::optional<SolvedShape> EquilibriumPath::end() const {
+  return impl_->end();
 }
 double EquilibriumPath::solved_to_um() const {
   return impl_->solved_to_um();

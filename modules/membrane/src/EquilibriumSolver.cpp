@@ -20,6 +20,9 @@ constexpr int kMostIterations = 10;
 constexpr int kManyIterations = 5;
 /// Accuracy of the tangent; a compliance has its square.
 constexpr double kTangentAccuracy = 3e-4;
+/// A shape that needs a shifted Hessian in more iterations than this has given way. Of the equilibria that were found
+/// from 2 um away, up to 1.4 radii deep in cells of 25 to 75 um, none took more than six.
+constexpr int kMostShiftedIterations = 12;
 /// The energy's rounding, with terms that nearly cancel, may be so many times that of its sum.
 constexpr double kRoundingPromise = 100.0;
 
@@ -43,6 +46,8 @@ std::string_view to_string(SolveStatus status) noexcept {
       return "time budget spent";
     case SolveStatus::kNotPositiveDefinite:
       return "Hessian not positive definite, and no shift helps";
+    case SolveStatus::kUnstable:
+      return "the shape is unstable";
     case SolveStatus::kNoDescent:
       return "no descent";
     case SolveStatus::kNotFinite:
@@ -106,6 +111,7 @@ SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions&
   my.gradient.setZero(3, x_um.cols());
   double energy = sum.add(x_um, &my.gradient, nullptr);
   bool is_assembled = false;
+  int shifted_iterations = 0;
   while (true) {
     report.residual_uN = largest_column_norm(my.gradient);
     if (!std::isfinite(energy) || !std::isfinite(report.residual_uN)) return ended(SolveStatus::kNotFinite);
@@ -122,7 +128,10 @@ SolveReport EquilibriumSolver::solve(Eigen::Matrix3Xd& x_um, const SolveOptions&
       is_assembled = true;
     }
     const double accuracy = std::clamp(0.03 * tolerance_uN / report.residual_uN, kFinestStep, kCoarsestStep);
+    const int shifts_before = report.shifts;
     if (!my.find_step(accuracy, report)) return ended(SolveStatus::kNotPositiveDefinite);
+    shifted_iterations += report.shifts > shifts_before ? 1 : 0;
+    if (shifted_iterations > kMostShiftedIterations) return ended(SolveStatus::kUnstable);
     const Eigen::Map<const Eigen::Matrix3Xd> step(my.step.data(), 3, x_um.cols());
     const double slope = my.step.dot(flat(my.gradient));
     const double reach = std::sqrt(step.colwise().squaredNorm().maxCoeff());

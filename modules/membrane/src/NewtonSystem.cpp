@@ -1,6 +1,7 @@
 #include "NewtonSystem.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace pellucida {
@@ -40,14 +41,17 @@ void NewtonSystem::assemble(const Eigen::Matrix3Xd& x_um) {
 
 int NewtonSystem::factorize() {
   has_factor_ = false;
+  const double first_shift = std::max(kFirstShift * energy_.force_scale_uN_per_um(), last_shift_ / kShiftGrowth);
   double shift = 0.0;
   for (int shifts = 0; shifts < kMostShifts; ++shifts) {
     // Each rank-one part, being positive, can lift one negative direction at most.
     if (factor_.factorize(sparse_, shift) && factor_.negative_count() <= rank_one_count() && refresh_rank_ones()) {
+      last_shift_ = shift;
       return shifts;
     }
-    shift = shift > 0.0 ? kShiftGrowth * shift : kFirstShift * energy_.force_scale_uN_per_um();
+    shift = shift > 0.0 ? kShiftGrowth * shift : first_shift;
   }
+  last_shift_ = 0.0;
   return -1;
 }
 

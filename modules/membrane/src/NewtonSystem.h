@@ -47,6 +47,7 @@ class NewtonSystem {
   BlockMatrix sparse_;
   BlockLdlt factor_;
   bool has_factor_ = false;
+  double last_shift_ = 0.0;  // that made M positive definite; the next search for one begins near it
   Eigen::Matrix3Xd direction_;
   Eigen::MatrixXd directions_;  // G as assembled, (3n x k)
   Eigen::VectorXd factors_;     // C as assembled, (k)

@@ -34,6 +34,10 @@ class EquilibriumPath {
   /// equilibrium on the way was not found.
   std::optional<SolvedShape> at(double depth_um);
 
+  /// Where the path ends: the deepest equilibrium there is, its report saying why none was found farther on; nothing
+  /// while it goes on.
+  std::optional<SolvedShape> end() const;
+
   /// The deepest equilibrium that can be read without waiting, um.
   double solved_to_um() const;
 

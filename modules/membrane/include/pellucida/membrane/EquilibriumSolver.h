@@ -15,6 +15,7 @@ enum class SolveStatus {
   kIterationBudget,      ///< ran out of iterations
   kTimeBudget,           ///< ran out of time
   kNotPositiveDefinite,  ///< no shift made the Hessian positive definite
+  kUnstable,             ///< the shape gives way, and no stable one is nearby
   kNoDescent,            ///< the line search found no lower energy
   kNotFinite,            ///< a number overflowed
 };
