@@ -16,10 +16,13 @@ struct LinesVerdict {
   bool is_strange = false;       ///< the network knows this look less surely than those it has learnt from
   double confidence = 1.0;       ///< the network's in the lines' outline, mean over the normals
   bool is_sure = false;          ///< the lines were seen well enough to be believed at all
+  bool is_lone_edge = false;     ///< one membrane alone, by an edge: the oolemma's too, where the zona does not show
   bool is_same() const noexcept { return is_same_cell && is_same_outline && is_same_inner; }
   /// Lines and networks see the same cell, and the same needle too; a network that hardly knows the look confirms only
-  /// what it reads right there.
-  bool is_confirmed() const noexcept { return is_same() && is_same_needle && is_sure && (is_fine || !is_strange); }
+  /// what it reads right there. What both take for the zona may be the oolemma where no second membrane shows.
+  bool is_confirmed() const noexcept {
+    return is_same() && is_same_needle && is_sure && (is_fine || !is_strange) && !is_lone_edge;
+  }
 };
 
 /// `scene` and `reader` of the frame that `image` shows, `by_lines` as it is in it; a bevel's tip, which lines miss, is
