@@ -209,8 +209,7 @@ class MembraneTracker::Impl {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
     const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
-    // Both see the same, and the network is not at home here, or the lines are the finer.
-    if (has_lines && verdict.is_same() && (verdict.is_strange || verdict.is_fine)) return follow_lines(verdict);
+    if (has_lines && verdict.is_by_lines()) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     choose_scene(frame, true);
     frame.least_score = least_score(verdict);

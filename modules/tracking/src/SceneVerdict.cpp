@@ -16,10 +16,13 @@ constexpr double kSameCell_ratio = 0.07, kLeastApart_px = 2.5, kSameTip_px = 11.
 // where lines had a cell right to 0.2 px, the network read its boundary within 0.0205 of the radius of them in the
 // mean, where they were 2 px or more off 0.0215 and more away.
 constexpr double kSameOutline_ratio = 0.021, kLeastOutline_px = 0.75;
-// On 118 pictures in looks of the optical model (tuning and wide) lines and network were 0.0107 of the radius or more
-// apart wherever lines had the cell at all, and the lines were then the worse; in plain drawings 0.009 at most but for
-// one in 26, and the lines the better.
-constexpr double kFine_ratio = 0.009, kLeastFine_px = 0.3;
+// So near to each other, of the radius, lines and network have the same outline, and the lines are the finer; a line
+// that is about the same on both sides may lie farther from what the network reads. Set on 24 films that lines had
+// begun (docs/method.md, 1.6), as the next.
+constexpr double kFine_ratio = 0.0065, kFineIfEven_ratio = 0.0095, kFairlyEven = 0.33, kLeastFine_px = 0.3;
+// Confidence of lines that noise hides nothing of. Of 10 of these films, whose lines had 0.4 to 0.9, the network had
+// the outline better in 9.
+constexpr double kClearLines = 0.9;
 // A line that is the same on both sides is drawn where the boundary is; what defocus, relief or a halo make of a
 // boundary is not. On 177 pictures (tuning and wide looks and plain drawings of seeds 260101 to 269300) that lines and
 // network had at the same place, 21 had less than this and were right to 0.4 px; the next, from 0.27 on, were up to 2
@@ -40,7 +43,7 @@ constexpr double kWall_ratio = 0.4;
 // Lines are held against a network whose mean confidence is above these. Set on 112 pictures of tuning, wide and plain
 // drawings and 60 of another renderer (docs/method.md, 1.6); with 0.04 less of each a picture in 172 is seen better.
 // The lines' score is 0.999 for bubbles.
-constexpr double kLeastConfidence = 0.8, kFamiliarScore = 0.86, kKnownScore = 0.82, kBubbleScore = 0.99;
+constexpr double kLeastConfidence = 0.8, kKnownScore = 0.82, kBubbleScore = 0.99;
 // Of a reading about the lines, holder and needle included: below, none about the network's own outline is familiar.
 constexpr double kStrangeScore = 0.80;
 
@@ -128,7 +131,8 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   const ReadAbout seen = read_about(outline_of(by_lines), image, reader.boundaries());
   verdict.is_same_outline = seen.apart_px < most_apart_px(outline_of(by_lines));
   const bool is_even = !by_lines.zona().valid() && by_lines.snakes().asymmetry() < kEvenLine;
-  verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, kFine_ratio * radius_px(outline_of(by_lines))) ||
+  const double fine_ratio = by_lines.snakes().asymmetry() < kFairlyEven ? kFineIfEven_ratio : kFine_ratio;
+  verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, fine_ratio * radius_px(outline_of(by_lines))) ||
                     (is_even && verdict.is_same_outline);
   verdict.is_lone_edge = !is_even && !by_lines.zona().valid() && !by_lines.snakes().has_inner();
   verdict.is_same_inner = is_same_inner(by_lines, seen);
@@ -142,6 +146,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   verdict.is_same_needle =
       is_needle_confirmed(by_lines, scene) && by_lines.needle().is_where_read(reader.tips(), image);
   verdict.is_sure = by_lines.membranes_confidence() > kLeastConfidence;
+  verdict.is_clear = is_even || by_lines.membranes_confidence() > kClearLines;
   verdict.is_bubble = !has_cell && by_lines.snakes().outer().score > kBubbleScore;
   return verdict;
 }
@@ -161,7 +166,8 @@ bool is_known(const CellFollower& by_scene) {
 bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict) {
   const double score = by_scene.snakes().outer().score;
   const bool is_surer = score > verdict.confidence + kSurerThanLines;
-  return score > kFamiliarScore || (!verdict.is_same() && (is_known(by_scene) || is_surer));
+  const bool is_disputed = !verdict.is_same() && verdict.is_clear;
+  return score > (is_disputed ? kKnownScore : MembraneSnakes::kLeastAtFirst) || (!verdict.is_same() && is_surer);
 }
 
 double least_score(const LinesVerdict& verdict) {

@@ -15,9 +15,12 @@ struct LinesVerdict {
   bool is_bubble = false;        ///< the scene has no cell at all, and no membrane is as strong and even as these lines
   bool is_strange = false;       ///< the network knows this look less surely than those it has learnt from
   double confidence = 1.0;       ///< the network's in the lines' outline, mean over the normals
-  bool is_sure = false;          ///< the lines were seen well enough to be believed at all
-  bool is_lone_edge = false;     ///< one membrane alone, by an edge: the oolemma's too, where the zona does not show
+  bool is_clear = false;      ///< the lines were seen so well, or are so even, that neither noise nor optics move them
+  bool is_sure = false;       ///< the lines were seen well enough to be believed at all
+  bool is_lone_edge = false;  ///< one membrane alone, by an edge: the oolemma's too, where the zona does not show
   bool is_same() const noexcept { return is_same_cell && is_same_outline && is_same_inner; }
+  /// Both see the same cell, and the lines measure it the more finely.
+  bool is_by_lines() const noexcept { return is_same() && is_fine && is_clear; }
   /// Lines and networks see the same cell, and the same needle too; a network that hardly knows the look confirms only
   /// what it reads right there. What both take for the zona may be the oolemma where no second membrane shows.
   bool is_confirmed() const noexcept {
@@ -38,9 +41,9 @@ bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image,
 /// Whether the network saw the membranes as surely as those it has learnt from, enough to be believed where lines have
 /// the cell elsewhere.
 bool is_known(const CellFollower& by_scene);
-/// Whether the network's cell is the better of the two: where it saw the membranes quite as surely as those it has
-/// learnt from, or less surely, and lines have the cell elsewhere; or so much more surely than it sees any in the
-/// lines' outline.
+/// Whether the network's cell is the better of the two, of which the lines' is not the finer: where it saw the
+/// membranes surely enough to begin with them; where clear lines have the cell elsewhere, as surely as those it has
+/// learnt from, or so much more surely than it sees any in the lines' outline.
 bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict);
 /// The score from which on its cell is worth that question.
 double least_score(const LinesVerdict& verdict);
