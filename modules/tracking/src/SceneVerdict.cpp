@@ -44,7 +44,7 @@ constexpr double kWall_ratio = 0.4;
 // drawings and 60 of another renderer (docs/method.md, 1.6); with 0.04 less of each a picture in 172 is seen better.
 // The lines' score is 0.999 for bubbles.
 constexpr double kLeastConfidence = 0.8, kKnownScore = 0.82, kBubbleScore = 0.99;
-// Of a reading about the lines, holder and needle included: below, none about the network's own outline is familiar.
+// Of a reading about the lines, holder and needle included: below, the look is strange to the network.
 constexpr double kStrangeScore = 0.80;
 
 // Mean distance of an outline's points from the nearest points of a contour, px.
@@ -167,7 +167,8 @@ bool is_preferred(const CellFollower& by_scene, const LinesVerdict& verdict) {
   const double score = by_scene.snakes().outer().score;
   const bool is_surer = score > verdict.confidence + kSurerThanLines;
   const bool is_disputed = !verdict.is_same() && verdict.is_clear;
-  return score > (is_disputed ? kKnownScore : MembraneSnakes::kLeastAtFirst) || (!verdict.is_same() && is_surer);
+  if (is_disputed) return is_known(by_scene) || is_surer;
+  return score > MembraneSnakes::kLeastAtFirst || (!verdict.is_same() && is_surer);
 }
 
 double least_score(const LinesVerdict& verdict) {
