@@ -19,6 +19,12 @@ constexpr double kGate = 9.0;
 
 }  // namespace
 
+std::optional<double> DepthFilter::expected_um(double time_s) const {
+  const double dt_s = time_s_ ? time_s - *time_s_ : -1.0;
+  if (dt_s < 0.0 || dt_s > kLongestGap_s) return std::nullopt;
+  return state_.x() + dt_s * state_.y();
+}
+
 DepthFilter::Estimate DepthFilter::update(double time_s, double depth_um, double sigma_um) {
   const double variance = sigma_um * sigma_um;
   const double dt_s = time_s_ ? time_s - *time_s_ : -1.0;

@@ -16,6 +16,8 @@ class DepthFilter {
   /// `time_s` since the session's start, `sigma_um` > 0 of this measurement. Preconditions: finite numbers.
   Estimate update(double time_s, double depth_um, double sigma_um);
   void reset() { time_s_.reset(); }
+  /// Where it expects the depth at `time_s`, um; nothing where it would begin anew.
+  std::optional<double> expected_um(double time_s) const;
 
  private:
   std::optional<double> time_s_;

@@ -186,12 +186,18 @@ class ForceObserver::Impl {
       return std::nullopt;
     }
     // The membrane lies on the tip that pushes it: a contour short of that tip cuts across the dimple of a fine needle.
-    // Far short, one of the two is not where it seems; and where the flanks have come back the contour may only be tied
-    // to the tip: in doubt the depth is between them.
-    const double deep_um = std::max({0.0, o.indentation_um, sight.tip_um});
-    double shallow_um = PunctureVerdict::is_apart(sight) ? std::max(0.0, o.indentation_um) : deep_um;
+    // Far short of it, or far beyond, one of the two is not where it seems: the one counts that goes on as before. And
+    // where the flanks have come back the contour may only be tied to the tip: in doubt the depth is between them.
+    const double by_contour_um = std::max(0.0, o.indentation_um), by_tip_um = std::max(0.0, sight.tip_um);
+    double deep_um = std::max(by_contour_um, by_tip_um), shallow_um = deep_um;
+    if (PunctureVerdict::is_apart(sight) || PunctureVerdict::lies_beyond_tip(sight)) {
+      shallow_um = std::min(by_contour_um, by_tip_um);
+      const std::optional<double> expected_um = filter_.expected_um(o.time_s);
+      if (expected_um && !verdict_.is_doubted() && *expected_um - shallow_um < deep_um - *expected_um)
+        std::swap(deep_um, shallow_um);
+    }
     if (verdict_.is_doubted()) shallow_um = std::min(shallow_um, verdict_.depth_by_flanks_um());
-    const double half_gap_um = 0.5 * (deep_um - shallow_um);
+    const double half_gap_um = 0.5 * std::abs(deep_um - shallow_um);
     const double doubt_um = verdict_.is_doubted() && !verdict_.is_pushed() ? half_gap_um : 0.0;
     // What lasts over the frames, such as where the cell is seated, is no noise: a filter that took it for noise would
     // go on where the needle halts. A membrane on the tip moves as the tip does, and is seen as well.

@@ -39,6 +39,8 @@ class PunctureVerdict {
 
   /// Whether the tip is past the membrane by more than noise and the tip's roundness explain.
   static bool is_apart(const Sight& now) noexcept;
+  /// Whether the membrane seems to lie beyond the tip by more than noise explains: one of them is elsewhere.
+  static bool lies_beyond_tip(const Sight& now) noexcept;
 
   /// Whether the membrane is through in this frame, by tip, membrane and tracker. First of a frame's calls.
   bool judge(const Sight& now) noexcept;
@@ -81,7 +83,6 @@ class PunctureVerdict {
   bool is_pushed_again(const Sight& now) noexcept;
   PunctureOdds::Evidence evidence_of(const Sight& now) const noexcept;
   void forget_deepest() noexcept;
-  static bool lies_beyond_tip(const Sight& now) noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
   // Flanks no deeper, and sides that bulge no further, say nothing.
