@@ -208,7 +208,7 @@ def main():
     options = arguments_of(__doc__, 25)
     samples = Samples(options.samples)
     network = CellNetwork()
-    train(network, options, samples, samples.draw, 32, loss_of)
+    train(network, options, samples, Feed(samples.draw, options.batch or 32, options.workers), loss_of)
     with torch.no_grad():
         patches, truth = Feed(lambda random: samples.draw(random, samples.held_out), 6000).next("cpu")
         share = torch.sigmoid(network(patches)[:, 0]).numpy()

@@ -18,7 +18,7 @@ import torch
 from torch import nn
 
 from any_contrast import SHIFT, Drawings, drawn_anew, moved
-from training import Block, UNetwork, arguments_of, export, normalised, other_look, outlines_in, rows_of, train
+from training import Block, Feed, UNetwork, arguments_of, export, normalised, other_look, outlines_in, rows_of, train
 
 CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
 SIDE = 192             # of a training picture, network pixels
@@ -131,7 +131,7 @@ def main():
     options = arguments_of(__doc__, 60)
     samples = Samples(options.samples)
     network = scene_network()
-    train(network, options, samples, samples.draw, 12, loss_of)
+    train(network, options, samples, Feed(samples.draw, options.batch or 12, options.workers), loss_of)
     export(network, options.output, (1, 1, SIDE, 256), "picture", "scene")
 
 

@@ -20,7 +20,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from training import TipSamples, UNetwork, arguments_of, export, normalised, sampled, spacing_of, train, varied
+from training import Feed, TipSamples, UNetwork, arguments_of, export, normalised, sampled, spacing_of, train, varied
 
 WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
 LABEL_SIGMA = 1.0
@@ -112,7 +112,7 @@ def main():
     options = arguments_of(__doc__, 30, {"fine": "the network that looks from nearer by (tip_fine.onnx)"})
     samples = (FineSamples if options.fine else Samples)(options.samples)
     network = tip_network()
-    train(network, options, samples, samples.draw, 16, loss_of)
+    train(network, options, samples, Feed(samples.draw, options.batch or 16, options.workers), loss_of)
     export(network, options.output, (1, 2, HEIGHT, WIDTH), "patch", "tip")
 
 

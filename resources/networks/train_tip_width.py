@@ -78,7 +78,7 @@ def main():
     options = arguments_of(__doc__, 25)
     samples = Samples(options.samples, WIDTH_SAMPLES)
     network = WidthNetwork()
-    train(network, options, samples, samples.draw, 24, loss_of)
+    train(network, options, samples, Feed(samples.draw, options.batch or 24, options.workers), loss_of)
     with torch.no_grad():
         patches, truth = Feed(lambda random: samples.draw(random, samples.held_out), 2000).next("cpu")
         answer = network(patches)

@@ -369,12 +369,11 @@ def go_on_from(network, path, inputs, batches=20):
     network.train()
 
 
-def train(network, options, samples, draw, count, loss_of):
-    """Steps until the time is up, at a rate that falls, with `count` samples each unless the options say otherwise. `draw(random)`
-    gives inputs and what loss_of(network's answer, *others) takes for the loss and a figure to be printed. Minutes are the
-    processor's, however busy the machine is, or the clock's where workers draw."""
+def train(network, options, samples, feed, loss_of):
+    """Steps until the time is up, at a rate that falls, with a batch of `feed` each: inputs, and what loss_of(network's answer,
+    *others) takes for the loss and a figure to be printed. Make the feed before the graphics processor is touched. Minutes are
+    the processor's, however busy the machine is, or the clock's where workers draw."""
     print(f"{len(samples.items)} samples, {sum(p.numel() for p in network.parameters())} parameters", flush=True)
-    feed = Feed(draw, options.batch or count, options.workers)  # before the graphics processor is touched
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
     network.to(device)
     if options.start:

@@ -132,7 +132,8 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options, bool is_
   ForceObserver observer(profile, {}), of_truth(profile, {});
   std::vector<double> frame_ms;
   double force_squares = 0.0, peak_uN = 0.0, worst_badness = -1.0;
-  double tracking_squares = 0.0, peak_of_truth_uN = 0.0;
+  double tracking_squares = 0.0, pushed_squares = 0.0, peak_of_truth_uN = 0.0;
+  int pushed_count = 0;
   std::optional<long> punctured_at;
   std::vector<FilmPicture> every;
   std::optional<FilmManipulator> manipulator;
@@ -186,6 +187,10 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options, bool is_
     if (std::isfinite(expected_uN)) {
       tracking_squares += std::pow(force_uN - expected_uN, 2);
       peak_of_truth_uN = std::max(peak_of_truth_uN, expected_uN);
+      if (contact && measured) {
+        pushed_squares += std::pow(force_uN - expected_uN, 2);
+        ++pushed_count;
+      }
     }
     peak_uN = std::max(peak_uN, truth.contact_force_uN);
     const double true_uN = shipped ? expected_uN : truth.contact_force_uN;
@@ -224,6 +229,8 @@ FilmRun run_film(const RandomFilm& film, const TrackerOptions& options, bool is_
   if (peak_of_truth_uN > kLeastPeak_uN)
     run.tracking_force_rms_percent =
         100.0 * std::sqrt(tracking_squares / static_cast<double>(run.errors.size())) / peak_of_truth_uN;
+  if (peak_of_truth_uN > kLeastPeak_uN && pushed_count > 0)
+    run.pushed_force_rms_percent = 100.0 * std::sqrt(pushed_squares / pushed_count) / peak_of_truth_uN;
   if (specimen) run.specimen = specimen->result();
   if (sight_count > 0) run.true_sight_percent = 100.0 * std::sqrt(sight_squares / sight_count) / peak_uN;
   run.median_frame_ms = median_of(frame_ms);

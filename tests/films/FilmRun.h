@@ -54,6 +54,8 @@ struct FilmRun {
   /// Of the largest force that the true observations give: RMS difference of what was seen from that, so the tracker's
   /// share of the error alone; -1: never in contact.
   double tracking_force_rms_percent = -1.0;
+  /// Likewise over the frames alone in which the needle pushes and a force is given.
+  double pushed_force_rms_percent = -1.0;
   /// The same as `force_rms_percent` of the profile's own thickness, tip and holder on the cell's radius.
   double profile_force_rms_percent = -1.0;
   FilmSizes seen_sizes, true_sizes;

@@ -5,11 +5,13 @@
 //               [--detection auto|lines|scene] [--quality live|high]
 //               [--csv FILE] [--sights FILE] [--worst FOLDER] [--sheets FOLDER] [--frames]
 // "found": frames of films with a cell in which one is reported; "clear": frames of films without one in which none is.
-// Force: "tracking", what was seen held against what the true contours and tip give by the same model; "whole", against
-// the true force (which fits the picture with --specimens alone: finite-element tables, tests/specimens; a further line
-// then says how the profile's own thickness, tip and holder would have done, and a table goes by what the specimens
-// are). --each-once: with specimens, one film of each, in turn, of those in which the needle touches. --relaxing: the
-// force relaxes by a law of three arms, under a profile of two.
+// Force: "tracking", what was seen held against what the true contours and tip give by the same model; "pushed", the
+// same over the frames alone in which the needle pushes and a force is given: a puncture that is reported a frame late,
+// or a frame without a force, is not in it; "whole", against the true force (which fits the picture with --specimens
+// alone: finite-element tables, tests/specimens; a further line then says how the profile's own thickness, tip and
+// holder would have done, and a table goes by what the specimens are). --each-once: with specimens, one film of each,
+// in turn, of those in which the needle touches. --relaxing: the force relaxes by a law of three arms, under a profile
+// of two.
 // --commanded: the tracker receives the reports of a manipulator with errors of its own (`FilmManipulator`).
 // --drawing: plain bright field. --film: that one film alone. --family: films of that family alone. --punctures: films
 // whose membrane gives way alone, for how soon that is reported. --widest: no wider pictures. --csv:
@@ -139,17 +141,19 @@ std::string quantile_text(const std::vector<double>& values, double share, int d
 
 void print_head() {
   std::printf(
-      "%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %6s %5s | %5s\n", "",
-      "", "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
-      "force: %", "RMS,", "whole", "", "given", "in", "ms");
+      "%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %6s %6s %6s %5s | "
+      "%5s\n",
+      "", "", "", "found", "clear", "outer", "px", "", "inner", "px", "tip", "px", "", "sure and", "false p.", "punct.",
+      "force: %", "RMS,", "pushed", "", "whole", "", "given", "in", "ms");
   std::printf(
-      "%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %6s %5s | %5s\n",
+      "%-13s %5s %6s %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8s %8s %8s | %8s %6s %6s %6s %6s %6s %6s %5s | "
+      "%5s\n",
       "contrast", "films", "frames", "% cell", "% none", "median", "95 %", "99 %", "median", "95 %", "found%", "median",
-      "95 %", "wrong/1e3", "/1e4", "seen", "tracking", "95 %", "median", "95 %", "%", "95%", "frame");
+      "95 %", "wrong/1e3", "/1e4", "seen", "tracking", "95 %", "median", "95 %", "median", "95 %", "%", "95%", "frame");
 }
 
 void print_row(const std::string& name, const std::vector<const FilmRun*>& runs) {
-  std::vector<double> outer, inner, tip, tracking, force, frame_ms;
+  std::vector<double> outer, inner, tip, tracking, pushed, force, frame_ms;
   double frames = 0, cell_frames = 0, found = 0, none_frames = 0, none_found = 0, bold = 0, contact = 0,
          false_count = 0, measured = 0, covered = 0;
   int punctures = 0, seen = 0;
@@ -172,10 +176,11 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
     collect(run->errors, &FrameError::tip_px, tip);
     if (run->force_rms_percent >= 0) force.push_back(run->force_rms_percent);
     if (run->tracking_force_rms_percent >= 0) tracking.push_back(run->tracking_force_rms_percent);
+    if (run->pushed_force_rms_percent >= 0) pushed.push_back(run->pushed_force_rms_percent);
   }
   std::printf(
       "%-13s %5zu %6.0f %6s %6s | %6s %6s %6s | %6s %6s | %6s %7s %7s | %8.1f %8.0f %4d/%-3d | %8s %6s "
-      "%6s %6s %6s %5s | %5.1f\n",
+      "%6s %6s %6s %6s %6s %5s | %5.1f\n",
       name.c_str(), runs.size(), frames, percent(found, cell_frames).c_str(),
       percent(none_frames - none_found, none_frames).c_str(), quantile_text(outer, 0.5, 2).c_str(),
       quantile_text(outer, 0.95, 2).c_str(), quantile_text(outer, 0.99, 2).c_str(),
@@ -183,7 +188,8 @@ void print_row(const std::string& name, const std::vector<const FilmRun*>& runs)
       percent(static_cast<double>(tip.size()), cell_frames).c_str(), quantile_text(tip, 0.5, 2).c_str(),
       quantile_text(tip, 0.95, 2).c_str(), 1e3 * bold / std::max(frames, 1.0),
       1e4 * false_count / std::max(contact, 1.0), seen, punctures, quantile_text(tracking, 0.5, 1).c_str(),
-      quantile_text(tracking, 0.95, 1).c_str(), quantile_text(force, 0.5, 1).c_str(),
+      quantile_text(tracking, 0.95, 1).c_str(), quantile_text(pushed, 0.5, 1).c_str(),
+      quantile_text(pushed, 0.95, 1).c_str(), quantile_text(force, 0.5, 1).c_str(),
       quantile_text(force, 0.95, 1).c_str(), percent(measured, contact).c_str(), percent(covered, measured).c_str(),
       quantile(frame_ms, 0.5));
 }
@@ -205,7 +211,8 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,family,contrast,width_px,height_px,pixel_size_um,cell_diameter_px,frames,found,contact,false_punctures,"
          "punctures,puncture_delay,outer_median_px,outer_p95_px,inner_median_px,tip_found,tip_median_px,tip_p95_px,"
-         "confident_and_wrong,tracking_force_rms_percent,force_rms_percent,measured,covered,median_frame_ms,worst_"
+         "confident_and_wrong,tracking_force_rms_percent,pushed_force_rms_percent,force_rms_percent,measured,covered,"
+         "median_frame_ms,worst_"
          "frame,"
          "badness,specimen,profile_force_rms_percent,radius_um,thickness_um,tip_radius_um,holder_radius_um,"
          "true_radius_um,true_thickness_um,true_tip_radius_um,true_holder_radius_um,given_percent,bias_percent,"
@@ -224,10 +231,10 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
         << ',' << run.punctures << ',' << (run.puncture_delay ? std::to_string(*run.puncture_delay) : "") << ','
         << quantile(outer, 0.5) << ',' << quantile(outer, 0.95) << ',' << quantile(inner, 0.5) << ',' << tip.size()
         << ',' << quantile(tip, 0.5) << ',' << quantile(tip, 0.95) << ',' << run.confident_and_wrong_count << ','
-        << run.tracking_force_rms_percent << ',' << run.force_rms_percent << ',' << run.measured_count << ','
-        << run.covered_count << ',' << run.median_frame_ms << ',' << run.worst.frame_index << ',' << run.badness << ','
-        << std::filesystem::path(run.film.scenario.cell.reference).filename().string() << ','
-        << run.profile_force_rms_percent;
+        << run.tracking_force_rms_percent << ',' << run.pushed_force_rms_percent << ',' << run.force_rms_percent << ','
+        << run.measured_count << ',' << run.covered_count << ',' << run.median_frame_ms << ',' << run.worst.frame_index
+        << ',' << run.badness << ',' << std::filesystem::path(run.film.scenario.cell.reference).filename().string()
+        << ',' << run.profile_force_rms_percent;
     for (const test::FilmSizes* sizes : {&run.seen_sizes, &run.true_sizes})
       out << ',' << sizes->radius_um << ',' << sizes->thickness_um << ',' << sizes->tip_radius_um << ','
           << sizes->holder_radius_um;

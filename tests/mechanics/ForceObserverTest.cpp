@@ -183,6 +183,22 @@ TEST(ForceObserver, APunctureThatTheMembraneDoesNotBearOutIsAContactInDoubt) {
   EXPECT_TRUE(e.warnings & kNeedleSlip);
 }
 
+// A contour with a spike far beyond the tip, or a tip that is lost for a frame, carries no force of its own.
+TEST(ForceObserver, OfTipAndMembraneFarApartTheOneCountsThatGoesOnAsBefore) {
+  const auto after_ramp = [](double tip_um, double membrane_um) {
+    ForceObserver observer(testing::coarse_profile());
+    ramp(observer, 15.0, 0.0, std::numbers::pi);
+    Observation o = make_observation(CellState::kContact, tip_um, 0.0, std::numbers::pi, 23);
+    o.indentation_um = membrane_um;
+    return observer.process(o);
+  };
+  const ForceEstimate together = after_ramp(15.7, 15.7), spike = after_ramp(15.7, 30.0), lost = after_ramp(33.0, 15.7);
+  for (const ForceEstimate& apart : {spike, lost}) {
+    EXPECT_NEAR(apart.contact_force_uN, together.contact_force_uN, 0.05 * together.contact_force_uN);
+    EXPECT_GT(apart.errors.depth_uN, 5.0 * together.errors.depth_uN);
+  }
+}
+
 TEST(ForceObserver, FewCellsBearSuchAForceIsAWarning) {
   const CellProfile profile = testing::coarse_profile();
   ForceObserver observer(profile);

@@ -193,8 +193,8 @@ class ForceObserver::Impl {
     if (PunctureVerdict::is_apart(sight) || PunctureVerdict::lies_beyond_tip(sight)) {
       shallow_um = std::min(by_contour_um, by_tip_um);
       const std::optional<double> expected_um = filter_.expected_um(o.time_s);
-      if (expected_um && !verdict_.is_doubted() && *expected_um - shallow_um < deep_um - *expected_um)
-        std::swap(deep_um, shallow_um);
+      const bool may_be = deep_um <= cell_.deepest_um() && !verdict_.is_doubted();
+      if (expected_um && may_be && *expected_um - shallow_um < deep_um - *expected_um) std::swap(deep_um, shallow_um);
     }
     if (verdict_.is_doubted()) shallow_um = std::min(shallow_um, verdict_.depth_by_flanks_um());
     const double half_gap_um = 0.5 * std::abs(deep_um - shallow_um);

@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace pellucida {
 namespace {
@@ -59,24 +58,21 @@ PeriodicSpline::PeriodicSpline(Eigen::VectorXd x, Eigen::VectorXd y, double peri
   y_.resize(n + 1);
   x_ << x, x(0) + period;
   y_ << y, y(0);
-
   // Continuity of the first derivative at every knot gives one row each of a positive definite cyclic band.
-  std::vector<Eigen::Triplet<double>> rows;
-  rows.reserve(static_cast<std::size_t>(3 * n));
+  Eigen::SparseMatrix<double> band(n, n);
+  band.reserve(Eigen::VectorXi::Constant(n, 3));
   Eigen::VectorXd right(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index before = (i + n - 1) % n, after = (i + 1) % n;
     const double h0 = x_(before + 1) - x_(before), h1 = x_(i + 1) - x_(i);
-    rows.emplace_back(i, before, h0 / 6);
-    rows.emplace_back(i, i, (h0 + h1) / 3);
-    rows.emplace_back(i, after, h1 / 6);
+    band.coeffRef(i, before) += h0 / 6;
+    band.coeffRef(i, i) += (h0 + h1) / 3;
+    band.coeffRef(i, after) += h1 / 6;
     right(i) = (y_(i + 1) - y_(i)) / h1 - (y_(before + 1) - y_(before)) / h0;
   }
-  Eigen::SparseMatrix<double> band(n, n);
-  band.setFromTriplets(rows.begin(), rows.end());
+  const Eigen::VectorXd second = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(band).solve(right);
   second_.resize(n + 1);
-  second_.head(n) = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(band).solve(right);
-  second_(n) = second_(0);
+  second_ << second, second(0);
 }
 
 double PeriodicSpline::operator()(double x) const {
