@@ -2008,6 +2008,10 @@
         <translation>Gewicht der Kontur: es muss 0 oder mehr sein</translation>
     </message>
     <message>
+        <source>what looks like a cell has a radius of %1 um, profile %2 one of %3 um; check the pixel size, give another profile, or click the cell</source>
+        <translation>was wie eine Zelle aussieht, hat einen Radius von %1 um, das Profil %2 einen von %3 um; prüfen Sie die Pixelgröße, wählen Sie ein anderes Profil, oder klicken Sie auf die Zelle</translation>
+    </message>
+    <message>
         <source>with rumble</source>
         <translation>mit Rumpeln</translation>
     </message>

@@ -133,5 +133,25 @@ TEST(SceneTracking, ADimpleIsFollowedFromItsFirstSight) {
   EXPECT_GE(good_count, 4);
 }
 
+// A wrong pixel size: no cell of the kind is as large, and what was seen says so.
+TEST(SceneTracking, ACellOfNoSizeOfTheKindIsReportedAsRefused) {
+  const RandomFilm film = draw_film(Split::kTuning, 178113, 640);
+  VirtualMicroscope microscope(film.scenario, film.look);
+  const auto frame = microscope.next();
+  const double radius_um = microscope.truth().observation.rest_outer_radius_um;
+  const auto seen_at = [&](double too_large) {
+    TrackerOptions options;
+    options.expected_radius_um = radius_um;
+    ImageView view = view_of(frame->image.get());
+    view.pixel_size_um *= too_large;
+    return MembraneTracker(options).process(view, 0.0, 0);
+  };
+  const Observation right = seen_at(1.0), wrong = seen_at(4.0);
+  EXPECT_TRUE(right.outer);
+  EXPECT_EQ(right.refused_radius_um, 0.0);
+  EXPECT_FALSE(wrong.outer);
+  EXPECT_NEAR(wrong.refused_radius_um, 4.0 * radius_um, 0.2 * radius_um);
+}
+
 }  // namespace
 }  // namespace pellucida::test

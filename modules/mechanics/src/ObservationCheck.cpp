@@ -20,6 +20,11 @@ bool has_cell(const Observation& o) noexcept {
 }
 
 std::string why_not_measured(const Observation& o, const CellProfile& profile) {
+  if (!has_cell(o) && o.refused_radius_um > 0.0) {
+    return "what looks like a cell has a radius of " + whole(o.refused_radius_um) + " um, profile " + profile.name +
+           " one of " + whole(profile.mid_radius_um) +
+           " um; check the pixel size, give another profile, or click the cell";
+  }
   if (!has_cell(o)) return "no cell to measure";
   if (!o.center_um.allFinite() || !std::isfinite(o.rest_beyond_um) || !std::isfinite(o.rest_outer_radius_um) ||
       o.rest_outer_radius_um <= 0.0) {

@@ -26,15 +26,17 @@ namespace pellucida {
 /// One frame as the follower gets it.
 struct FrameInput {
   ImageView view;
-  FrameSampler image;                                  ///< of `view`
-  double noise = 0.0;                                  ///< standard deviation of a pixel, 0..1 of the range
-  CommandedMotion* command = nullptr;                  ///< of the needle; null: unknown in this frame
-  TrackerTimings* timings = nullptr;                   ///< where the parts of `follow` put their time; not null
-  const SceneReading* seen = nullptr;                  ///< what the network shows of it; null: it wasn't asked
-  const SceneReading* scene = nullptr;                 ///< the same, to find cell and needle by; null: by lines
-  SceneReader* reader = nullptr;                       ///< to read membranes and tip by; null: their lines are known
-  SceneReader* networks = nullptr;                     ///< to ask for what lines alone don't say; null: not to be asked
-  bool is_vouched = false;                             ///< a person says that this is a cell
+  FrameSampler image;                   ///< of `view`
+  double noise = 0.0;                   ///< standard deviation of a pixel, 0..1 of the range
+  CommandedMotion* command = nullptr;   ///< of the needle; null: unknown in this frame
+  TrackerTimings* timings = nullptr;    ///< where the parts of `follow` put their time; not null
+  const SceneReading* seen = nullptr;   ///< what the network shows of it; null: it wasn't asked
+  const SceneReading* scene = nullptr;  ///< the same, to find cell and needle by; null: by lines
+  SceneReader* reader = nullptr;        ///< to read membranes and tip by; null: their lines are known
+  SceneReader* networks = nullptr;      ///< to ask for what lines alone don't say; null: not to be asked
+  bool is_vouched = false;              ///< a person says that this is a cell
+  double* refused_radius_px =
+      nullptr;  ///< the radius of what `start` finds to be a cell but for its size; null: unasked
   double least_score = MembraneSnakes::kLeastAtFirst;  ///< of membranes that are read, at first sight
 };
 
@@ -116,6 +118,7 @@ class CellFollower {
   static contour::Circle circle_of(const Eigen::Matrix2Xd& points);
   bool is_cell(const FrameInput& frame, const contour::Circle& circle) const;
   bool is_sized(const FrameInput& frame, const contour::Circle& circle) const;
+  static bool refuse(const FrameInput& frame, const contour::Circle& circle);
   contour::Circle resting_circle() const;
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);

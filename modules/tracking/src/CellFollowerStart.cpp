@@ -38,8 +38,16 @@ bool CellFollower::is_sized(const FrameInput& frame, const contour::Circle& circ
          (ratio > kSmallest_ratio && ratio < kLargest_ratio);
 }
 
+// None of the kind, whatever it is; that it looks like one is said.
+bool CellFollower::refuse(const FrameInput& frame, const contour::Circle& circle) {
+  if (frame.refused_radius_px && frame.networks &&
+      frame.networks->cells().read(frame.image, circle.center, circle.radius) >= kSureCell)
+    *frame.refused_radius_px = circle.radius;
+  return false;
+}
+
 bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
-  if (!is_sized(frame, cell.circle)) return false;
+  if (!is_sized(frame, cell.circle)) return refuse(frame, cell.circle);
   touching_ = false;
   needle_.reset();
   find_tools_of(frame, cell.circle);
@@ -65,7 +73,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   detection_score_ *= shape.roundness();
   const bool is_pushed = needle_.valid() && (needle_.estimate().tip - circle.center).norm() < circle.radius;
   if (!is_pushed && !shape.may_be_cell() && detection_score_ < kPoorStart) return false;
-  if (!is_sized(frame, circle) || (is_judged && !is_cell(frame, circle))) return false;
+  if (is_judged && !is_cell(frame, circle)) return false;
+  if (!is_sized(frame, circle)) return refuse(frame, circle);
   rest_ = {};
   rest_.center = circle.center;
   rest_.outer_radius = circle.radius;

@@ -77,6 +77,7 @@ class MembraneTracker::Impl {
     } else {
       out.state = ever_ ? CellState::kLost : CellState::kNoCell;
       if (lone_needle_.valid()) out.needle = needle_pose(lone_needle_.estimate(), view.pixel_size_um);
+      out.refused_radius_um = refused_radius_px_ * view.pixel_size_um;
     }
     laid_.take_back(out);
     out.time_s = time_s;
@@ -165,6 +166,8 @@ class MembraneTracker::Impl {
     const PartTimer timer(timings_.detection_us);
     rereading_.drop();
     frames_since_detection_ = 0;
+    refused_radius_px_ = 0.0;
+    frame.refused_radius_px = &refused_radius_px_;
     const std::optional<DetectionHint> hint = hints_.take_cell(laid_, frame.view.pixel_size_um);
     frame.is_vouched = hint.has_value();
     has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
@@ -325,6 +328,7 @@ class MembraneTracker::Impl {
   bool is_start_confirmed_ = false;  // the cell that lines follow, by the networks at its first sight
   int disagreements_ = 0;            // of the networks with the lines, in a row
   bool needle_confirmed_ = false;    // the needle that lines follow, by the scene
+  double refused_radius_px_ = 0.0;   // of what was a cell but for its size when one was last looked for
   int frames_since_detection_ = 0, width_px_ = 0, height_px_ = 0;
 };
 

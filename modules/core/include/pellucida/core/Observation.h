@@ -80,6 +80,9 @@ struct Observation {
   std::optional<MembraneContour> oolemma;
   std::optional<NeedlePose> needle;
   std::optional<HolderPose> holder;
+  /// Where no cell is shown: the radius of what is one but for its size (`TrackerOptions::expected_radius_um`); 0:
+  /// none.
+  double refused_radius_um = 0.0;
 
   // Valid when `outer` is set.
   Eigen::Vector2d center_um = Eigen::Vector2d::Zero();  ///< centre of the outer membrane at rest, moving with the cell
