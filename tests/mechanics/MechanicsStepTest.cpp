@@ -58,6 +58,22 @@ TEST(MechanicsStep, AVolumeMeasuredBeforeIsKept) {
   EXPECT_DOUBLE_EQ(step.process(scene)->measurement.volume_um3, 123456.0);
 }
 
+// With a wrong pixel size there is no cell of the kind: what was seen instead says why. No cell at all needs no reason.
+TEST(MechanicsStep, ACellRefusedForItsSizeIsExplained) {
+  for (const double refused_um : {0.0, 150.0}) {
+    MechanicsStep mechanics(testing::coarse_profile());
+    Scene scene;
+    Observation o;
+    o.refused_radius_um = refused_um;
+    scene.observation = std::make_shared<const Observation>(o);
+    const auto measured = mechanics.process(scene);
+    ASSERT_TRUE(measured);
+    const bool is_explained = measured->scene.remarks.reason.find("150 um") != std::string::npos;
+    EXPECT_EQ(is_explained, refused_um > 0.0) << measured->scene.remarks.reason;
+    EXPECT_EQ(measured->scene.events.size(), refused_um > 0.0 ? 1U : 0U);
+  }
+}
+
 TEST(MechanicsStep, AMissingForceIsExplainedOnce) {
   MeasuringSteps step(testing::coarse_profile());
   Scene scene = make_scene(5.0, 0.0, 12, 23);

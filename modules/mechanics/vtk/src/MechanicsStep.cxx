@@ -76,7 +76,8 @@ class MechanicsStep::Impl {
 
     // Why there is no force: with every frame, and once as a note when the reason is new.
     const std::optional<CellState> state = out.measurement.state;
-    const bool should_measure = state == CellState::kContact || state == CellState::kFree;
+    const bool should_measure =
+        state == CellState::kContact || state == CellState::kFree || scene.observation->refused_radius_um > 0.0;
     out.remarks = {.reason = should_measure ? e.reason : std::string(),
                    .warning = describe(e.warnings, observer_.profile().name),
                    .point_load_uN = e.opinions.point_load_uN,
