@@ -12,6 +12,8 @@ COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the ou
 sample ZERO. Its four planes: grey values (median 0, mean deviation 1), the normal's x and y, and how many pixels a
 sample takes (spacing_of in training.py).
 """
+import glob
+import itertools
 import multiprocessing
 import os
 
@@ -20,9 +22,9 @@ import numpy as np
 import torch
 from torch import nn
 
-from any_contrast import drawn_anew, moved
+from any_contrast import drawn_anew, moved, outlines_of
 from strips import COLUMNS, NORMALS, RADIUS_SAMPLES, WRAP, Pictures, drawn
-from training import UNetwork, arguments_of, export, outlines_in, train
+from training import UNetwork, arguments_of, export, train
 
 LABEL_SIGMA = 1.0      # of the label's spot, samples
 REACH = 1.7            # how far about the cell a picture is drawn from its outlines, in radii
@@ -45,20 +47,26 @@ def area(points):
     return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
 
 
-def pictures_in(folder, known):
-    """Those of a folder that show a cell, and are not `known` yet: picture, label, outlines of positive area."""
-    for name, outlines in outlines_in(folder).items():
-        if name in known or "outer" not in outlines or "inner" not in outlines:
+def pictures_in(folder, known, read):
+    """Those of a folder that show a cell, and are not `known` yet: picture, label, outlines of positive area. `read`: {table of
+    outlines: its size when it was last read to the end}; a table that has not grown since is not read again."""
+    for table in sorted(glob.glob(os.path.join(folder, "contours*.csv"))):
+        size = os.path.getsize(table)
+        if read.get(table) == size:
             continue
-        path = os.path.join(folder, name)
-        image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
-        if image is None or label is None:
-            continue
-        known.add(name)
-        for key in ("outer", "inner"):
-            if area(outlines[key]) < 0:
-                outlines[key] = outlines[key][:, ::-1]
-        yield image, label, outlines
+        for name, outlines in outlines_of(table).items():
+            path = os.path.join(folder, name)
+            if name in known or not {"outer", "inner"} <= outlines.keys() or not os.path.exists(path):
+                continue
+            image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+            if image is None or label is None:
+                continue
+            known.add(name)
+            for key in ("outer", "inner"):
+                if area(outlines[key]) < 0:
+                    outlines[key] = outlines[key][:, ::-1]
+            yield image, label, outlines
+        read[table] = size
 
 
 def anew(label, outlines, random):
@@ -73,13 +81,12 @@ def anew(label, outlines, random):
 
 class StripFeed:
     """Batches of strips of a folder's pictures, and of what is drawn anew from their outlines: by workers, or one a batch."""
-    EVERY = 100                       # batches, the folder is looked through
     COARSE_EVERY = 8                  # batches, one of cells wider than the others, half as many
     MOST, MOST_COARSE, MOST_ANEW, OUTLINES = 50000, 3000, 20000, 400
 
     def __init__(self, folder, count, workers):
         self.folder, self.count, self.drawn = folder, count, 0
-        self.items, self.shapes, self.sets, self.random = set(), [], None, np.random.default_rng(1)
+        self.items, self.tables, self.shapes, self.fine, self.random = set(), {}, [], None, np.random.default_rng(1)
         context = multiprocessing.get_context("fork")
         self.queue = context.Queue(64) if workers else None
         for seed in range(workers):
@@ -91,7 +98,8 @@ class StripFeed:
         random, shapes = np.random.default_rng(seed), []
         while True:
             if len(shapes) < self.OUTLINES:
-                shapes += [item[1:] for item in pictures_in(self.folder, self.items)]
+                new = pictures_in(self.folder, self.items, self.tables)
+                shapes += [item[1:] for item in itertools.islice(new, self.OUTLINES - len(shapes))]
             if shapes:
                 self.queue.put(anew(*shapes[random.integers(len(shapes))], random))
 
@@ -99,10 +107,9 @@ class StripFeed:
         self.fine = Pictures(self.MOST if device.type == "cuda" else 2000, 480, 640, device)
         self.coarse = Pictures(self.MOST_COARSE if device.type == "cuda" else 100, 1200, 1600, device)
         self.new = Pictures(self.MOST_ANEW if device.type == "cuda" else 500, 480, 640, device)
-        self.sets = True
 
     def load(self):
-        for image, label, outlines in pictures_in(self.folder, self.items):
+        for image, label, outlines in pictures_in(self.folder, self.items, self.tables):
             size = (outlines["outer"].max(1) - outlines["outer"].min(1)).max()
             for pictures, most_px in ((self.fine, 270), (self.coarse, 430)):
                 if pictures.takes(image) and size < most_px:
@@ -123,11 +130,10 @@ class StripFeed:
     @torch.no_grad()
     def next(self, device):
         """A batch: strips and the boundaries' places, as tensors."""
-        if self.sets is None:
+        if self.fine is None:
             self.begin(device)
-        batches = self.drawn // self.count
-        if batches % self.EVERY == 0:
             self.load()
+        batches = self.drawn // self.count
         self.draw_anew()
         is_coarse = self.coarse.count > 0 and batches % self.COARSE_EVERY == self.COARSE_EVERY - 1
         new = round(ANEW * self.count) if self.new.count else 0

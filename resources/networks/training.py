@@ -394,7 +394,7 @@ def train(network, options, samples, feed, loss_of):
         figures.append(figure)
         step += 1
         if step % 100 == 0:
-            if not options.workers:
+            if not options.workers or samples is feed:  # else the workers hold them
                 samples.load()
             mean = [torch.stack(values).mean().item() for values in (losses, figures)]
             losses, figures = [], []

@@ -112,7 +112,6 @@ TEST(SceneTracking, DepthsCountFromTheSeatAndTheTipHasItsRadius) {
 
 // The tracker begins with the needle deep in the cell, as it does after it has lost one; in the last film the membrane
 // has given way. Read from the outline as detection gave it, contours were off by 2.0 to 4.3 % of the radius.
-// Pictures in contact that were once begun with a dimple cut off or one too many, some of them hard to see.
 TEST(SceneTracking, ADimpleIsFollowedFromItsFirstSight) {
   const std::vector<std::string> specimens = specimens_in(PELLUCIDA_SOURCE_DIR "/resources/reference");
   int good_count = 0;

@@ -189,21 +189,21 @@ class ForceObserver::Impl {
     // Far short of it, or far beyond, one of the two is not where it seems: the one counts that goes on as before. And
     // where the flanks have come back the contour may only be tied to the tip: in doubt the depth is between them.
     const double by_contour_um = std::max(0.0, o.indentation_um), by_tip_um = std::max(0.0, sight.tip_um);
-    double deep_um = std::max(by_contour_um, by_tip_um), shallow_um = deep_um;
+    double depth_um = std::max(by_contour_um, by_tip_um), other_um = depth_um;
     if (PunctureVerdict::is_apart(sight) || PunctureVerdict::lies_beyond_tip(sight)) {
-      shallow_um = std::min(by_contour_um, by_tip_um);
+      other_um = std::min(by_contour_um, by_tip_um);
       const std::optional<double> expected_um = filter_.expected_um(o.time_s);
-      const bool may_be = deep_um <= cell_.deepest_um() && !verdict_.is_doubted();
-      if (expected_um && may_be && *expected_um - shallow_um < deep_um - *expected_um) std::swap(deep_um, shallow_um);
+      const bool may_choose = expected_um && depth_um <= cell_.deepest_um() && !verdict_.is_doubted();
+      if (may_choose && *expected_um - other_um < depth_um - *expected_um) std::swap(depth_um, other_um);
     }
-    if (verdict_.is_doubted()) shallow_um = std::min(shallow_um, verdict_.depth_by_flanks_um());
-    const double half_gap_um = 0.5 * std::abs(deep_um - shallow_um);
+    if (verdict_.is_doubted()) other_um = std::min(other_um, verdict_.depth_by_flanks_um());
+    const double half_gap_um = 0.5 * std::abs(depth_um - other_um);
     const double doubt_um = verdict_.is_doubted() && !verdict_.is_pushed() ? half_gap_um : 0.0;
     // What lasts over the frames, such as where the cell is seated, is no noise: a filter that took it for noise would
     // go on where the needle halts. A membrane on the tip moves as the tip does, and is seen as well.
     const double noise_um = std::min(sight.membrane_sigma_um, sight.tip_sigma_um);
     const double lasting_um = std::sqrt(std::pow(sight.membrane_sigma_um, 2) - noise_um * noise_um);
-    const auto filtered = filter_.update(o.time_s, deep_um - doubt_um, std::hypot(noise_um, doubt_um));
+    const auto filtered = filter_.update(o.time_s, depth_um - doubt_um, std::hypot(noise_um, doubt_um));
     estimate.depth_sigma_um = std::hypot(std::hypot(filtered.sigma_um, lasting_um), kEdgeBias_um, half_gap_um);
     // No needle goes deeper than the model can follow.
     if (filtered.depth_um > cell_.deepest_um()) estimate.reason = "the indentation is deeper than the model reaches";

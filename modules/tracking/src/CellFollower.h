@@ -35,8 +35,7 @@ struct FrameInput {
   SceneReader* reader = nullptr;        ///< to read membranes and tip by; null: their lines are known
   SceneReader* networks = nullptr;      ///< to ask for what lines alone don't say; null: not to be asked
   bool is_vouched = false;              ///< a person says that this is a cell
-  double* refused_radius_px =
-      nullptr;  ///< the radius of what `start` finds to be a cell but for its size; null: unasked
+  double* refused_radius_px = nullptr;  ///< of what `start` refuses for its size alone; null: it wasn't asked
   double least_score = MembraneSnakes::kLeastAtFirst;  ///< of membranes that are read, at first sight
 };
 
