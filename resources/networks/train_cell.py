@@ -11,7 +11,6 @@ only, some of them drawn from the samples' outlines alone (any_contrast.py).
 The patch has SIDE samples each way, the circle in its middle, RADIUS_SAMPLES of them to its radius. Its two planes: grey
 values (median 0, mean deviation 1), and how many pixels a sample takes. The answer: the logit of a cell.
 """
-import os
 
 import cv2
 import numpy as np
@@ -19,7 +18,7 @@ import torch
 from torch import nn
 
 from any_contrast import Drawings, drawn_anew, moved
-from training import Block, Feed, arguments_of, export, normalised, other_look, outlines_in, rows_of, spacing_of, train
+from training import Block, Feed, Tables, arguments_of, export, normalised, other_look, spacing_of, train
 
 SIDE, RADIUS_SAMPLES = 80, 25.0
 HELD_OUT = 12          # every so manieth picture only checks
@@ -78,24 +77,19 @@ def bubbles_of(label):
 class Samples:
     """Pictures of a folder; `load` takes in what has been added since."""
 
-    def __init__(self, folder):
-        self.folder, self.known, self.items, self.held_out = folder, set(), [], []
+    def __init__(self, folders):
+        self.tables, self.items, self.held_out = Tables(folders), [], []
         self.drawings = {kind: Drawings() for kind in (True, False)}
         self.load()
 
     def load(self):
-        outlines = outlines_in(self.folder)
-        for row in rows_of(self.folder):
-            if row["file"] in self.known or row["file"] not in outlines:
-                continue
-            self.known.add(row["file"])
-            item = self.read(row, outlines[row["file"]])
+        for path, row, outlines in self.tables.new():
+            item = self.read(path, row, outlines)
             if item is None:
                 continue
-            (self.held_out if len(self.known) % HELD_OUT == 0 else self.items).append(item)
+            (self.held_out if len(self.tables.known) % HELD_OUT == 0 else self.items).append(item)
 
-    def read(self, row, outlines):
-        path = os.path.join(self.folder, row["file"])
+    def read(self, path, row, outlines):
         image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
         label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
         if image is None or label is None:

@@ -10,7 +10,6 @@ the validation families stay unseen. The picture is scaled so that the cell cove
 mirrored, its grey values stretched, bent and inverted: nothing of polarity or brightness is left to learn. Half of
 the pictures are drawn from the samples' outlines alone (any_contrast.py).
 """
-import os
 
 import cv2
 import numpy as np
@@ -18,7 +17,7 @@ import torch
 from torch import nn
 
 from any_contrast import SHIFT, Drawings, drawn_anew, moved
-from training import Block, Feed, UNetwork, arguments_of, export, normalised, other_look, outlines_in, rows_of, train
+from training import Block, Feed, Tables, UNetwork, arguments_of, export, normalised, other_look, train
 
 CLASSES = 6            # background, zona, inside, needle, holding pipette, other body
 SIDE = 192             # of a training picture, network pixels
@@ -36,19 +35,15 @@ def scene_network(widths=(12, 20, 32, 48, 64)):
 class Samples:
     """Pictures and labels of a folder; `load` takes in what has been added since."""
 
-    def __init__(self, folder):
-        self.folder, self.items, self.known, self.drawings = folder, [], set(), Drawings()
+    def __init__(self, folders):
+        self.tables, self.items, self.drawings = Tables(folders), [], Drawings()
         self.load()
 
     def load(self):
-        outlines = outlines_in(self.folder)
-        for row in rows_of(self.folder):
-            if row["file"] not in self.known and row["file"] in outlines:
-                self.known.add(row["file"])
-                self.items.append(self.read(row, outlines[row["file"]]))
+        for path, row, outlines in self.tables.new():
+            self.items.append(self.read(path, row, outlines))
 
-    def read(self, row, outlines):
-        path = os.path.join(self.folder, row["file"])
+    def read(self, path, row, outlines):
         image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
         label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
         ratio = min(1.0, CACHE_SIDE / max(image.shape))

@@ -40,7 +40,7 @@ class WidthNetwork(nn.Module):
 
 class Samples(TipSamples):
     def keep(self, item):
-        (self.held_out if len(self.known) % HELD_OUT == 0 else self.items).append(item)
+        (self.held_out if len(self.tables.known) % HELD_OUT == 0 else self.items).append(item)
 
     def draw(self, random, items=None):
         image, tip, way, half, radius = self.pick(items or self.items, random)

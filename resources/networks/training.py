@@ -166,40 +166,48 @@ def sampled(part, x, y):
     return cv2.remap(part, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
 
 
-def outlines_in(folder):
-    """The outlines of all pictures of a folder, as outlines_of gives them."""
-    outlines = {}
-    for path in sorted(glob.glob(os.path.join(folder, "contours*.csv"))):
-        outlines.update(outlines_of(path))
-    return outlines
+class Tables:
+    """The pictures that the samples*.csv and contours*.csv of one or more folders, separated by commas, list."""
 
+    def __init__(self, folders):
+        self.folders, self.known, self.sizes = folders.split(","), set(), {}
 
-def rows_of(folder):
-    """The rows of the samples*.csv of a folder that are whole."""
-    for path in sorted(glob.glob(os.path.join(folder, "samples*.csv"))):
-        with open(path) as file:
-            yield from (row for row in csv.DictReader(file) if row["frame"] is not None)
+    def new(self):
+        """Path, row and outlines of each picture not given before. A table that has not grown is not read again."""
+        for folder in self.folders:
+            for table in sorted(glob.glob(os.path.join(folder, "samples*.csv"))):
+                size = os.path.getsize(table)
+                if self.sizes.get(table) == size:
+                    continue
+                outlines = outlines_of(table.replace("samples_", "contours_"))
+                with open(table) as file:
+                    for row in csv.DictReader(file):
+                        path = os.path.join(folder, row["file"])
+                        if row["frame"] is not None and row["file"] in outlines and path not in self.known:
+                            self.known.add(path)
+                            yield path, row, outlines[row["file"]]
+                self.sizes[table] = size
 
 
 class TipSamples:
-    """Pictures of a folder that show a needle's tip, each with its tip, direction, half width some way behind and radius at the
-    tip, px, its labels and outlines; `load` takes in what has been added since."""
+    """Pictures that show a needle's tip, as much of each as lies about the tip, with its tip, direction, half width some way behind
+    and radius at the tip, px, and for drawings its labels, its outlines and how far behind that is; `load` takes in what has been
+    added since."""
     ANEW = 0.5        # share of the pictures drawn from the outlines alone
     ANY_NEEDLE = 0.0  # of these, the share with a needle of any width and end
     REACH = 210       # of a drawing about the tip, in samples
+    LEAST_KEPT_PX, MOST_KEPT_PX = 130, 420  # of a picture about the tip; between them twice REACH
+    BEHIND = 0.05     # where the needle is measured, of a picture's longer side
 
-    def __init__(self, folder, width_samples):
+    def __init__(self, folders, width_samples):
         """`width_samples`: of a needle's half width."""
-        self.folder, self.items, self.held_out, self.known, self.drawings = folder, [], [], set(), Drawings()
+        self.tables, self.items, self.held_out, self.drawings = Tables(folders), [], [], Drawings()
         self.width_samples = width_samples
         self.load()
 
     def load(self):
-        outlines = outlines_in(self.folder)
-        for row in rows_of(self.folder):
-            if row["file"] not in self.known and row["file"] in outlines:
-                self.known.add(row["file"])
-                self.read(row, outlines[row["file"]])
+        for path, row, outlines in self.tables.new():
+            self.read(path, row, outlines)
 
     def pick(self, items, random):
         """Picture, tip, direction, half width and radius of one of `items`, as it is or drawn anew."""
@@ -209,9 +217,9 @@ class TipSamples:
         return self.drawings.pick(lambda: self.anew(item, random), random)
 
     def anew(self, item, random):
-        _, tip, way, half, radius, label, outlines = item
+        _, tip, way, half, radius, label, outlines, behind = item
         if random.random() < self.ANY_NEEDLE:
-            needle, half, radius = any_needle(tip, way, half, 0.05 * max(label.shape), random)
+            needle, half, radius = any_needle(tip, way, half, behind, random)
             outlines = {**outlines, "needle": needle}
         unit = half / self.width_samples
         reach = min(self.REACH * unit, 400)
@@ -220,22 +228,30 @@ class TipSamples:
         picture = drawn_anew(moved(outlines, np.eye(2), -low), label[low[1]:high[1], low[0]:high[0]], random, unit)
         return picture, tip - low, way, half, radius
 
-    def read(self, row, outlines):
+    def read(self, path, row, outlines):
         tip, way = (np.array([float(row[a]), float(row[b])]) for a, b in
                     (("tip_x_px", "tip_y_px"), ("direction_x", "direction_y")))
-        path = os.path.join(self.folder, row["file"])
         image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
         if image is None or label is None or np.any(tip < 2) or np.any(tip > np.array(image.shape[::-1]) - 3):
             return
         way = way / np.hypot(*way)
         across = np.array([-way[1], way[0]])
-        behind = tip - 0.05 * max(image.shape) * way
-        line = behind + np.arange(-60, 60.5, 0.5)[:, None] * across
+        behind = self.BEHIND * max(image.shape)
+        line = tip - behind * way + np.arange(-60, 60.5, 0.5)[:, None] * across
         x, y = np.round(line).astype(int).T
         inside = (x >= 0) & (y >= 0) & (x < image.shape[1]) & (y < image.shape[0])
         half = 0.25 * np.count_nonzero(label[y[inside], x[inside]] == 3)
-        if half >= 0.5:
-            self.keep((image, tip, way, half, float(row["tip_radius_px"]), label, outlines))
+        if half < 0.5:
+            return
+        reach = np.clip(2 * self.REACH * half / self.width_samples, self.LEAST_KEPT_PX, self.MOST_KEPT_PX)
+        low = np.maximum(np.floor(tip - reach).astype(int), 0)
+        high = np.minimum(np.ceil(tip + reach).astype(int), image.shape[::-1])
+        image, label = (one[low[1]:high[1], low[0]:high[0]].copy() for one in (image, label))
+        if self.ANEW == 0:
+            label = outlines = None
+        else:
+            outlines = moved(outlines, np.eye(2), -low)
+        self.keep((image, tip - low, way, half, float(row["tip_radius_px"]), label, outlines, behind))
 
     def keep(self, item):
         self.items.append(item)
@@ -297,7 +313,7 @@ class Feed:
 def arguments_of(text, minutes, flags=None):
     """`flags`: {name: help} of further options that are there or not."""
     parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("samples")
+    parser.add_argument("samples", help="a folder of pictures, or more of them, separated by commas")
     parser.add_argument("output")
     parser.add_argument("--minutes", type=float, default=minutes)
     parser.add_argument("--start", help="weights to go on from (.pt, or a network as shipped, .onnx)")

@@ -136,7 +136,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
     if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
     if (!needle_.start(frame.image, tool, frame.noise, expected)) return false;
     needle_.expect_half_width(scene_half_width_px);
-    if (frame.scene && frame.networks) needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
+    if (frame.scene && frame.networks) needle_.find_tip(frame.networks->tips(), frame.image, circle.center);
     return is_plausible();
   };
   if (frame.scene == nullptr) {
@@ -151,8 +151,10 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
         if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px) && is_whole()) return;
       if (is_needle(found_tool(seen), &expected, seen.half_width_px)) return;
       if (frame.networks == nullptr) continue;
-      const NeedleAxis axis{seen.tip, seen.direction};
-      if (needle_.start_read(frame.networks->tips(), frame.image, axis, seen.half_width_px) && is_plausible()) return;
+      TipNetwork& tips = frame.networks->tips();
+      NeedleAxis axis{seen.tip, seen.direction};
+      axis.tip = tips.find(frame.image, axis, seen.half_width_px, circle.center).tip;
+      if (needle_.start_read(tips, frame.image, axis, seen.half_width_px) && is_plausible()) return;
     }
   }
   needle_.reset();

@@ -123,6 +123,15 @@ bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, dou
   return true;
 }
 
+bool NeedleTracker::find_tip(TipNetwork& network, const FrameSampler& image, const Eigen::Vector2d& last) {
+  if (!valid_) return false;
+  const TipReading seen = network.find(image, axis_, width_behind(image), last);
+  if (seen.share < kLeastTipShare) return false;
+  sprung_readings_ = 0;
+  take(seen, 1.0);
+  return true;
+}
+
 bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image,
                                         const CommandedMotion* command) {
   doubted_.reset();

@@ -80,6 +80,9 @@ class NeedleTracker {
   /// network isn't sure.
   bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
 
+  /// The same for a needle found just now, which may end anywhere along it up to beside `last`, px.
+  bool find_tip(TipNetwork& network, const FrameSampler& image, const Eigen::Vector2d& last);
+
   /// The same for a needle in contact, whose tip a membrane that springs back seems to take along: where the shaft has
   /// not gone back with it, such a reading is doubted until it lasts. `command` (may be null) doubts it longer, and by
   /// less.

@@ -27,8 +27,12 @@ class TipNetwork {
   TipNetwork(TipNetwork&&) noexcept;
   TipNetwork& operator=(TipNetwork&&) noexcept;
 
-  /// Reads about the axis's tip; `half_width_px`: the needle's, some way behind its tip.
+  /// Reads about the axis's tip, and where that points beyond what it saw, from there; `half_width_px`: the needle's,
+  /// some way behind its tip. The share is 0 where no end comes into view.
   TipReading read(const FrameSampler& image, const NeedleAxis& axis, double half_width_px);
+  /// The same for a needle found just now: looks from farther behind where the tip isn't seen, and whether the needle
+  /// goes on where something else looks like its end, but no farther than beside `last`, px.
+  TipReading find(const FrameSampler& image, const NeedleAxis& axis, double half_width_px, const Eigen::Vector2d& last);
 
  private:
   class Impl;
