@@ -12,6 +12,7 @@
 #include "HolderFinder.h"
 #include "NeedleTracker.h"
 #include "SceneVerdict.h"
+#include "TipNetwork.h"
 #include "ToolFinder.h"
 
 namespace pellucida {
@@ -27,6 +28,8 @@ struct Drawing {
   double tapered_px = 1e9;  // so far behind the tip it is as wide as it gets
   // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
   double membrane_ahead = -1.0;
+  // A dark disc on the shaft, its centre so far behind the tip. Negative: none.
+  double disc_behind = -1.0, disc_radius = 11.0;
   unsigned seed = 1;
 
   Eigen::Vector2d direction() const { return {-std::cos(angle_rad), -std::sin(angle_rad)}; }
@@ -73,6 +76,8 @@ Picture draw(const Drawing& d) {
         const double off = (s + d.membrane_ahead) / 1.2;
         light *= 1.0 - 0.4 * std::exp(-0.5 * off * off);
       }
+      if (d.disc_behind >= 0.0)
+        light *= 1.0 - 0.6 / (1.0 + std::exp(2.0 * (std::hypot(s - d.disc_behind, v) - d.disc_radius)));
       picture.pixels[static_cast<std::size_t>(y * kWidth + x)] =
           static_cast<std::uint8_t>(std::clamp(255.0 * (light + noise(random)) + 0.5, 0.0, 255.0));
     }
@@ -387,6 +392,65 @@ TEST(Needle, OneOfItsWallsIsFarThinnerThanItself) {
   lines.tip_half_width = 4.0;
   lines.widening = 0.1;
   EXPECT_FALSE(is_one_wall(lines, seen));
+}
+
+// A needle as specimens have them, seen by the network that reads tips.
+constexpr double kShaftHalfWidth = 3.0;
+Drawing fine_needle() {
+  Drawing d;
+  d.tip = {60.4, 171.6};
+  d.slope = 0.02;
+  return d;
+}
+
+double off_px(const TipReading& reading, const Drawing& d) {
+  return (reading.tip - d.tip).norm();
+}
+
+TEST(TipReading, ATipBeyondWhatIsLookedAtIsWalkedTo) {
+  const Drawing d = fine_needle();
+  const Picture picture = draw(d);
+  TipNetwork network;
+  for (const double behind_px : {0.0, 40.0, 90.0, 200.0}) {
+    const TipReading seen =
+        network.read(FrameSampler(picture.view()), {d.tip - behind_px * d.direction(), d.direction()}, kShaftHalfWidth);
+    EXPECT_GT(seen.share, 0.5) << behind_px;
+    EXPECT_LT(off_px(seen, d), 2.0) << behind_px;
+  }
+}
+
+TEST(TipReading, WhereNoEndComesIntoViewThereIsNone) {
+  Drawing d = fine_needle();
+  d.tip = {-200.0, 171.6};  // the shaft goes right through
+  const Picture picture = draw(d);
+  TipNetwork network;
+  const TipReading seen = network.read(FrameSampler(picture.view()), {{300.0, 171.6}, d.direction()}, kShaftHalfWidth);
+  EXPECT_LT(seen.share, 0.5);
+}
+
+TEST(TipReading, ABodyOnTheShaftIsNotItsEnd) {
+  Drawing d = fine_needle();
+  d.disc_behind = 75.0;
+  const Picture picture = draw(d);
+  const FrameSampler image(picture.view());
+  TipNetwork network;
+  const NeedleAxis at_disc{d.tip - d.disc_behind * d.direction(), d.direction()};
+  const TipReading seen = network.find(image, at_disc, kShaftHalfWidth, {20.0, 171.6});
+  EXPECT_GT(seen.share, 0.5);
+  EXPECT_LT(off_px(seen, d), 2.0);
+}
+
+TEST(TipReading, AnEndWithNothingAheadStaysTheEnd) {
+  for (const double membrane_ahead : {-1.0, 4.0, 30.0}) {
+    Drawing d = fine_needle();
+    d.tip = {200.3, 171.6};
+    d.membrane_ahead = membrane_ahead;
+    const Picture picture = draw(d);
+    TipNetwork network;
+    const TipReading seen =
+        network.find(FrameSampler(picture.view()), {d.tip, d.direction()}, kShaftHalfWidth, {20.0, 171.6});
+    EXPECT_LT(off_px(seen, d), 2.0) << membrane_ahead;
+  }
 }
 
 }  // namespace

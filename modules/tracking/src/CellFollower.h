@@ -59,7 +59,10 @@ class CellFollower {
   bool take_bevel(const FrameSampler& image, TipNetwork& network);
   /// Its lines are one wall of a needle half as wide as that: its tip is read at that scale.
   void expect_needle_width(double half_width_px, const FrameSampler& image, TipNetwork& network);
-  void forget_needle() { needle_.reset(); }
+  void forget_needle() {
+    needle_.reset();
+    needle_way_.reset();
+  }
 
   /// Follows into the next frame. False when the cell has been out of sight for too long.
   bool follow(const FrameInput& frame);
@@ -124,6 +127,7 @@ class CellFollower {
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
   bool is_before(const Eigen::Vector2d& center, double most_px) const;
+  bool comes_as_before() const;
   bool is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const;
   void read_tip_width(const FrameInput& frame, bool is_clear);
   void begin_command(const FrameInput& frame);
@@ -172,6 +176,7 @@ class CellFollower {
   MembraneSnakes snakes_;
   SoftZona zona_;
   NeedleTracker needle_;
+  std::optional<Eigen::Vector2d> needle_way_;  // the direction of the needle that was followed last
   GlobalShiftEstimator scene_;
   RigidMotion rigid_;
   RigidMove motion_;
@@ -192,6 +197,7 @@ class CellFollower {
   bool walls_slide_ = false;  // the holder's, along themselves
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
+  int unseen_frames_ = 0;  // without a needle
 };
 
 }  // namespace pellucida

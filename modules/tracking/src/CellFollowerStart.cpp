@@ -49,7 +49,7 @@ bool CellFollower::refuse(const FrameInput& frame, const contour::Circle& circle
 bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   if (!is_sized(frame, cell.circle)) return refuse(frame, cell.circle);
   touching_ = false;
-  needle_.reset();
+  forget_needle();
   find_tools_of(frame, cell.circle);
   const NeedleZone needle_zone = zone();
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;

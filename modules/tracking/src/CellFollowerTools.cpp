@@ -33,6 +33,9 @@ constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kOneWall = -0.6, k
 constexpr double kNarrowestFacing_ratio = 0.12;
 // An end found by lines that moves so differently from the frame before is read by the network too.
 constexpr double kCheckedLeap_px = 3.0;
+// A needle that was lost comes back as it was, for so many frames: cosine of how far its direction may differ.
+constexpr double kSameWay = 0.85;
+constexpr int kRemembered_frames = 150;
 // Frames between two readings of the tip's width.
 constexpr int kWidth_frames = 8;
 
@@ -130,7 +133,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
   const auto is_plausible = [&] {
     const bool faces = holder_ && needle_.estimate().direction.dot(holder_direction()) > kAlongHolder;
     return needle_.estimate().tip_half_width < (faces ? kFacingTip_ratio : kBroadTip_ratio) * circle.radius &&
-           is_before(circle.center, kThrough_ratio * circle.radius);
+           is_before(circle.center, kThrough_ratio * circle.radius) && comes_as_before();
   };
   const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
     if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
@@ -158,6 +161,12 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
     }
   }
   needle_.reset();
+}
+
+// What holds the cell may look like a needle, but not like the one that was lost.
+bool CellFollower::comes_as_before() const {
+  return !needle_way_ || unseen_frames_ > kRemembered_frames ||
+         needle_.estimate().direction.dot(*needle_way_) > kSameWay;
 }
 
 // No needle goes on through the whole cell.
@@ -246,6 +255,8 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
     begin_command(frame);
   }
+  unseen_frames_ = needle_.valid() ? 0 : unseen_frames_ + 1;
+  if (needle_.valid()) needle_way_ = needle_.estimate().direction;
 }
 
 // Not seen, or misread in contact, it is where it was sent.
