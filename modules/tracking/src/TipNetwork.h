@@ -10,7 +10,7 @@ namespace pellucida {
 /// Where a needle ends.
 struct TipReading {
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();  ///< px
-  double along_sigma_px = 0.0;                    ///< as spread as the network's answer is, along the needle
+  double along_sigma_px = 0.0;                    ///< standard deviation of the network's answer along the needle
   double share = 0.0;                             ///< 0..1: of the answer, near its highest place
 };
 
