@@ -163,8 +163,10 @@ void require_measured(const BatchResult& result, const std::string& input) {
   for (const Measurement& row : result.rows) {
     if (!std::isnan(row.cell_x_um)) return;
   }
-  throw NothingMeasuredError(input + ": no cell was found in any of " + std::to_string(result.rows.size()) +
-                             " frames; check that a round cell is in view and the pixel size is right");
+  const bool is_refused = result.peak && result.peak->observation && result.peak->observation->refused_radius_um > 0.0;
+  throw NothingMeasuredError(
+      input + ": no cell was found in any of " + std::to_string(result.rows.size()) + " frames; " +
+      (is_refused ? result.peak->remarks.reason : "check that a round cell is in view and the pixel size is right"));
 }
 
 }  // namespace pellucida

@@ -85,6 +85,10 @@ TEST_F(BadInputOnAVideo, UnknownProfileNamesTheKnownOnes) {
   EXPECT_FALSE(fs::exists(at("s")));
 }
 
+TEST_F(BadInputOnAVideo, APixelSizeThatMakesTheCellTooLargeIsNamedWithItsRadius) {
+  expect("analyze " + quoted("v.avi") + " --pixel-size-um 3.3 --output " + quoted("s"), 4, {"radius of", "pixel size"});
+}
+
 TEST_F(BadInputOnAVideo, UnwritableOutput) {
   expect("analyze " + quoted("v.avi") + " --pixel-size-um 0.825 --output /proc/pellucida", 5, {"/proc/pellucida"});
   std::ofstream(at("file")) << "in the way";

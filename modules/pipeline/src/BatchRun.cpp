@@ -14,10 +14,12 @@ namespace {
 constexpr std::size_t kQueueCount = 2;
 constexpr double kRiskStep_um = 5.0;  // between the depths whose risk of puncture is reported
 
-// How good a scene is for the one picture of a run: force first, then how much was seen.
+// How good a scene is for the one picture of a run: force first, then how much was seen, then what was refused as a
+// cell.
 double picture_score(const Scene& scene) {
   const Measurement& m = scene.measurement;
   if (!std::isnan(m.contact_force_uN) && m.contact_force_uN > 0.0) return 10.0 + m.contact_force_uN;
+  if (scene.observation && scene.observation->refused_radius_um > 0.0) return 0.5;
   if (std::isnan(m.confidence)) return 0.0;
   return scene.observation && scene.observation->outer ? 1.0 + m.confidence : m.confidence;
 }
