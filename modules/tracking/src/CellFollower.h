@@ -125,6 +125,7 @@ class CellFollower {
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
+  void take_finer(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
   bool is_before(const Eigen::Vector2d& center, double most_px) const;
   bool comes_as_before() const;

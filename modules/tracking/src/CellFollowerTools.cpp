@@ -36,6 +36,8 @@ constexpr double kCheckedLeap_px = 3.0;
 // A needle that was lost comes back as it was, for so many frames: cosine of how far its direction may differ.
 constexpr double kSameWay = 0.85;
 constexpr int kRemembered_frames = 150;
+// Of another's radius: the tip of a tool that faces it is finer.
+constexpr double kFiner_ratio = 0.5;
 // Frames between two readings of the tip's width.
 constexpr int kWidth_frames = 8;
 
@@ -98,6 +100,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   };
   find_among(frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools);
   find_needle(frame, circle, tools);
+  if (frame.scene && frame.networks) take_finer(frame, circle, tools);
   // The scene may show a broad shaft as both: the needle holds nothing.
   if (holder_ && is_along_needle(*holder_, circle.center)) {
     std::vector<FoundTool> others;
@@ -116,6 +119,31 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   }
   begin_command(frame);
   read_tip_width(frame, true);
+}
+
+// Of two tools that face each other at the cell the one with the finer tip is its needle, whatever the scene takes a
+// narrow holding pipette for.
+void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& circle,
+                              const std::vector<FoundTool>& tools) {
+  if (!needle_.valid()) return;
+  needle_.read_width(frame.networks->tip_widths(), frame.image);
+  for (const FoundTool& tool : tools) {
+    if (tool.direction.dot(needle_.estimate().direction) < kAlongHolder) continue;
+    NeedleTracker other;
+    if (!other.start(frame.image, tool, frame.noise) ||
+        !other.find_tip(frame.networks->tips(), frame.image, circle.center))
+      continue;
+    const auto is_wall_of = [&](const SceneTool& holder) {
+      return other.estimate().direction.dot(holder.direction) > kAlongHolder && is_one_wall(other.estimate(), holder);
+    };
+    if (std::any_of(frame.scene->holders.begin(), frame.scene->holders.end(), is_wall_of)) continue;
+    other.read_width(frame.networks->tip_widths(), frame.image);
+    const NeedleEstimate& n = other.estimate();
+    const bool is_at_cell = (n.tip - circle.center).dot(n.direction) < kThrough_ratio * circle.radius;
+    if (!is_at_cell || n.tip_radius > kFiner_ratio * needle_.estimate().tip_radius) continue;
+    needle_ = std::move(other);
+    return;
+  }
 }
 
 bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const {
