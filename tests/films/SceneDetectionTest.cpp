@@ -7,8 +7,10 @@
 
 #include "SceneReader.h"
 #include "films/RandomFilm.h"
+#include "pellucida/core/Resources.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
+#include "pellucida/tracking/MembraneTracker.h"
 
 namespace pellucida::test {
 namespace {
@@ -41,6 +43,19 @@ TEST(SceneDetection, FindsTheCellOfFilmsOfFamiliesNeverSeen) {
   ASSERT_GE(films, 12);
   EXPECT_GE(found, films - 2);
   EXPECT_GE(needles, films / 2);
+}
+
+// Of two tools that face each other the one with the finer tip is the needle; in this picture one wall of the holding
+// pipette was the finer.
+TEST(SceneDetection, AWallOfTheHoldingPipetteIsNoFinerNeedle) {
+  const RandomFilm film =
+      draw_film(Split::kWide, 711183, 1024, specimens_in((resource_folder() / "reference").string()));
+  VirtualMicroscope microscope(film.scenario, film.look);
+  for (int k = 0; k < 20; ++k) microscope.skip();
+  const auto frame = microscope.next();
+  const Observation seen = MembraneTracker().process(view_of(frame->image.get()), 0.0, 0);
+  ASSERT_TRUE(seen.needle);
+  EXPECT_GT(seen.needle->direction.dot(microscope.truth().observation.needle->direction), 0.95);
 }
 
 }  // namespace

@@ -38,6 +38,8 @@ constexpr double kSameWay = 0.85;
 constexpr int kRemembered_frames = 150;
 // Of another's radius: the tip of a tool that faces it is finer.
 constexpr double kFiner_ratio = 0.5;
+// Of the holder's half width: a tool half as wide as this that runs so near to its middle is one of its walls.
+constexpr double kWallOfHolder_ratio = 0.4, kBesideHolder = 1.5;
 // Frames between two readings of the tip's width.
 constexpr int kWidth_frames = 8;
 
@@ -65,6 +67,14 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
                           [&](const SceneTool& seen) { return is_same(tool, seen); });
     });
   return holders;
+}
+
+// A needle that runs as the holder does, its tip within so many of its half widths.
+bool is_along(const HolderFit& holder, const NeedleEstimate& needle, const Eigen::Vector2d& center,
+              double half_widths) {
+  const Eigen::Vector2d across(-holder.direction.y(), holder.direction.x());
+  return -holder.direction.dot(needle.direction) > kAlongHolder &&
+         std::abs((needle.tip - center).dot(across) - holder.offset) < half_widths * holder.half_width;
 }
 
 // Its edges may be those of a halo: where the scene shows a holder of quite another width, that is its width.
@@ -137,6 +147,9 @@ void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& ci
       return other.estimate().direction.dot(holder.direction) > kAlongHolder && is_one_wall(other.estimate(), holder);
     };
     if (std::any_of(frame.scene->holders.begin(), frame.scene->holders.end(), is_wall_of)) continue;
+    if (holder_ && is_along(*holder_, other.estimate(), circle.center, kBesideHolder) &&
+        other.estimate().tip_half_width < kWallOfHolder_ratio * holder_->half_width)
+      continue;
     other.read_width(frame.networks->tip_widths(), frame.image);
     const NeedleEstimate& n = other.estimate();
     const bool is_at_cell = (n.tip - circle.center).dot(n.direction) < kThrough_ratio * circle.radius;
@@ -147,11 +160,7 @@ void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& ci
 }
 
 bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const {
-  if (!needle_.valid()) return false;
-  const NeedleEstimate& n = needle_.estimate();
-  const Eigen::Vector2d across(-holder.direction.y(), holder.direction.x());
-  return -holder.direction.dot(n.direction) > kAlongHolder &&
-         std::abs((n.tip - center).dot(across) - holder.offset) < holder.half_width;
+  return needle_.valid() && is_along(holder, needle_.estimate(), center, 1.0);
 }
 
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.
