@@ -43,10 +43,6 @@ constexpr int kLeaps = 2, kSettled_frames = 3;
 // the edges followed differ from it by less than this, or than its standard deviation, they are the outline.
 constexpr int kMostWidthReadings = 12;
 constexpr double kSurestWidth = 0.08, kSameWidth = 0.12;
-// Of a tip finer than this, px, the network reads too much (of 0.5 to 0.8 px 0.9 to 1.6, specimens 1676 to 1691 in
-// plain drawing), and the edges followed, right there, too little in other looks: it lies half-way, and either is
-// possible.
-constexpr double kFineTip_px = 1.7;
 
 }  // namespace
 
@@ -191,13 +187,8 @@ void NeedleTracker::take_width() {
   now_.tip_radius_sigma = 0.0;
   if (width_readings_ == 0) return;
   const double log_px = width_log_sum_ / width_information_, sigma = std::sqrt(width_readings_ / width_information_);
-  const double edges_log_px = std::log(now_.tip_half_width), apart = std::abs(edges_log_px - log_px);
+  const double apart = std::abs(std::log(now_.tip_half_width) - log_px);
   const bool agree = !is_read() && apart < std::max(kSameWidth, sigma);
-  if (!agree && !is_read() && edges_log_px < log_px && log_px < std::log(kFineTip_px)) {
-    now_.tip_radius = std::exp(0.5 * (edges_log_px + log_px));
-    now_.tip_radius_sigma = std::hypot(sigma, 0.5 * apart);
-    return;
-  }
   if (!agree) now_.tip_radius = std::exp(log_px);
   now_.tip_radius_sigma = agree ? 0.0 : sigma;
 }
