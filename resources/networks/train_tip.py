@@ -5,7 +5,8 @@ says where in it the tip is, in any contrast.
     build/release/bin/film_samples --count 3200 --first 20001 --out samples     (a test program of this project draws them)
     build/release/bin/film_samples --count 4000 --split wide --first 140001 --punctured yes --out samples
     build/release/bin/film_samples --count 1800 --first 200001 --plain yes --out samples
-    python3 train_tip.py samples tip.onnx --minutes 90
+    build/release/bin/film_samples --count 1500 --split wide --first 700001 --specimens tables --out fine    (fine tips)
+    python3 train_tip.py samples,fine tip.onnx --minutes 90
 
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning and wide families.
 The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of

@@ -4,9 +4,10 @@ wide the needle is there, in any contrast, and how surely.
 
     build/release/bin/film_samples --count 3600 --first 80041 --out samples     (a test program of this project draws them)
     build/release/bin/film_samples --count 800 --first 90001 --plain yes --out samples
-    python3 train_tip_width.py samples tip_width.onnx --minutes 25
+    build/release/bin/film_samples --count 1500 --split wide --first 700001 --specimens tables --out fine    (fine tips)
+    python3 train_tip_width.py samples,fine tip_width.onnx --minutes 25
 
-Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning families only,
+Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning and wide families,
 half of them drawn from the samples' outlines alone (any_contrast.py).
 The patch has WIDTH samples along the needle, the tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of them are
 the needle's half width some way behind, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
