@@ -12,19 +12,17 @@ COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the ou
 sample ZERO. Its four planes: grey values (median 0, mean deviation 1), the normal's x and y, and how many pixels a
 sample takes (spacing_of in training.py).
 """
-import glob
 import itertools
 import multiprocessing
-import os
 
 import cv2
 import numpy as np
 import torch
 from torch import nn
 
-from any_contrast import drawn_anew, moved, outlines_of
+from any_contrast import drawn_anew, moved
 from strips import COLUMNS, NORMALS, RADIUS_SAMPLES, WRAP, Pictures, drawn
-from training import UNetwork, arguments_of, export, train
+from training import Tables, UNetwork, arguments_of, export, train
 
 LABEL_SIGMA = 1.0      # of the label's spot, samples
 REACH = 1.7            # how far about the cell a picture is drawn from its outlines, in radii
@@ -47,26 +45,18 @@ def area(points):
     return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
 
 
-def pictures_in(folder, known, read):
-    """Those of a folder that show a cell, and are not `known` yet: picture, label, outlines of positive area. `read`: {table of
-    outlines: its size when it was last read to the end}; a table that has not grown since is not read again."""
-    for table in sorted(glob.glob(os.path.join(folder, "contours*.csv"))):
-        size = os.path.getsize(table)
-        if read.get(table) == size:
+def pictures_in(tables):
+    """Those that are new in the tables and show a cell: picture, label, outlines of positive area."""
+    for path, _, outlines in tables.new():
+        if not {"outer", "inner"} <= outlines.keys():
             continue
-        for name, outlines in outlines_of(table).items():
-            path = os.path.join(folder, name)
-            if name in known or not {"outer", "inner"} <= outlines.keys() or not os.path.exists(path):
-                continue
-            image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
-            if image is None or label is None:
-                continue
-            known.add(name)
-            for key in ("outer", "inner"):
-                if area(outlines[key]) < 0:
-                    outlines[key] = outlines[key][:, ::-1]
-            yield image, label, outlines
-        read[table] = size
+        image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
+        if image is None or label is None:
+            continue
+        for key in ("outer", "inner"):
+            if area(outlines[key]) < 0:
+                outlines[key] = outlines[key][:, ::-1]
+        yield image, label, outlines
 
 
 def anew(label, outlines, random):
@@ -84,9 +74,9 @@ class StripFeed:
     COARSE_EVERY = 8                  # batches, one of cells wider than the others, half as many
     MOST, MOST_COARSE, MOST_ANEW, OUTLINES = 50000, 3000, 20000, 400
 
-    def __init__(self, folder, count, workers):
-        self.folder, self.count, self.drawn = folder, count, 0
-        self.items, self.tables, self.shapes, self.fine, self.random = set(), {}, [], None, np.random.default_rng(1)
+    def __init__(self, folders, count, workers):
+        self.tables, self.count, self.drawn = Tables(folders), count, 0
+        self.items, self.shapes, self.fine, self.random = self.tables.known, [], None, np.random.default_rng(1)
         context = multiprocessing.get_context("fork")
         self.queue = context.Queue(64) if workers else None
         for seed in range(workers):
@@ -98,8 +88,8 @@ class StripFeed:
         random, shapes = np.random.default_rng(seed), []
         while True:
             if len(shapes) < self.OUTLINES:
-                new = pictures_in(self.folder, self.items, self.tables)
-                shapes += [item[1:] for item in itertools.islice(new, self.OUTLINES - len(shapes))]
+                new = itertools.islice(pictures_in(self.tables), self.OUTLINES - len(shapes))
+                shapes += [item[1:] for item in new]
             if shapes:
                 self.queue.put(anew(*shapes[random.integers(len(shapes))], random))
 
@@ -109,7 +99,7 @@ class StripFeed:
         self.new = Pictures(self.MOST_ANEW if device.type == "cuda" else 500, 480, 640, device)
 
     def load(self):
-        for image, label, outlines in pictures_in(self.folder, self.items, self.tables):
+        for image, label, outlines in pictures_in(self.tables):
             size = (outlines["outer"].max(1) - outlines["outer"].min(1)).max()
             for pictures, most_px in ((self.fine, 270), (self.coarse, 430)):
                 if pictures.takes(image) and size < most_px:

@@ -173,20 +173,21 @@ class Tables:
         self.folders, self.known, self.sizes = folders.split(","), set(), {}
 
     def new(self):
-        """Path, row and outlines of each picture not given before. A table that has not grown is not read again."""
+        """Path, row and outlines of each picture not given before. Tables that have not grown are not read again."""
         for folder in self.folders:
             for table in sorted(glob.glob(os.path.join(folder, "samples*.csv"))):
-                size = os.path.getsize(table)
-                if self.sizes.get(table) == size:
+                contours = os.path.join(folder, os.path.basename(table).replace("samples", "contours"))
+                sizes = [os.path.getsize(path) for path in (table, contours)]
+                if self.sizes.get(table) == sizes:
                     continue
-                outlines = outlines_of(table.replace("samples_", "contours_"))
+                outlines = outlines_of(contours)
                 with open(table) as file:
                     for row in csv.DictReader(file):
                         path = os.path.join(folder, row["file"])
                         if row["frame"] is not None and row["file"] in outlines and path not in self.known:
                             self.known.add(path)
                             yield path, row, outlines[row["file"]]
-                self.sizes[table] = size
+                self.sizes[table] = sizes
 
 
 class TipSamples:

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <ostream>
 #include <random>
 #include <vector>
 
@@ -12,78 +11,14 @@
 #include "HolderFinder.h"
 #include "NeedleTracker.h"
 #include "SceneVerdict.h"
-#include "TipNetwork.h"
 #include "ToolFinder.h"
+#include "tracking/NeedleDrawing.h"
 
 namespace pellucida {
 namespace {
 
-constexpr int kWidth = 420, kHeight = 340;
-
-struct Drawing {
-  Eigen::Vector2d tip{180.3, 171.6};
-  double angle_rad = 0.0;  // of the shaft, from the tip outwards
-  double tip_radius = 2.0, slope = 0.045, blur = 1.0, depth = 0.45, noise = 0.01;
-  bool wedge = false, straight = false;
-  double tapered_px = 1e9;  // so far behind the tip it is as wide as it gets
-  // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
-  double membrane_ahead = -1.0;
-  // A dark disc on the shaft, its centre so far behind the tip. Negative: none.
-  double disc_behind = -1.0, disc_radius = 11.0;
-  unsigned seed = 1;
-
-  Eigen::Vector2d direction() const { return {-std::cos(angle_rad), -std::sin(angle_rad)}; }
-};
-
-void PrintTo(const Drawing& d, std::ostream* out) {
-  *out << (d.wedge ? "wedge" : "lines") << " at " << d.angle_rad << " rad, blur " << d.blur << ", noise " << d.noise;
-}
-
-// An 8-bit picture that lives as long as this.
-struct Picture {
-  std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(kWidth * kHeight);
-
-  ImageView view() const {
-    ImageView v;
-    v.data = pixels.data();
-    v.format = PixelFormat::kGray8;
-    v.width_px = kWidth;
-    v.height_px = kHeight;
-    v.row_bytes = kWidth;
-    v.pixel_size_um = 1.0;
-    return v;
-  }
-};
-
-Picture draw(const Drawing& d) {
-  Picture picture;
-  std::mt19937 random(d.seed);
-  std::normal_distribution<double> noise(0.0, d.noise);
-  const Eigen::Vector2d back = -d.direction(), across(-back.y(), back.x());
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const Eigen::Vector2d from = Eigen::Vector2d(x, y) - d.tip;
-      const double s = from.dot(back), v = std::abs(from.dot(across));
-      const double tapered = std::min(s, d.tapered_px);
-      const double side = v - d.tip_radius - d.slope * std::max(0.0, tapered);
-      const double distance = d.straight         ? (side > 0.0 && s < 0.0 ? std::hypot(side, s) : std::max(side, -s))
-                              : s < d.tip_radius ? std::hypot(s - d.tip_radius, v) - d.tip_radius
-                                                 : v - d.tip_radius - d.slope * (tapered - d.tip_radius);
-      double light = 0.55 + 0.0002 * x;
-      light *= d.wedge ? 1.0 - 0.4 * 0.5 * std::erfc(distance / (d.blur * std::sqrt(2.0)))
-                       : 1.0 - d.depth * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
-      if (d.membrane_ahead >= 0.0) {
-        const double off = (s + d.membrane_ahead) / 1.2;
-        light *= 1.0 - 0.4 * std::exp(-0.5 * off * off);
-      }
-      if (d.disc_behind >= 0.0)
-        light *= 1.0 - 0.6 / (1.0 + std::exp(2.0 * (std::hypot(s - d.disc_behind, v) - d.disc_radius)));
-      picture.pixels[static_cast<std::size_t>(y * kWidth + x)] =
-          static_cast<std::uint8_t>(std::clamp(255.0 * (light + noise(random)) + 0.5, 0.0, 255.0));
-    }
-  }
-  return picture;
-}
+using Drawing = test::NeedleDrawing;
+using Picture = test::NeedlePicture;
 
 // The tool as voting would give it: a degree and two pixels off.
 FoundTool tool_of(const Drawing& d) {
@@ -354,8 +289,8 @@ TEST(HolderFinder, AxisWidthAndMouthAreThoseDrawn) {
   std::normal_distribution<double> noise(0.0, 0.01);
   const Eigen::Vector2d center(250.0, 170.0);
   const double radius = 60.0, mouth = 56.0, middle_of_wall = 25.0, wall = 5.0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < Picture::kHeight_px; ++y) {
+    for (int x = 0; x < Picture::kWidth_px; ++x) {
       const double along = center.x() - x, aside = std::abs(y - center.y());
       const double ring = std::hypot(along, aside) - radius;
       const double side = std::abs(aside - middle_of_wall), back = along - (mouth + wall);
@@ -363,7 +298,8 @@ TEST(HolderFinder, AxisWidthAndMouthAreThoseDrawn) {
       double light =
           0.55 * (1.0 - 0.4 * std::exp(-0.5 * ring * ring)) * (1.0 - 0.5 * std::exp(-0.5 * distance * distance / 1.7));
       light += noise(random);
-      picture.pixels[static_cast<std::size_t>(y * kWidth + x)] = static_cast<std::uint8_t>(255.0 * light + 0.5);
+      picture.pixels[static_cast<std::size_t>(y * Picture::kWidth_px + x)] =
+          static_cast<std::uint8_t>(255.0 * light + 0.5);
     }
   }
   const FrameSampler image(picture.view());
@@ -392,65 +328,6 @@ TEST(Needle, OneOfItsWallsIsFarThinnerThanItself) {
   lines.tip_half_width = 4.0;
   lines.widening = 0.1;
   EXPECT_FALSE(is_one_wall(lines, seen));
-}
-
-// A needle as specimens have them, seen by the network that reads tips.
-constexpr double kShaftHalfWidth = 3.0;
-Drawing fine_needle() {
-  Drawing d;
-  d.tip = {60.4, 171.6};
-  d.slope = 0.02;
-  return d;
-}
-
-double off_px(const TipReading& reading, const Drawing& d) {
-  return (reading.tip - d.tip).norm();
-}
-
-TEST(TipReading, ATipBeyondWhatIsLookedAtIsWalkedTo) {
-  const Drawing d = fine_needle();
-  const Picture picture = draw(d);
-  TipNetwork network;
-  for (const double behind_px : {0.0, 40.0, 90.0, 200.0}) {
-    const TipReading seen =
-        network.read(FrameSampler(picture.view()), {d.tip - behind_px * d.direction(), d.direction()}, kShaftHalfWidth);
-    EXPECT_GT(seen.share, 0.5) << behind_px;
-    EXPECT_LT(off_px(seen, d), 2.0) << behind_px;
-  }
-}
-
-TEST(TipReading, WhereNoEndComesIntoViewThereIsNone) {
-  Drawing d = fine_needle();
-  d.tip = {-200.0, 171.6};  // the shaft goes right through
-  const Picture picture = draw(d);
-  TipNetwork network;
-  const TipReading seen = network.read(FrameSampler(picture.view()), {{300.0, 171.6}, d.direction()}, kShaftHalfWidth);
-  EXPECT_LT(seen.share, 0.5);
-}
-
-TEST(TipReading, ABodyOnTheShaftIsNotItsEnd) {
-  Drawing d = fine_needle();
-  d.disc_behind = 75.0;
-  const Picture picture = draw(d);
-  const FrameSampler image(picture.view());
-  TipNetwork network;
-  const NeedleAxis at_disc{d.tip - d.disc_behind * d.direction(), d.direction()};
-  const TipReading seen = network.find(image, at_disc, kShaftHalfWidth, {20.0, 171.6});
-  EXPECT_GT(seen.share, 0.5);
-  EXPECT_LT(off_px(seen, d), 2.0);
-}
-
-TEST(TipReading, AnEndWithNothingAheadStaysTheEnd) {
-  for (const double membrane_ahead : {-1.0, 4.0, 30.0}) {
-    Drawing d = fine_needle();
-    d.tip = {200.3, 171.6};
-    d.membrane_ahead = membrane_ahead;
-    const Picture picture = draw(d);
-    TipNetwork network;
-    const TipReading seen =
-        network.find(FrameSampler(picture.view()), {d.tip, d.direction()}, kShaftHalfWidth, {20.0, 171.6});
-    EXPECT_LT(off_px(seen, d), 2.0) << membrane_ahead;
-  }
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ constexpr double kCheckedLeap_px = 3.0;
 constexpr double kSameWay = 0.85;
 constexpr int kRemembered_frames = 150;
 // Of another's radius: the tip of a tool that faces it is finer. Set on first sights of wide and tuning pictures with
-// specimens (700001 to 703999): of 30 with the wrong tool it gives the right one in 16.
+// specimens (700001 to 703999): of 30 with the wrong tool it gives the right one in 15.
 constexpr double kFiner_ratio = 0.5;
 // Of the holder's half width: a tool half as wide as this that runs so near to its middle is one of its walls (wide
 // 700138, 708381, 711183).
@@ -69,6 +69,11 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
                           [&](const SceneTool& seen) { return is_same(tool, seen); });
     });
   return holders;
+}
+
+// No needle goes on through the whole cell.
+bool is_before(const NeedleEstimate& needle, const Eigen::Vector2d& center, double most_px) {
+  return (needle.tip - center).dot(needle.direction) < most_px;
 }
 
 // A needle that runs as the holder does, its tip within so many of its half widths.
@@ -130,7 +135,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
     holder_ = find_holder(frame.image, facing, circle, frame.noise, kNarrowestFacing_ratio);
   }
   begin_command(frame);
-  read_tip_width(frame, true);
+  read_tip_width(frame, false);
 }
 
 // Of two tools that face each other at the cell the one with the finer tip is its needle, whatever the scene takes a
@@ -145,17 +150,14 @@ void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& ci
     if (!other.start(frame.image, tool, frame.noise) ||
         !other.find_tip(frame.networks->tips(), frame.image, circle.center))
       continue;
-    const auto is_wall_of = [&](const SceneTool& holder) {
-      return other.estimate().direction.dot(holder.direction) > kAlongHolder && is_one_wall(other.estimate(), holder);
-    };
-    if (std::any_of(frame.scene->holders.begin(), frame.scene->holders.end(), is_wall_of)) continue;
     if (holder_ && is_along(*holder_, other.estimate(), circle.center, kBesideHolder) &&
         other.estimate().tip_half_width < kWallOfHolder_ratio * holder_->half_width)
       continue;
     other.read_width(frame.networks->tip_widths(), frame.image);
     const NeedleEstimate& n = other.estimate();
-    const bool is_at_cell = (n.tip - circle.center).dot(n.direction) < kThrough_ratio * circle.radius;
-    if (!is_at_cell || n.tip_radius > kFiner_ratio * needle_.estimate().tip_radius) continue;
+    if (!is_before(n, circle.center, kThrough_ratio * circle.radius) ||
+        n.tip_radius > kFiner_ratio * needle_.estimate().tip_radius)
+      continue;
     needle_ = std::move(other);
     return;
   }
@@ -172,7 +174,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
   const auto is_plausible = [&] {
     const bool faces = holder_ && needle_.estimate().direction.dot(holder_direction()) > kAlongHolder;
     return needle_.estimate().tip_half_width < (faces ? kFacingTip_ratio : kBroadTip_ratio) * circle.radius &&
-           is_before(circle.center, kThrough_ratio * circle.radius) && comes_as_before();
+           is_before(needle_.estimate(), circle.center, kThrough_ratio * circle.radius) && comes_as_before();
   };
   const auto is_needle = [&](const FoundTool& tool, const ExpectedTip* expected, double scene_half_width_px) {
     if (tool.half_width() >= kBroadTool_ratio * circle.radius) return false;
@@ -206,12 +208,6 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
 bool CellFollower::comes_as_before() const {
   return !needle_way_ || unseen_frames_ > kRemembered_frames ||
          needle_.estimate().direction.dot(*needle_way_) > kSameWay;
-}
-
-// No needle goes on through the whole cell.
-bool CellFollower::is_before(const Eigen::Vector2d& center, double most_px) const {
-  const NeedleEstimate& n = needle_.estimate();
-  return (n.tip - center).dot(n.direction) < most_px;
 }
 
 contour::Circle CellFollower::resting_circle() const {
@@ -274,7 +270,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle || (is_free && is_leap);
     const bool is_asked = frame.networks && (is_read_ || is_doubtful_ || is_poor);
     if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
-    if (!is_before(center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
+    if (!is_before(needle_.estimate(), center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
     // Lines are the more precise, unless the tip lies elsewhere.
     const bool is_elsewhere =

@@ -22,6 +22,11 @@ constexpr std::array kReducingWeights{0.26F, 0.48F, 0.26F};
 constexpr int kPeakReach = 8;
 constexpr double kLabelSpread = 1.0, kLeastSpread = 0.15;
 
+// What of a variance the labels' own spread doesn't explain, as a standard deviation.
+double beyond_label(double variance) {
+  return std::sqrt(std::max(variance - kLabelSpread * kLabelSpread, kLeastSpread * kLeastSpread));
+}
+
 }  // namespace
 
 cv::dnn::Net read_network(std::string_view name) {
@@ -92,8 +97,19 @@ PeakPlace peak_of(const float* logits, int count) {
     first += weight * k;
     second += weight * k * k;
   }
-  const double mean = first / sum, variance = second / sum - mean * mean;
-  return {mean, std::sqrt(std::max(variance - kLabelSpread * kLabelSpread, kLeastSpread * kLeastSpread))};
+  const double mean = first / sum;
+  return {mean, beyond_label(second / sum - mean * mean)};
+}
+
+double spread_about(const float* logits, int count, double mean) {
+  const float top = *std::max_element(logits, logits + count);
+  double sum = 0.0, squares = 0.0;
+  for (int k = 0; k < count; ++k) {
+    const double weight = std::exp(double{logits[k]} - double{top});
+    sum += weight;
+    squares += weight * (k - mean) * (k - mean);
+  }
+  return beyond_label(squares / sum);
 }
 
 }  // namespace pellucida

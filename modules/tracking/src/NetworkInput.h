@@ -33,5 +33,8 @@ struct PeakPlace {
   double mean = 0.0, spread = 0.0;
 };
 PeakPlace peak_of(const float* logits, int count);
+/// Standard deviation of the whole answer about `mean`, in places, the labels' own taken off: what of it lies away from
+/// the peak counts.
+double spread_about(const float* logits, int count, double mean);
 
 }  // namespace pellucida
