@@ -127,6 +127,7 @@ class CellFollower {
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   void take_finer(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
+  bool is_wall_of_holder(const NeedleEstimate& lines, const SceneReading& scene, const Eigen::Vector2d& center) const;
   bool comes_as_before() const;
   bool is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const;
   void read_tip_width(const FrameInput& frame, bool is_clear);

@@ -138,6 +138,17 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   read_tip_width(frame, false);
 }
 
+// Lines may have one wall alone for the holder, and the scene none: either may know better.
+bool CellFollower::is_wall_of_holder(const NeedleEstimate& lines, const SceneReading& scene,
+                                     const Eigen::Vector2d& center) const {
+  if (holder_ && is_along(*holder_, lines, center, kBesideHolder) &&
+      lines.tip_half_width < kWallOfHolder_ratio * holder_->half_width)
+    return true;
+  return std::any_of(scene.holders.begin(), scene.holders.end(), [&](const SceneTool& holder) {
+    return lines.direction.dot(holder.direction) > kAlongHolder && is_one_wall(lines, holder);
+  });
+}
+
 // Of two tools that face each other at the cell the one with the finer tip is its needle, whatever the scene takes a
 // narrow holding pipette for.
 void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& circle,
@@ -150,9 +161,7 @@ void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& ci
     if (!other.start(frame.image, tool, frame.noise) ||
         !other.find_tip(frame.networks->tips(), frame.image, circle.center))
       continue;
-    if (holder_ && is_along(*holder_, other.estimate(), circle.center, kBesideHolder) &&
-        other.estimate().tip_half_width < kWallOfHolder_ratio * holder_->half_width)
-      continue;
+    if (is_wall_of_holder(other.estimate(), *frame.scene, circle.center)) continue;
     other.read_width(frame.networks->tip_widths(), frame.image);
     const NeedleEstimate& n = other.estimate();
     if (!is_before(n, circle.center, kThrough_ratio * circle.radius) ||
