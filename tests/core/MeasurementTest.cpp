@@ -20,7 +20,7 @@ TEST(Measurement, HeaderIsTheContract) {
             "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
             "puncture_probability,contact_force_picture_lower_uN,contact_force_picture_upper_uN,"
             "contact_force_scale_lower_uN,contact_force_scale_upper_uN,expected_puncture_uN,expected_puncture_um,"
-            "manipulator_x_um,manipulator_y_um");
+            "manipulator_x_um,manipulator_y_um,strain_stiffening,strain_stiffening_lower,strain_stiffening_upper");
   EXPECT_TRUE(measurement_header().starts_with(measurement_header_start()));
   EXPECT_TRUE(measurement_header_start().ends_with("volume_um3,frame_age_ms"));
 }

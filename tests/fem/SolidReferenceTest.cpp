@@ -65,6 +65,8 @@ TEST(SolidTerms, DerivativesAreThoseOfTheEnergy) {
   const AxisymmetricMesh mesh = small_mesh();
   SolidTerm solid(mesh, 0.006, 0.6);
   expect_derivatives(solid, shaken(mesh));
+  SolidTerm stiffening(mesh, 0.006, 0.6, 0.4);
+  expect_derivatives(stiffening, shaken(mesh));
   RevolvedLiquidTerm liquid(mesh.points_um, mesh.inner, 2.0);
   expect_derivatives(liquid, shaken(mesh));
 }
@@ -80,6 +82,10 @@ TEST(SolidTerms, VolumesAreThoseOfSpheres) {
   const double density = 0.5 * 0.006 * (3.0 * 1.21 - 3.0 - 6.0 * std::log(1.1)) + 0.3 * std::pow(1.331 - 1.0, 2);
   EXPECT_NEAR(solid.add(1.1 * mesh.points_um, nullptr, nullptr), density * wall, 7e-7 * density * wall);
   EXPECT_NEAR(solid.largest_volume_change(1.1 * mesh.points_um), 0.331, 1e-6);
+  // With b: (exp(b (3 l^2 - 3)) - 1) / b in place of 3 l^2 - 3.
+  const SolidTerm stiffening(mesh, 0.006, 0.6, 0.4);
+  const double more = 0.5 * 0.006 * (std::expm1(0.4 * 0.63) / 0.4 - 0.63);
+  EXPECT_NEAR(stiffening.add(1.1 * mesh.points_um, nullptr, nullptr), (density + more) * wall, 7e-7 * density * wall);
 }
 
 /// Solved once for all cases of one program.
@@ -136,6 +142,20 @@ TEST_F(Solid, MeetsTheSolidsOfAnotherProgram) {
   }
 }
 
+// GetFEM's axisymmetric solid, as tests/specimens/solid_specimens.py makes it, of the oocyte's sizes with b = 0.3 and
+// with b = 0: ratio of the needle's forces.
+TEST_F(Solid, StiffensAsAnotherProgramsDoes) {
+  const SolidCurve stiff = SolidReference({}, {}, {.stiffening = 0.3}).run(44.0, 4.0);
+  ASSERT_EQ(stiff.outcome, CurveOutcome::kComplete);
+  const struct {
+    double depth_um, ratio;
+  } other[] = {{4.0, 1.0014}, {12.0, 1.0144}, {20.0, 1.0270}, {28.0, 1.0336}, {36.0, 1.0407}, {44.0, 1.0505}};
+  for (const auto& [depth_um, ratio] : other) {
+    const double own = stiff.steps.at(static_cast<std::size_t>(depth_um / 4.0)).force_uN / force_at(depth_um);
+    EXPECT_NEAR(own, ratio, 0.009) << depth_um;
+  }
+}
+
 TEST_F(Solid, ThinShellTheoryIsStifferAtATenthOfTheRadius) {
   const ShellCurve shell = ShellReference({}, {}).run(44.0, 2.0);
   const double at_10 = shell.steps[5].axial_force_uN / force_at(10.0),
@@ -160,6 +180,8 @@ TEST(SolidReference, OutOfRangeIsRefused) {
   EXPECT_THROW(SolidReference({}, contact_for_configuration(4)), UsageError);
   EXPECT_THROW(SolidReference({}, {}, {.across = 0}), UsageError);
   EXPECT_THROW(SolidReference({}, {}, {.edge_length_ratio = 0.0}), UsageError);
+  EXPECT_THROW(SolidReference({}, {}, {.stiffening = -0.1}), UsageError);
+  EXPECT_THROW(SolidReference({}, {}, {.stiffening = 2.5}), UsageError);
 }
 
 }  // namespace

@@ -15,16 +15,27 @@ namespace {
 
 using testing::view_of;
 
-constexpr double kOpenTip = 0.7, kOpenHolder = 0.4, kOpenThickness = 0.5, kSeen = 0.1;
+constexpr double kOpenTip = 0.7, kOpenHolder = 0.4, kOpenThickness = 0.5, kSeen = 0.1, kOpenStiffening = 0.4;
 
-LogSizes sizes_of(const CellReference& cell) {
+/// Specimens of walls that stiffen by b = 0.37, 0.50 and 0.35; the second and third out of round, all sucked.
+constexpr struct {
+  const char* name;
+  double stiffening;
+} kStiffeningCells[] = {{"specimen-1003", 0.37}, {"specimen-1020", 0.50}, {"specimen-1067", 0.35}};
+
+CellReference stiffening_cell(const char* name) {
+  return CellReference::load(PELLUCIDA_SOURCE_DIR "/tests/data/stiffening/" + std::string(name), 1);
+}
+
+/// Its sizes, and a wall that doesn't stiffen.
+SolidParameters parameters_of(const CellReference& cell) {
   const ReferenceGeometry& g = cell.geometry();
   const double radius_um = cell.outer_radius_um();
   return {std::log(g.thickness_um / radius_um), std::log(g.tip_radius_um / radius_um),
-          std::log((g.holder_ring_um + g.holder_half_width_um) / radius_um)};
+          std::log((g.holder_ring_um + g.holder_half_width_um) / radius_um), 0.0, 0.0};
 }
 
-std::optional<ContourSizes::Sizes> estimate(const CellReference& cell, const SizesPrior& prior) {
+std::optional<ContourSizes::Parameters> estimate(const CellReference& cell, const ParametersPrior& prior) {
   ContourSizes contours;
   CellPlacement placement;
   for (int frame = 0; frame < 3; ++frame) {
@@ -44,11 +55,11 @@ class ContourSizesOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ContourSizesOf, FindsASizeThatIsNotSeen) {
   const CellReference cell = CellReference::load(GetParam(), 1);
-  const LogSizes truth = sizes_of(cell);
+  const SolidParameters truth = parameters_of(cell);
   const double open[] = {kOpenThickness, kOpenTip, kOpenHolder};
   for (int size = 0; size < 3; ++size) {
     for (const double sign : {-1.0, 1.0}) {
-      SizesPrior prior{truth, LogSizes::Constant(kSeen)};
+      ParametersPrior prior{truth, SolidParameters::Constant(kSeen)};
       prior.sigma[size] = open[size];
       prior.mean[size] += sign * open[size];
       const auto found = estimate(cell, prior);
@@ -70,6 +81,32 @@ INSTANTIATE_TEST_SUITE_P(Specimens, ContourSizesOf,
                            return name;
                          });
 
+TEST(ContourSizes, FindsHowAWallStiffens) {
+  for (const auto& [name, stiffening] : kStiffeningCells) {
+    const CellReference cell = stiffening_cell(name);
+    ParametersPrior prior{parameters_of(cell), SolidParameters::Constant(kSeen)};
+    prior.sigma[kStiffening] = kOpenStiffening;
+    const auto found = estimate(cell, prior);
+    ASSERT_TRUE(found) << name;
+    const double sigma = std::sqrt(found->covariance(kStiffening, kStiffening));
+    EXPECT_NEAR(found->mean[kStiffening], stiffening_effect(stiffening), 2.5 * sigma) << name;
+    EXPECT_LT(sigma, 0.75 * kOpenStiffening) << name;
+    EXPECT_GT(found->mean[kStiffening], sigma) << name;
+  }
+}
+
+TEST(ContourSizes, NoStiffeningIsFoundInAWallThatDoesNotStiffen) {
+  for (const char* name : {"specimen-1", "specimen-3", "specimen-7", "specimen-9", "specimen-14", "specimen-18"}) {
+    const CellReference cell = CellReference::load(name, 1);
+    ParametersPrior prior{parameters_of(cell), SolidParameters::Constant(kSeen)};
+    prior.sigma[kStiffening] = kOpenStiffening;
+    const auto found = estimate(cell, prior);
+    ASSERT_TRUE(found) << name;
+    EXPECT_LT(found->mean[kStiffening], 2.0 * std::sqrt(found->covariance(kStiffening, kStiffening))) << name;
+    EXPECT_GE(found->mean[kStiffening], 0.0) << name;
+  }
+}
+
 TEST(ContourSizes, KnowsHowTheForceGoesWithTheSizes) {
   // One modulus and one middle radius in all of them.
   const CellReference usual = CellReference::load("specimen-9", 1);
@@ -79,7 +116,7 @@ TEST(ContourSizes, KnowsHowTheForceGoesWithTheSizes) {
     for (const double depth_um : {10.0, 20.0, 30.0, 40.0}) {
       const auto log_force_of = [&](const CellReference& one) {
         const double radius_um = one.outer_radius_um();
-        return solid.log_force(sizes_of(one), depth_um / radius_um) + 2.0 * std::log(radius_um);
+        return solid.load(parameters_of(one), depth_um / radius_um).log_force + 2.0 * std::log(radius_um);
       };
       const double truth = std::log(cell.force_uN(depth_um) / usual.force_uN(depth_um));
       EXPECT_NEAR(log_force_of(cell) - log_force_of(usual), truth, 0.12) << name << " at " << depth_um << " um";
@@ -89,8 +126,8 @@ TEST(ContourSizes, KnowsHowTheForceGoesWithTheSizes) {
 
 TEST(ContourSizes, LeavesWhatThePictureShows) {
   const CellReference cell = CellReference::load("specimen-9", 1);
-  SizesPrior prior{sizes_of(cell), LogSizes(0.1, 0.15, 0.4)};
-  prior.mean += LogSizes(0.1, -0.1, 0.4);
+  ParametersPrior prior{parameters_of(cell), {0.1, 0.15, 0.4, 0.1, 0.01}};
+  prior.mean += SolidParameters{0.1, -0.1, 0.4, 0.0, 0.0};
   const auto found = estimate(cell, prior);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->mean[0], prior.mean[0]);
@@ -119,7 +156,34 @@ TEST(ContourSizes, ContoursOfNoSolidSayNothing) {
     contours.add(o, placement, depth_um);
   }
   ASSERT_GT(contours.contour_count(), 3);
-  EXPECT_FALSE(contours.estimate({sizes_of(cell), LogSizes(0.5, 0.15, 0.08)}));
+  EXPECT_FALSE(contours.estimate({parameters_of(cell), {0.5, 0.15, 0.08, kOpenStiffening, 0.01}}));
+}
+
+// At the sizes that the picture shows and the kind's own modulus: a wall that stiffens bears up to two thirds more.
+TEST(ForceObserver, AWallThatStiffensIsSeenByItsContours) {
+  const CellProfile profile = load_profile("mouse-oocyte");
+  for (const auto& [name, stiffening] : kStiffeningCells) {
+    const CellReference cell = stiffening_cell(name);
+    const auto error_of = [&](bool with_outline) {
+      ForceObserver observer(profile);
+      ForceEstimate e;
+      long frame = 0;
+      for (double depth_um = -5.0; depth_um <= 40.0; depth_um += 0.5) {
+        Observation o = view_of(cell, std::max(0.0, depth_um), frame++);
+        o.rest_inner_radius_um = cell.inner_radius_um();
+        if (!with_outline && depth_um <= 0.0) o.outer->points_um.resize(2, 0);
+        e = observer.process(o);
+      }
+      if (with_outline) {
+        EXPECT_LE(e.by_picture.lower_uN, cell.force_uN(40.0)) << name;
+        EXPECT_GE(e.by_picture.upper_uN, cell.force_uN(40.0)) << name;
+      }
+      return std::log(e.contact_force_uN / cell.force_uN(40.0));
+    };
+    const double with = error_of(true), without = error_of(false);
+    EXPECT_LT(std::abs(with), 0.1) << name;
+    EXPECT_LT(without, -0.1) << name;
+  }
 }
 
 TEST(ForceObserver, AHoldingPipetteOutOfSizeIsCorrectedByTheContours) {

@@ -55,6 +55,27 @@ TEST(CellPassport, WorkStiffnessAndPeakOfALinearCell) {
   EXPECT_TRUE(contact.doubt_list.empty()) << contact.doubts;
 }
 
+// Contours add up over a contact: the last frame in contact that has a stiffening says most, and one after it says nothing.
+TEST(CellPassport, StrainStiffeningIsTheLastOfTheContact) {
+  SyntheticRows rows;
+  rows.approach();
+  const std::size_t touch = rows.size();
+  rows.push(0.5, 20.0, linear);
+  for (const std::size_t after : {10, 30}) {
+    Measurement& m = rows.row(touch + after);
+    m.strain_stiffening = 0.01 * static_cast<double>(after);
+    m.strain_stiffening_lower = m.strain_stiffening - 0.05;
+    m.strain_stiffening_upper = m.strain_stiffening + 0.05;
+  }
+  rows.approach(3);
+  rows.row(rows.size() - 1).strain_stiffening = 9.0;
+  const auto contact = only_contact(rows);
+  EXPECT_DOUBLE_EQ(contact.strain_stiffening, 0.3);
+  EXPECT_DOUBLE_EQ(contact.strain_stiffening_lower, 0.25);
+  EXPECT_DOUBLE_EQ(contact.strain_stiffening_upper, 0.35);
+  EXPECT_TRUE(std::isnan(only_contact(push_and_pull(20.0, linear, linear)).strain_stiffening));
+}
+
 // A name given before the cell was found is its own; the last one counts; the note that begins another cell ends it.
 TEST(CellPassport, ACellHasTheNameThatWasGivenLast) {
   SyntheticRows rows;

@@ -146,7 +146,7 @@ TEST(SessionWriter, TablesHaveTheHeadersOfTheContract) {
             "frame_age_ms,lateral_force_uN,stiffness_uN_per_um,shape_residual_um,asymmetry_um,model_spread_percent,"
             "puncture_probability,contact_force_picture_lower_uN,contact_force_picture_upper_uN,"
             "contact_force_scale_lower_uN,contact_force_scale_upper_uN,expected_puncture_uN,expected_puncture_um,"
-            "manipulator_x_um,manipulator_y_um");
+            "manipulator_x_um,manipulator_y_um,strain_stiffening,strain_stiffening_lower,strain_stiffening_upper");
   EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,,,,,,,,,");
   const auto events = rows_of(folder / "s/events.csv");
   ASSERT_EQ(events.size(), 2U);

@@ -12,7 +12,8 @@ have a middle radius of 50 um (lengths scale) and the modulus with which specime
 
 Specimens from 1001 on are unlike the program's model in more than their sizes: out of round (a spheroid about the needle's axis,
 semi-axes in the ratio 1/1.15 to 1.15), sucked into the holding pipette's mouth before the needle comes, and of a wall that
-stiffens with strain, mu/(2 b) (exp(b (I1 - 3)) - 1), each in a part of them.
+stiffens with strain, mu/(2 b) (exp(b (I1 - 3)) - 1), each in a part of them. `--gent`: walls stiffen by Gent's law instead,
+-mu/(2 b) ln(1 - b (I1 - 3)), which is the same at small strain and has a largest one.
 """
 import argparse
 import csv
@@ -46,6 +47,7 @@ class Draw(typing.NamedTuple):
     aspect: float = 1.0  # semi-axis along the needle over that across, of the middle surface
     suction: float = 0.0  # in the holder's mouth, over the modulus
     stiffening: float = 0.0  # b
+    has_limit: bool = False  # Gent's law
 
 
 def draw(index):
@@ -182,7 +184,7 @@ class Solid:
         strain = f'(sqr(1+Grad_u(1,1))+sqr(Grad_u(1,2))+sqr(Grad_u(2,1))+sqr(1+Grad_u(2,2))+sqr{stretch}-3)'
         if draw.stiffening > 0:
             md.add_initialized_data('b', [draw.stiffening])
-            wall = f'mu/2*(exp(b*{strain})-1)/b'
+            wall = f'-mu/2*log(1-b*{strain})/b' if draw.has_limit else f'mu/2*(exp(b*{strain})-1)/b'
         else:
             wall = f'mu/2*{strain}'
         energy = (f'2*pi*X(1)*({wall}'
@@ -282,7 +284,8 @@ class Solid:
         jacobian = f[0, 0] * f[1, 1] - f[0, 1] * f[1, 0]
         mu = 1e-3 * MODULUS_KPA / 3
         q = -values('p') + LOCAL_VOLUME * mu * (jacobian * stretch - 1)
-        mu = mu * np.exp(self.draw.stiffening * ((f**2).sum(axis=(0, 1)) + stretch**2 - 3))
+        strain = self.draw.stiffening * ((f**2).sum(axis=(0, 1)) + stretch**2 - 3)
+        mu = mu / (1 - strain) if self.draw.has_limit else mu * np.exp(strain)
         cofactor = np.array([[f[1, 1], -f[1, 0]], [-f[0, 1], f[0, 0]]])
         piola = mu * f + q * stretch * cofactor
         hoop = mu * stretch + q * jacobian
@@ -403,18 +406,22 @@ def main():
     parser.add_argument('--deepest-um', type=float, default=48.0, help='on a middle radius of 50 um')
     parser.add_argument('--step-um', type=float, default=2.0)
     parser.add_argument('--layers', type=int, default=4, help='elements across the wall; 3 takes half the time: 0.5 % of force')
+    parser.add_argument('--gent', action='store_true', help="walls stiffen by Gent's law; those that don't are left out")
     parser.add_argument('--output', type=pathlib.Path, default=pathlib.Path('.'))
     options = parser.parse_args()
     gf.util('trace level', 0)
     gf.util('warning level', 0)
     options.output.mkdir(parents=True, exist_ok=True)
     for index in range(options.first, options.first + options.count):
+        drawn = draw(index)._replace(has_limit=options.gent)
+        if options.gent and not drawn.stiffening > 0:
+            continue
         try:
-            solid, rows, shapes, membrane = compute(draw(index), options.deepest_um, options.step_um, options.layers)
+            solid, rows, shapes, membrane = compute(drawn, options.deepest_um, options.step_um, options.layers)
         except RuntimeError as error:
             print(f'specimen {index}: {error}', flush=True)
             continue
-        write(options.output, index, draw(index), solid, rows, shapes, membrane)
+        write(options.output, index, drawn, solid, rows, shapes, membrane)
         print(f'specimen {index}: thickness {solid.thickness:.2f}, tip {solid.tip:.2f}, holder {solid.holder:.2f} um, '
               f'aspect {solid.draw.aspect:.3f}, suction {solid.draw.suction:.4f}, stiffening {solid.draw.stiffening:.2f}; '
               f'{rows[-1][1]:.3f} uN at {rows[-1][0]:.2f} um', flush=True)

@@ -14,7 +14,8 @@ std::array<double, 3> quadratic_slope(double xi) {
 }
 
 AxisymmetricMesh make_axisymmetric_mesh(double mid_radius_um, double thickness_um,
-                                        const std::function<double(double)>& edge_length_um, int across) {
+                                        const std::function<double(double)>& edge_length_um, int across,
+                                        double aspect_ratio) {
   // Corners along the meridian: as many as 1 / length, integrated, says.
   constexpr int kSteps = 20000;
   std::vector<double> cumulative(kSteps + 1, 0.0);
@@ -40,12 +41,16 @@ AxisymmetricMesh make_axisymmetric_mesh(double mid_radius_um, double thickness_u
   const int rows = 2 * across + 1, columns = 2 * along + 1;
   mesh.points_um.resize(3, rows * columns);
   const auto node = [rows](int column, int row) { return column * rows + row; };
+  const double along_um = mid_radius_um * std::sqrt(aspect_ratio), across_um = mid_radius_um / std::sqrt(aspect_ratio);
   for (int i = 0; i < columns; ++i) {
     const double angle = angles[static_cast<std::size_t>(i)];
     const bool pole = i == 0 || i == columns - 1;
+    const Eigen::Vector2d on_middle(across_um * std::sin(angle), along_um * std::cos(angle));
+    const Eigen::Vector2d normal =
+        Eigen::Vector2d(std::sin(angle) / across_um, std::cos(angle) / along_um).normalized();
     for (int j = 0; j < rows; ++j) {
-      const double radius = mid_radius_um + thickness_um * (static_cast<double>(j) / (rows - 1) - 0.5);
-      mesh.points_um.col(node(i, j)) << (pole ? 0.0 : radius * std::sin(angle)), 0.0, radius * std::cos(angle);
+      const Eigen::Vector2d p = on_middle + thickness_um * (static_cast<double>(j) / (rows - 1) - 0.5) * normal;
+      mesh.points_um.col(node(i, j)) << (pole ? 0.0 : p.x()), 0.0, p.y();
       if (pole) mesh.axis.push_back(node(i, j));
     }
     mesh.inner.push_back(node(i, 0));

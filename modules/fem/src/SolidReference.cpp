@@ -15,6 +15,7 @@ namespace {
 
 /// Lame's lambda in terms of mu that counts as incompressible: volumes change by a thousandth of a strain.
 constexpr double kIncompressible = 2000.0;
+constexpr double kMostStiffening = 2.0, kLeastAspect_ratio = 0.7, kMostAspect_ratio = 1.4;
 /// Elements are so much shorter than the shell's triangles.
 constexpr double kEdgeRatio = 0.7;
 /// Of the springs that keep the axis, in terms of E h.
@@ -84,8 +85,8 @@ class SolidReference::Impl {
               return kEdgeRatio * options.edge_length_ratio *
                      edge_length_um(specimen, contact, angle, std::numbers::pi - angle);
             },
-            options.across)),
-        solid_(mesh_, shear_modulus(specimen), lame_lambda(specimen)),
+            options.across, options.aspect_ratio)),
+        solid_(mesh_, shear_modulus(specimen), lame_lambda(specimen), options.stiffening),
         liquid_(mesh_.points_um, mesh_.inner, young_modulus_uN_per_um2(specimen) * specimen.bulk_modulus_ratio),
         axis_(static_cast<int>(mesh_.points_um.cols()), mesh_.axis,
               kAxisStiffness * young_modulus_uN_per_um2(specimen) * specimen.thickness_um),
@@ -155,6 +156,12 @@ SolidReference::SolidReference(const ShellSpecimen& specimen, const ShellContact
   check_options(options.edge_length_ratio, options.max_iterations);
   if (options.across < 1 || options.across > 10) {
     throw UsageError("finite elements: give 1 to 10 elements through the thickness");
+  }
+  if (!(options.stiffening >= 0.0 && options.stiffening <= kMostStiffening)) {
+    throw UsageError("finite elements: give a stiffening of 0 to 2");
+  }
+  if (!(options.aspect_ratio >= kLeastAspect_ratio && options.aspect_ratio <= kMostAspect_ratio)) {
+    throw UsageError("finite elements: give a length over width of 0.7 to 1.4");
   }
   if (contact.holder_angle_rad != 0.0 || contact.lateral_offset_um != 0.0) {
     throw UsageError("finite elements: the solid of revolution has its needle in line with the holder; use the shell");

@@ -36,8 +36,9 @@ Matrix5 second_cofactors(const Vector5& f) {
 
 }  // namespace
 
-SolidTerm::SolidTerm(const AxisymmetricMesh& mesh, double shear_modulus_uN_per_um2, double lame_uN_per_um2)
-    : mu_(shear_modulus_uN_per_um2), lambda_(lame_uN_per_um2) {
+SolidTerm::SolidTerm(const AxisymmetricMesh& mesh, double shear_modulus_uN_per_um2, double lame_uN_per_um2,
+                     double stiffening)
+    : mu_(shear_modulus_uN_per_um2), lambda_(lame_uN_per_um2), stiffening_(stiffening) {
   for (const auto& nodes : mesh.elements) {
     Element element;
     element.nodes = nodes;
@@ -116,7 +117,9 @@ double SolidTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_u
       const double j = determinant(strain[q]);
       if (!(j > 0.0)) return std::numeric_limits<double>::infinity();
       modes += (point.volume * (j - 1.0)) * point.modes;
-      energy += point.volume * 0.5 * mu_ * (strain[q].squaredNorm() - 3.0 - 2.0 * std::log(j));
+      const double stretch = strain[q].squaredNorm() - 3.0;
+      const double stored = stiffening_ > 0.0 ? std::expm1(stiffening_ * stretch) / stiffening_ : stretch;
+      energy += point.volume * 0.5 * mu_ * (stored - 2.0 * std::log(j));
     }
     const Eigen::Vector3d projected = element.inverse_mass * modes;
     energy += 0.5 * lambda_ * modes.dot(projected);
@@ -130,10 +133,12 @@ double SolidTerm::add(const Eigen::Matrix3Xd& x_um, Eigen::Matrix3Xd* gradient_u
       const double j = determinant(strain[q]);
       const Vector5 cofactor = cofactors(strain[q]);
       const double along_j = lambda_ * projected.dot(point.modes) - mu_ / j;
-      slope += point.volume * (point.b.transpose() * (mu_ * strain[q] + along_j * cofactor));
+      const double mu = mu_ * std::exp(stiffening_ * (strain[q].squaredNorm() - 3.0));
+      slope += point.volume * (point.b.transpose() * (mu * strain[q] + along_j * cofactor));
       if (!hessian) continue;
       Matrix5 tangent = along_j * second_cofactors(strain[q]) + (mu_ / (j * j) * cofactor) * cofactor.transpose();
-      tangent.diagonal().array() += mu_;
+      tangent.diagonal().array() += mu;
+      tangent += (2.0 * stiffening_ * mu * strain[q]) * strain[q].transpose();
       stiffness += point.b.transpose() * (point.volume * tangent * point.b);
       modes_slope += (point.volume * point.modes) * (cofactor.transpose() * point.b);
     }

@@ -10,14 +10,16 @@ namespace pellucida {
 
 /// A rubber-like solid of revolution at finite strain, nodes at (r, 0, z):
 ///
-///   U = int mu/2 (F:F - 3 - 2 ln J) + lambda/2 pi(J - 1)^2 dV,
+///   U = int mu/2 (g(F:F - 3) - 2 ln J) + lambda/2 pi(J - 1)^2 dV,   g(x) = (exp(b x) - 1) / b,
 ///
-/// F the deformation gradient with the hoop stretch r/R, J = det F, pi the projection onto what is linear in each
-/// element: nine-node elements with a linear discontinuous pressure, which do not lock (Brezzi and Fortin, Mixed and
-/// Hybrid Finite Element Methods, 1991, VI.3), the pressure taken out element by element.
+/// F the deformation gradient with the hoop stretch r/R, J = det F, b how the material stiffens with strain (0: g = x,
+/// neo-Hookean; Demiray, J. Biomech. 5, 1972), pi the projection onto what is linear in each element: nine-node
+/// elements with a linear discontinuous pressure, which do not lock (Brezzi and Fortin, Mixed and Hybrid Finite Element
+/// Methods, 1991, VI.3), the pressure taken out element by element.
 class SolidTerm final : public EnergyTerm {
  public:
-  SolidTerm(const AxisymmetricMesh& mesh, double shear_modulus_uN_per_um2, double lame_uN_per_um2);
+  SolidTerm(const AxisymmetricMesh& mesh, double shear_modulus_uN_per_um2, double lame_uN_per_um2,
+            double stiffening = 0.0);
 
   void append_coupled_nodes(std::vector<std::pair<int, int>>& pairs) const override;
   void bind(const BlockMatrix& matrix) override;
@@ -38,7 +40,7 @@ class SolidTerm final : public EnergyTerm {
     std::array<Point, 9> points;
     Eigen::Matrix3d inverse_mass;  // of the modes
   };
-  double mu_, lambda_;
+  double mu_, lambda_, stiffening_;
   std::vector<Element> elements_;
   std::vector<std::array<BlockSlot, 45>> slots_;
 };

@@ -3,12 +3,15 @@
 #include <cmath>
 
 #include "ProfileSpecimen.h"
+#include "pellucida/membrane/IndentedSolid.h"
 
 namespace pellucida {
 namespace {
 
 /// Longer elements than the default: at finer ones the surface beside a fine tip creases and no equilibrium is found.
 constexpr double kEdgeLength_ratio = 1.6;
+
+constexpr double kSurveyStiffening[] = {0.03, 0.6}, kSurveyAspect_ratio[] = {1.0 / 1.2, 1.2};
 
 /// Member `index` of Halton's sequence in a base, 0 to 1.
 double halton(int index, int base) {
@@ -32,7 +35,14 @@ MembraneGeometry surveyed_geometry(int index, double mid_radius_um) {
           mid_radius_um * evenly_in_log(halton(index, 5), kSurveyHolder_ratio)};
 }
 
-SolidReference surveyed_solid(const CellProfile& profile, const MembraneGeometry& geometry) {
+SurveyedWall surveyed_wall(int index) {
+  const double place = halton(index, 7);
+  const double effect =
+      (1.0 - place) * stiffening_effect(kSurveyStiffening[0]) + place * stiffening_effect(kSurveyStiffening[1]);
+  return {stiffening_of(effect), evenly_in_log(halton(index, 11), kSurveyAspect_ratio)};
+}
+
+SolidReference surveyed_solid(const CellProfile& profile, const MembraneGeometry& geometry, const SurveyedWall& wall) {
   ShellSpecimen specimen = specimen_of(profile);
   specimen.mid_radius_um = geometry.mid_radius_um;
   specimen.thickness_um = geometry.thickness_um;
@@ -43,7 +53,9 @@ SolidReference surveyed_solid(const CellProfile& profile, const MembraneGeometry
   contact.holder_ring_um = cell.holder_ring_um;
   contact.holder_half_width_um = cell.holder_half_width_um;
   contact.holder_bond_per_um = cell.holder_bond_per_um;
-  return {specimen, contact, {.edge_length_ratio = kEdgeLength_ratio}};
+  return {specimen,
+          contact,
+          {.edge_length_ratio = kEdgeLength_ratio, .stiffening = wall.stiffening, .aspect_ratio = wall.aspect_ratio}};
 }
 
 }  // namespace pellucida

@@ -15,7 +15,16 @@ inline constexpr double kSurveyStep_ratio = 0.04, kSurveyDeepest_ratio = 1.0;
 /// Member `index` (1 on) of a sequence even in the logarithms of those sizes (Halton's: the same each time).
 MembraneGeometry surveyed_geometry(int index, double mid_radius_um);
 
+/// What else a wall may be, see `SolidOptions`.
+struct SurveyedWall {
+  double stiffening = 0.0, aspect_ratio = 1.0;
+};
+/// Of the same member: a stiffening of 0.03 to 0.6, even in `stiffening_effect`, and a length over width of 1/1.2 to
+/// 1.2.
+SurveyedWall surveyed_wall(int index);
+
 /// The solid of the profile's material in that geometry, under the profile's bonds.
-SolidReference surveyed_solid(const CellProfile& profile, const MembraneGeometry& geometry);
+SolidReference surveyed_solid(const CellProfile& profile, const MembraneGeometry& geometry,
+                              const SurveyedWall& wall = {});
 
 }  // namespace pellucida

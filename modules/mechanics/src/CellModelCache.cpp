@@ -135,7 +135,7 @@ std::optional<CellModelCache::PushModel> CellModelCache::model_of(const Palpatio
 
 std::optional<CellScale> CellModelCache::scale_after(std::span<const ScaleMeasurement> measurements) {
   struct Push {
-    double ratio, variance;
+    double ratio, variance, depth_um;
   };
   std::vector<Push> pushes, moduli;
   double model_sigma = 0.0;
@@ -143,7 +143,7 @@ std::optional<CellScale> CellModelCache::scale_after(std::span<const ScaleMeasur
     if (way_of(measurement) == ScaleWay::kAspiration) {
       const double ratio =
           measurement.modulus_kPa / (measurement.modulus_of_profile_ratio * profile_.effective_young_modulus_kPa);
-      moduli.push_back({ratio, std::pow(0.01 * measurement.modulus_sigma_percent, 2)});
+      moduli.push_back({ratio, std::pow(0.01 * measurement.modulus_sigma_percent, 2), 0.0});
       continue;
     }
     const Palpation push = push_of(measurement);
@@ -151,13 +151,19 @@ std::optional<CellScale> CellModelCache::scale_after(std::span<const ScaleMeasur
     if (!model) return std::nullopt;
     const double by_depth = model->slope_per_um * push.indentation_sigma_um / model->value;
     pushes.push_back({std::max(push.known_force_uN, push.known_stiffness_uN_per_um) / model->value,
-                      push.relative_sigma * push.relative_sigma + by_depth * by_depth});
+                      push.relative_sigma * push.relative_sigma + by_depth * by_depth, push.indentation_um});
     model_sigma = std::max(model_sigma, model->sigma_ratio);
   }
   ScaleEstimate estimate(scale_before(profile_), geometry_.force_sigma_ratio(), model_sigma);
   for (const Push& push : pushes) estimate.add_push(push.ratio, push.variance);
   for (const Push& modulus : moduli) estimate.add_modulus(modulus.ratio, modulus.variance);
-  return estimate.result();
+  CellScale scale = estimate.result();
+  double weights = 0.0;
+  for (const Push& push : pushes) {
+    weights += 1.0 / push.variance;
+    scale.push_depth_um += (push.depth_um - scale.push_depth_um) / push.variance / weights;
+  }
+  return scale;
 }
 
 std::vector<PunctureRisk> CellModelCache::puncture_risk(double step_um, const CellScale& scale) {

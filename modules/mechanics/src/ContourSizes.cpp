@@ -23,21 +23,22 @@ constexpr double kDepthStep_ratio = 0.08, kDepthWindow_ratio = 0.02;
 constexpr int kFewestRest = 3, kMostRest = 30;
 /// How far a cell differs from the solid, of the outer radius: at no depth, and more by the depth; correlated over such
 /// an angle, and over such a depth. Set on GetFEM specimens out of round, sucked and stiffening (docs/method.md, 4.4),
-/// twice what they leave, since their walls move the estimate more than independent differences would.
-constexpr double kModel_ratio = 0.004, kModelByDepth_ratio = 0.04, kModel_rad = 0.5, kModelDepth_ratio = 0.5;
+/// where the stiffening is wrong by 0.7 of its standard deviation.
+constexpr double kModel_ratio = 0.004, kModelByDepth_ratio = 0.03, kModel_rad = 0.5, kModelDepth_ratio = 0.5;
 /// How far a contour is from its edge, um: in the same way at all depths, over a shorter angle; and from frame to
 /// frame.
 constexpr double kEdge_um = 0.2, kEdge_rad = 0.2, kNoise_um = 0.1;
 /// Of the cell's place along the needle, of its radius, and of a frame's depth, um.
 constexpr double kPlace_um = 0.3, kRadius_um = 0.2, kDepth_um = 0.2;
-/// Gauss-Newton: steps, the longest and the last, in logarithms; and for derivatives.
+/// Of an outline's ln of length over width.
+constexpr double kElongation_sigma = 0.01;
+/// Gauss-Newton: steps, the longest and the last, in logarithms.
 constexpr int kMostSteps = 6;
-constexpr double kLongestStep = 0.4, kLastStep = 0.01, kDifference = 0.05, kDepthDifference_ratio = 0.01;
+constexpr double kLongestStep = 0.4, kLastStep = 0.01;
 /// Fewer nodes say nothing.
 constexpr Eigen::Index kFewestNodes = 8;
-/// A size that the picture shows to within this (ln) stays as it is: its edges say more of it than the contours of a
-/// cell that is never just the solid.
-constexpr double kOpen_log = 0.2;
+/// Nor do fewer say how long the cell is, of 17.
+constexpr std::size_t kFewestForElongation = 12;
 /// Contours that differ from every solid by more than this, squared, over what is expected, show something else.
 constexpr double kLargestMisfit = 2.0;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -47,8 +48,10 @@ double kernel(double difference, double width) {
   return std::exp(-0.5 * z * z);
 }
 
-bool is_open(const SizesPrior& prior, int size) {
-  return prior.sigma[size] > kOpen_log;
+// A size that the picture shows well: its edges say more of it than the contours of a cell that is never just the
+// solid.
+bool is_open(const ParametersPrior& prior, int parameter) {
+  return prior.sigma[parameter] > ContourSizes::kOpen;
 }
 
 /// Outward normals of a half-section.
@@ -62,13 +65,33 @@ Eigen::Matrix2Xd normals_of(const Eigen::Matrix2Xd& section) {
   return normals;
 }
 
+using Information = Eigen::Matrix<double, kParameters, kParameters>;
+
+// Newton's step. No wall softens with strain: where that is what the contours would say, the others are looked for
+// with a wall that doesn't stiffen.
+SolidParameters step_within(const Information& information, const SolidParameters& gradient,
+                            const SolidParameters& at) {
+  SolidParameters step = information.ldlt().solve(gradient);
+  if (at[kStiffening] + step[kStiffening] < 0.0) {
+    Information held = information;
+    held.row(kStiffening).setZero();
+    held.col(kStiffening).setZero();
+    held(kStiffening, kStiffening) = 1.0;
+    SolidParameters left = gradient + at[kStiffening] * information.col(kStiffening);
+    left[kStiffening] = -at[kStiffening];
+    step = held.ldlt().solve(left);
+  }
+  return step.cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
+}
+
 }  // namespace
 
 /// One row for each node that a contour shows.
 struct ContourSizes::Misfit {
-  Eigen::VectorXd residual_um;  // contour less solid, along the normal
-  Eigen::MatrixX3d slope_um;    // of the solid, by the logarithms of the sizes
-  Eigen::VectorXd angle_rad, depth_ratio, normal_z, depth_slope;
+  Eigen::VectorXd residual_um;                                  // contour less solid, along the normal
+  Eigen::Matrix<double, Eigen::Dynamic, kParameters> slope_um;  // of the solid, by its parameters
+  std::vector<int> node;                                        // of those that count
+  Eigen::VectorXd depth_ratio, normal_z, depth_slope;
 };
 
 MembraneContour ContourSizes::in_cell(const Observation& o, const CellPlacement& placement) {
@@ -103,15 +126,29 @@ void ContourSizes::add_rest(const Observation& o, const CellPlacement& placement
   circle.row(1) = angle.array().cos().matrix().transpose();
   const Eigen::VectorXd seen = offsets(in_cell(o, placement), o.rest_outer_radius_um * circle, circle);
   if (!seen.array().isFinite().any()) return;
-  if (rest_count_ == 0) rest_ = Eigen::VectorXd::Zero(angle.size());
+  radius_um_ = o.rest_outer_radius_um;
+  if (rest_count_ == 0) rest_ = Eigen::VectorXd::Constant(angle.size(), kNone);
   rest_count_ = std::min(rest_count_ + 1, kMostRest);
   for (Eigen::Index k = 0; k < seen.size(); ++k)
-    if (!std::isnan(seen[k])) rest_[k] += (seen[k] - rest_[k]) / rest_count_;
+    if (!std::isnan(seen[k])) rest_[k] = std::isnan(rest_[k]) ? seen[k] : rest_[k] + (seen[k] - rest_[k]) / rest_count_;
+  if (rest_count_ >= kFewestRest) elongation_ = elongation_of_rest();
+}
+
+// By least squares over what was seen: a circle of another size, moved along the needle, and an ellipse.
+double ContourSizes::elongation_of_rest() const {
+  std::vector<Eigen::Index> seen;
+  for (Eigen::Index k = 0; k < rest_.size(); k += kNodeStep)
+    if (!std::isnan(rest_[k])) seen.push_back(k);
+  if (seen.size() < kFewestForElongation) return 0.0;
+  const auto angle = solid_.angle_rad()(seen).array();
+  Eigen::MatrixX3d harmonics(static_cast<Eigen::Index>(seen.size()), 3);
+  harmonics << Eigen::VectorXd::Ones(harmonics.rows()), angle.cos(), (2.0 * angle).cos();
+  const Eigen::Vector3d amplitude_um = harmonics.colPivHouseholderQr().solve(rest_(seen));
+  return 2.0 * amplitude_um[2] / radius_um_;
 }
 
 bool ContourSizes::add(const Observation& o, const CellPlacement& placement, double depth_um) {
   if (!o.outer || !(o.rest_outer_radius_um > 0.0) || rest_count_ < kFewestRest) return false;
-  if (contours_.empty()) radius_um_ = o.rest_outer_radius_um;
   const double depth_ratio = depth_um / radius_um_, place = std::round(depth_ratio / kDepthStep_ratio);
   const bool counts = place >= 1.0 && depth_ratio <= solid_.deepest_ratio() &&
                       std::abs(depth_ratio - place * kDepthStep_ratio) < kDepthWindow_ratio;
@@ -124,40 +161,44 @@ bool ContourSizes::add(const Observation& o, const CellPlacement& placement, dou
   return true;
 }
 
-ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
-  const double from_rad = std::asin(std::min(1.0, std::exp(sizes[1]))) + kBesideTool_rad;
-  const double to_rad = std::numbers::pi - std::asin(std::min(1.0, std::exp(sizes[2]))) - kBesideTool_rad;
+ContourSizes::Misfit ContourSizes::misfit(const SolidParameters& parameters) const {
+  const double from_rad = std::asin(std::min(1.0, std::exp(parameters[1]))) + kBesideTool_rad;
+  const double to_rad = std::numbers::pi - std::asin(std::min(1.0, std::exp(parameters[2]))) - kBesideTool_rad;
   const auto nodes = solid_.angle_rad().size();
   const auto most = static_cast<Eigen::Index>(contours_.size()) * (nodes / kNodeStep + 1);
-  Misfit all{Eigen::VectorXd(most), Eigen::MatrixX3d(most, 3), Eigen::VectorXd(most),
-             Eigen::VectorXd(most), Eigen::VectorXd(most),     Eigen::VectorXd(most)};
+  Misfit all;
+  all.slope_um.resize(most, kParameters);
+  for (Eigen::VectorXd* column : {&all.residual_um, &all.depth_ratio, &all.normal_z, &all.depth_slope})
+    column->resize(most);
+  all.node.resize(static_cast<std::size_t>(most));
+  // The outline at rest, from its ellipse.
+  const Eigen::VectorXd rest_um =
+      rest_.array() - 0.5 * radius_um_ * elongation_ * (2.0 * solid_.angle_rad().array()).cos();
   Eigen::Index row = 0;
   for (const Seen& seen : contours_) {
-    const Eigen::Matrix2Xd section = solid_.section(sizes, seen.depth_ratio), normals = normals_of(section);
-    const Eigen::VectorXd offset = offsets(seen.contour, radius_um_ * section, normals) - rest_;
-    const Eigen::Matrix2Xd deeper = solid_.section(sizes, seen.depth_ratio + kDepthDifference_ratio) - section;
-    Eigen::Matrix2Xd changed[3];
-    for (int size = 0; size < 3; ++size) {
-      changed[size] = solid_.section(sizes + kDifference * LogSizes::Unit(size), seen.depth_ratio) -
-                      solid_.section(sizes - kDifference * LogSizes::Unit(size), seen.depth_ratio);
-    }
+    const auto section = solid_.section(parameters, seen.depth_ratio);
+    const Eigen::Matrix2Xd normals = normals_of(section.places);
+    const Eigen::VectorXd offset = offsets(seen.contour, radius_um_ * section.places, normals) - rest_um;
     for (Eigen::Index k = 0; k < nodes; k += kNodeStep) {
       const double angle = solid_.angle_rad()[k];
       if (std::isnan(offset[k]) || angle < from_rad || angle > to_rad) continue;
       all.residual_um[row] = offset[k];
-      for (int size = 0; size < 3; ++size)
-        all.slope_um(row, size) = radius_um_ * normals.col(k).dot(changed[size].col(k)) / (2.0 * kDifference);
-      all.angle_rad[row] = angle;
+      for (int p = 0; p < kParameters; ++p)
+        all.slope_um(row, p) =
+            p == kElongation
+                ? 0.0
+                : radius_um_ * normals.col(k).dot(section.by_parameter[static_cast<std::size_t>(p)].col(k));
+      all.node[static_cast<std::size_t>(row)] = static_cast<int>(k / kNodeStep);
       all.depth_ratio[row] = seen.depth_ratio;
       all.normal_z[row] = normals(1, k);
-      all.depth_slope[row] = normals.col(k).dot(deeper.col(k)) / kDepthDifference_ratio;
+      all.depth_slope[row] = normals.col(k).dot(section.by_depth.col(k));
       ++row;
     }
   }
   all.residual_um.conservativeResize(row);
-  all.slope_um.conservativeResize(row, 3);
-  for (Eigen::VectorXd* column : {&all.angle_rad, &all.depth_ratio, &all.normal_z, &all.depth_slope})
-    column->conservativeResize(row);
+  all.slope_um.conservativeResize(row, kParameters);
+  for (Eigen::VectorXd* column : {&all.depth_ratio, &all.normal_z, &all.depth_slope}) column->conservativeResize(row);
+  all.node.resize(static_cast<std::size_t>(row));
   return all;
 }
 
@@ -165,14 +206,26 @@ ContourSizes::Misfit ContourSizes::misfit(const LogSizes& sizes) const {
 Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
   const Eigen::Index n = seen.residual_um.size();
   const Eigen::VectorXd model_um = radius_um_ * (kModel_ratio + kModelByDepth_ratio * seen.depth_ratio.array());
+  // Correlations by how many of the nodes that count lie between.
+  const Eigen::Index nodes = solid_.angle_rad().size() / kNodeStep + 1;
+  const double step_rad = solid_.angle_rad()[kNodeStep] - solid_.angle_rad()[0];
+  Eigen::VectorXd model(nodes), edge(nodes);
+  for (Eigen::Index k = 0; k < nodes; ++k) {
+    model[k] = kernel(static_cast<double>(k) * step_rad, kModel_rad);
+    edge[k] = kEdge_um * kEdge_um * kernel(static_cast<double>(k) * step_rad, kEdge_rad);
+  }
   Eigen::MatrixXd covariance(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
+    double last_ratio = seen.depth_ratio[j], same_model = 1.0;  // of the contour that row i is of
     for (Eigen::Index i = j; i < n; ++i) {
-      const double turn_rad = seen.angle_rad[i] - seen.angle_rad[j];
       const double deeper = seen.depth_ratio[i] - seen.depth_ratio[j];
+      if (seen.depth_ratio[i] != last_ratio) {
+        last_ratio = seen.depth_ratio[i];
+        same_model = kernel(deeper, kModelDepth_ratio);
+      }
+      const int apart = std::abs(seen.node[static_cast<std::size_t>(i)] - seen.node[static_cast<std::size_t>(j)]);
       double& sum = covariance(i, j);
-      sum = model_um[i] * model_um[j] * kernel(turn_rad, kModel_rad) * kernel(deeper, kModelDepth_ratio);
-      sum += kEdge_um * kEdge_um * kernel(turn_rad, kEdge_rad);
+      sum = model_um[i] * model_um[j] * model[apart] * same_model + edge[apart];
       sum += kPlace_um * kPlace_um * seen.normal_z[i] * seen.normal_z[j];
       sum += kRadius_um * kRadius_um;
       if (deeper == 0.0) sum += kDepth_um * kDepth_um * seen.depth_slope[i] * seen.depth_slope[j];
@@ -182,51 +235,51 @@ Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
   return covariance;
 }
 
-std::optional<ContourSizes::Sizes> ContourSizes::estimate(const SizesPrior& prior) {
-  const bool has_open = is_open(prior, 0) || is_open(prior, 1) || is_open(prior, 2);
+std::optional<ContourSizes::Parameters> ContourSizes::estimate(ParametersPrior prior) {
+  bool has_open = false;
+  for (int p = 0; p < kParameters; ++p) has_open = has_open || is_open(prior, p);
   if (contours_.empty() || !has_open) return std::nullopt;
-  const Eigen::Matrix3d weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  LogSizes sizes = solid_.within_range(start_.value_or(prior.mean));
+  prior.mean[kElongation] = elongation_;
+  prior.sigma[kElongation] = kElongation_sigma;
+  const Information weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
+  SolidParameters at = solid_.within_range(start_.value_or(prior.mean));
   for (int step = 0; step < kMostSteps; ++step) {
-    const Misfit seen = misfit(sizes);
+    const Misfit seen = misfit(at);
     const Eigen::Index n = seen.residual_um.size();
     if (n < kFewestNodes) return std::nullopt;
     const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(covariance_um2(seen));
-    const Eigen::MatrixX3d weighed = factor.solve(seen.slope_um);
+    const Eigen::Matrix<double, Eigen::Dynamic, kParameters> weighed = factor.solve(seen.slope_um);
     const Eigen::VectorXd explained = factor.solve(seen.residual_um);
-    const Eigen::Matrix3d information = weight + seen.slope_um.transpose() * weighed;
-    const LogSizes gradient = weighed.transpose() * seen.residual_um - weight * (sizes - prior.mean);
-    const LogSizes change = information.ldlt().solve(gradient).cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
-    const LogSizes next = solid_.within_range(sizes + change);
-    const double moved = (next - sizes).cwiseAbs().maxCoeff();
+    const Information information = weight + seen.slope_um.transpose() * weighed;
+    const SolidParameters gradient = weighed.transpose() * seen.residual_um - weight * (at - prior.mean);
+    const SolidParameters next = solid_.within_range(at + step_within(information, gradient, at));
+    const double moved = (next - at).cwiseAbs().maxCoeff();
     if (moved < kLastStep || step + 1 == kMostSteps) {
       if (seen.residual_um.dot(explained) > kLargestMisfit * static_cast<double>(n)) return std::nullopt;
       start_ = next;
-      Sizes result{next, information.inverse()};
-      for (int size = 0; size < 3; ++size) {
-        if (is_open(prior, size)) continue;
-        result.mean[size] = prior.mean[size];
-        result.covariance.row(size).setZero();
-        result.covariance.col(size).setZero();
-        result.covariance(size, size) = prior.sigma[size] * prior.sigma[size];
+      Parameters result{next, information.inverse()};
+      for (int p = 0; p < kParameters; ++p) {
+        if (is_open(prior, p)) continue;
+        result.mean[p] = prior.mean[p];
+        result.covariance.row(p).setZero();
+        result.covariance.col(p).setZero();
+        result.covariance(p, p) = prior.sigma[p] * prior.sigma[p];
       }
       return result;
     }
-    sizes = next;
+    at = next;
   }
   return std::nullopt;
 }
 
-ContourSizes::ForceChange ContourSizes::force_change(const LogSizes& from, const LogSizes& to,
+ContourSizes::ForceChange ContourSizes::force_change(const SolidParameters& from, const SolidParameters& to,
                                                      double depth_ratio) const {
   ForceChange change;
-  change.log_ratio = solid_.log_force(to, depth_ratio) - solid_.log_force(from, depth_ratio);
-  change.log_pressure_ratio = solid_.log_pressure(to, depth_ratio) - solid_.log_pressure(from, depth_ratio);
-  for (int size = 0; size < 3; ++size) {
-    const LogSizes step = kDifference * LogSizes::Unit(size);
-    change.slope[size] =
-        (solid_.log_force(to + step, depth_ratio) - solid_.log_force(to - step, depth_ratio)) / (2.0 * kDifference);
-  }
+  const IndentedSolid::Load before = solid_.load(from, depth_ratio), after = solid_.load(to, depth_ratio);
+  change.log_ratio = after.log_force - before.log_force;
+  change.log_pressure_ratio = after.log_pressure - before.log_pressure;
+  change.by_depth = after.by_depth - before.by_depth;
+  change.slope = after.by_parameter;
   return change;
 }
 

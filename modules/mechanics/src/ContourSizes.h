@@ -9,23 +9,26 @@
 
 namespace pellucida {
 
-/// Sizes of a cell and of the tools on it, as a picture at rest shows them, with the standard deviations of their
-/// logarithms.
-struct SizesPrior {
-  LogSizes mean = LogSizes::Zero(), sigma = LogSizes::Zero();
+/// A cell and the tools on it, as a picture at rest shows them and as its kind stiffens, with the standard deviations.
+/// The elongation is that of the outline at rest, whatever is given.
+struct ParametersPrior {
+  SolidParameters mean = SolidParameters::Zero(), sigma = SolidParameters::Zero();
 };
 
 /// What the outer contours of a contact add to that: how wide a dimple is, and where the cell bulges, depends on the
-/// wall's thickness and on both tools. The most likely sizes (maximum a posteriori) given the contours at depths 0.08
-/// outer radii apart, against the sections of a solid (`IndentedSolid`), by Gauss and Newton's method; the difference
-/// between cell and solid is normal and correlated along the contour and over the depth. Only for a needle opposite the
-/// holding pipette, which is what the solid is. One thread at a time; allocates.
+/// wall's thickness, on how it stiffens with strain, and on both tools. The most likely parameters (maximum a
+/// posteriori) given the contours at depths 0.08 outer radii apart, against the sections of a solid (`IndentedSolid`),
+/// by Gauss and Newton's method; the difference between cell and solid is normal and correlated along the contour and
+/// over the depth. Only for a needle opposite the holding pipette, which is what the solid is. One thread at a time;
+/// allocates.
 class ContourSizes {
  public:
   ContourSizes() : solid_(IndentedSolid::shipped()) {}
 
   /// What an untouched cell's outline differs from its circle by.
   void add_rest(const Observation& observation, const CellPlacement& placement);
+  /// ln of that outline's length (along the needle) over its width; 0 where too little was seen of it.
+  double elongation() const noexcept { return elongation_; }
   /// A contour in contact at that depth. True where it is the first one at a depth, so that an estimate is worth its
   /// time.
   bool add(const Observation& observation, const CellPlacement& placement, double depth_um);
@@ -38,23 +41,32 @@ class ContourSizes {
   void forget() {
     clear();
     rest_count_ = 0;
+    elongation_ = 0.0;
   }
 
-  struct Sizes {
-    LogSizes mean;
-    Eigen::Matrix3d covariance;
+  struct Parameters {
+    SolidParameters mean;
+    Eigen::Matrix<double, kParameters, kParameters> covariance;
   };
-  /// Sizes that the picture shows well stay as they are. Nothing where it shows all of them, where too little was seen
-  /// in contact, or where no sizes explain it.
-  std::optional<Sizes> estimate(const SizesPrior& prior);
+  /// Those that the prior knows well stay as they are. Nothing where it knows all of them, where too little was seen in
+  /// contact, or where no parameters explain it.
+  std::optional<Parameters> estimate(ParametersPrior prior);
+  /// A standard deviation up to this one is known well.
+  static constexpr double kOpen = 0.2;
 
-  /// How force and pressure of a cell of sizes `to` compare with those of sizes `from`, by the solid: ln ratios, and
-  /// the force's derivatives by the logarithms of `to`.
+  /// How force and pressure of a cell of parameters `to` compare with those of `from`, by the solid: ln ratios, and
+  /// the force's derivatives by the depth over the radius and by `to`.
   struct ForceChange {
-    double log_ratio = 0.0, log_pressure_ratio = 0.0;
-    Eigen::Vector3d slope = Eigen::Vector3d::Zero();
+    double log_ratio = 0.0, log_pressure_ratio = 0.0, by_depth = 0.0;
+    SolidParameters slope = SolidParameters::Zero();
+    ForceChange& operator-=(const ForceChange& other) {
+      log_ratio -= other.log_ratio;
+      log_pressure_ratio -= other.log_pressure_ratio;
+      slope -= other.slope;
+      return *this;
+    }
   };
-  ForceChange force_change(const LogSizes& from, const LogSizes& to, double depth_ratio) const;
+  ForceChange force_change(const SolidParameters& from, const SolidParameters& to, double depth_ratio) const;
 
  private:
   struct Seen {
@@ -65,15 +77,17 @@ class ContourSizes {
   static MembraneContour in_cell(const Observation& observation, const CellPlacement& placement);
   Eigen::VectorXd offsets(const MembraneContour& contour, const Eigen::Matrix2Xd& places,
                           const Eigen::Matrix2Xd& normals) const;
-  Misfit misfit(const LogSizes& sizes) const;
+  double elongation_of_rest() const;
+  Misfit misfit(const SolidParameters& parameters) const;
   Eigen::MatrixXd covariance_um2(const Misfit& seen) const;
 
   const IndentedSolid& solid_;
   std::vector<Seen> contours_;  // by rising depth
   double radius_um_ = 0.0;      // outer, of the cell they show
-  Eigen::VectorXd rest_;        // (n) um, by node of the solid's half-section
+  Eigen::VectorXd rest_;        // (n) um, of the outline at rest from its circle, by node of the solid's half-section
   int rest_count_ = 0;
-  std::optional<LogSizes> start_;  // the last estimate, where the next one begins
+  double elongation_ = 0.0;               // of the outline at rest
+  std::optional<SolidParameters> start_;  // the last estimate, where the next one begins
 };
 
 }  // namespace pellucida

@@ -19,7 +19,7 @@ constexpr double kSeldomBorne_ratio = 0.2;
 /// Half of the spread of the force between needle opposite the holder and beside it, where no holder was seen.
 constexpr double kUnknownHolder_ratio = 0.3;
 /// What walls out of round or sucked differ from the model by at the same modulus, and how much more those bear that
-/// stiffen with strain; of the logarithm (docs/method.md, 4.4).
+/// stiffen with strain where no contours show it; of the logarithm (docs/method.md, 4.4).
 constexpr double kUnlikeWall_ratio = 0.05, kStiffening_ratio = 0.13;
 /// A push of known force takes the sizes' error with it. This share of it is taken as left at other depths: 0.30 is, of
 /// thickness, tip and holder wrong by their standard deviations, at 10 to 44 um after a push at 5 um.
@@ -38,11 +38,13 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
   errors.relaxation_uN = in.force.sigma_uN;
   errors.scale_ratio = in.scale.relative_sigma;
   errors.geometry_ratio = (in.scale.has_geometry ? kGeometryLeft_ratio : 1.0) *
-                          std::hypot(in.cell.geometry().force_sigma_ratio(in.sizes_log_sigma),
+                          std::hypot(in.cell.geometry().force_sigma_ratio(in.sizes.log_sigma),
                                      estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
   add_model_errors(in.profile, in.model_force_uN, in.cell.rest_stiffness_uN_per_um(), errors);
-  errors.model_ratio = std::hypot(errors.model_ratio, kUnlikeWall_ratio);
-  errors.stiffening_ratio = kStiffening_ratio;
+  errors.model_ratio =
+      std::hypot(std::hypot(errors.model_ratio, kUnlikeWall_ratio),
+                 std::hypot(in.sizes.stiffening_log_sigma.value_or(0.0), in.sizes.elongation_log_sigma));
+  errors.stiffening_ratio = in.sizes.stiffening_log_sigma ? 0.0 : kStiffening_ratio;
   errors.model_uN *= in.scale.ratio * in.force.ratio;
 
   // The contour beside the model: beyond what is usual it counts as a depth that isn't known.

@@ -4,6 +4,7 @@
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "RelaxingContact.h"
+#include "SizesCorrector.h"
 #include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceEstimate.h"
 #include "pellucida/mechanics/PalpationUpdate.h"
@@ -22,7 +23,7 @@ struct BudgetInput {
   double depth_um = 0.0;
   double model_force_uN = 0.0;  ///< as the profile's modulus gives it, neither scaled nor relaxed
   RelaxingContact::Force force;
-  std::optional<double> sizes_log_sigma;  ///< of the force from thickness, tip and holder, where contours say it
+  const SizesCorrection& sizes;  ///< what contours say of the force's errors
 };
 
 /// Writes `errors`, `warnings` and `asymmetry_force_uN` of an estimate in contact that has its depth's sigma, its shape

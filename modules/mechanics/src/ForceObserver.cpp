@@ -278,9 +278,8 @@ class ForceObserver::Impl {
       return frame;
     }
     follow_contour(frame, estimate);
-    // A push that was measured on this cell knows better.
-    if (!scale_.has_geometry && frame.depth_um > 0.0) {
-      frame.sizes = sizes_.follow(o, placement_, cell_, frame.depth_um, verdict_.is_doubted());
+    if (frame.depth_um > 0.0) {
+      frame.sizes = sizes_.follow(o, placement_, cell_, frame.depth_um, verdict_.is_doubted(), scale_);
       estimate.sizes_by_contour = sizes_.sizes();
     }
     return frame;

@@ -53,8 +53,7 @@ void ForceReport::write(const SolvedFrame& frame, ForceEstimate& estimate) {
   const RelaxingContact::Force force = force_of(frame, estimate);
   if (frame.contact) {
     const double model_uN = std::max(0.0, frame.state.push_force_uN);
-    fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force, frame.sizes.log_sigma},
-                estimate);
+    fill_errors({profile_, cell, frame.placement, frame.scale, frame.depth_um, model_uN, force, frame.sizes}, estimate);
   }
   if (frame.touch_um > 0.0) {
     estimate.errors.scale_ratio = frame.scale.relative_sigma;

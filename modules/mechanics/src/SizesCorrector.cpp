@@ -11,12 +11,15 @@ namespace {
 constexpr double kOpposite_cos = 0.94, kThroughMiddle_ratio = 0.15;
 /// How far the sizes in use go towards what the contours say, per frame.
 constexpr double kFollow = 0.2;
+/// How walls of one kind stiffen, `stiffening_effect`: 0 with this standard deviation, and never below. Set on GetFEM
+/// specimens (docs/method.md, 4.4).
+constexpr double kStiffening_sigma = 0.4;
+/// How much of what an outline's elongation does to the force is left open by the width across the picture.
+constexpr double kOtherWidth_ratio = 0.4;
 /// A change below this (ln) is none.
 constexpr double kLeastChange = 1e-3;
 /// What the solid's force, as a smooth function of sizes, is off by (ln), where they change by so much or more.
 constexpr double kFit_log = 0.04, kFitFrom_log = 0.5;
-/// For the derivative by depth, over the radius.
-constexpr double kDepthStep_ratio = 0.01;
 
 bool is_of_revolution(const CellPlacement& placement, double radius_um) {
   return !placement.holder_assumed() && placement.holder().dot(placement.push()) > kOpposite_cos &&
@@ -43,37 +46,53 @@ void SizesCorrector::forget() {
 }
 
 SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement& placement, const CellModelCache& cell,
-                                       double depth_um, bool is_doubted) {
+                                       double depth_um, bool is_doubted, const CellScale& scale) {
   const MembraneGeometry& built = cell.built_geometry();
   radius_um_ = cell.outer_radius_um();
   const double depth_ratio = depth_um / radius_um_;
-  const LogSizes from(std::log(built.thickness_um / radius_um_), std::log(built.tip_radius_um / radius_um_),
-                      std::log(built.holder_radius_um / radius_um_));
-  const bool is_news = !is_doubted && is_of_revolution(placement, radius_um_) && contours_.add(o, placement, depth_um);
-  if (is_news) seen_ = contours_.estimate({from, cell.geometry().log_sigmas()});
-  const LogSizes wanted = seen_ ? LogSizes(seen_->mean - from) : LogSizes::Zero();
+  const SolidParameters from(std::log(built.thickness_um / radius_um_), std::log(built.tip_radius_um / radius_um_),
+                             std::log(built.holder_radius_um / radius_um_), 0.0, 0.0);
+  const bool is_solid = is_of_revolution(placement, radius_um_);
+  const double elongation = is_solid ? contours_.elongation() : 0.0;
+  const bool is_news = !is_doubted && is_solid && contours_.add(o, placement, depth_um);
+  if (is_news) {
+    LogSizes sigmas = cell.geometry().log_sigmas();
+    if (scale.has_geometry) sigmas = sigmas.cwiseMin(ContourSizes::kOpen);
+    has_open_size_ = (sigmas.array() > ContourSizes::kOpen).any();
+    seen_ = contours_.estimate({from, (SolidParameters() << sigmas, kStiffening_sigma, 0.0).finished()});
+  }
+  SolidParameters wanted = seen_ ? SolidParameters(seen_->mean - from) : SolidParameters::Zero();
+  wanted[kElongation] = elongation;
   change_ += kFollow * (wanted - change_);
+  change_[kElongation] = elongation;  // seen at rest already
 
   SizesCorrection correction;
   ratio_ = 1.0;
   if (!seen_ && change_.norm() < kLeastChange) return correction;
-  const LogSizes to = from + change_;
-  const auto change = contours_.force_change(from, to, depth_ratio);
-  const auto deeper = contours_.force_change(from, to, depth_ratio + kDepthStep_ratio);
+  const SolidParameters to = from + change_;
+  auto change = contours_.force_change(from, to, depth_ratio);
+  if (scale.has_geometry) change -= contours_.force_change(from, to, scale.push_depth_um / radius_um_);
   ratio_ = correction.ratio = std::exp(change.log_ratio);
   correction.pressure_ratio = std::exp(change.log_pressure_ratio);
-  correction.push_ratio = correction.pressure_ratio * std::pow(inner_over_middle(to) / inner_over_middle(from), 2);
-  correction.slope_per_um = ratio_ * (deeper.log_ratio - change.log_ratio) / (kDepthStep_ratio * radius_um_);
+  correction.push_ratio =
+      correction.pressure_ratio * std::pow(inner_over_middle(to.head<3>()) / inner_over_middle(from.head<3>()), 2);
+  correction.elongation_log_sigma = kOtherWidth_ratio * std::abs(change.slope[kElongation] * elongation);
+  correction.slope_per_um = ratio_ * change.by_depth / radius_um_;
   if (!seen_) return correction;
-  const double by_sizes = std::sqrt(change.slope.dot(seen_->covariance * change.slope));
-  const double not_yet = (wanted - change_).dot(change.slope);
-  correction.log_sigma = std::hypot(by_sizes, not_yet, kFit_log * std::min(1.0, change_.norm() / kFitFrom_log));
+  const SolidParameters not_yet = (wanted - change_).cwiseProduct(change.slope);
+  correction.stiffening_log_sigma = std::hypot(
+      std::sqrt(seen_->covariance(kStiffening, kStiffening)) * change.slope[kStiffening], not_yet[kStiffening]);
+  if (!has_open_size_) return correction;
+  const Eigen::Vector3d slope = change.slope.head<3>();
+  const double by_sizes = std::sqrt(slope.dot(seen_->covariance.topLeftCorner<3, 3>() * slope));
+  const double fit = kFit_log * std::min(1.0, change_.head<3>().norm() / kFitFrom_log);
+  correction.log_sigma = std::hypot(by_sizes, not_yet.head<3>().sum(), fit);
   return correction;
 }
 
 std::optional<SizesByContour> SizesCorrector::sizes() const {
   if (!seen_) return std::nullopt;
-  const LogSizes sigma = seen_->covariance.diagonal().cwiseSqrt();
+  const SolidParameters sigma = seen_->covariance.diagonal().cwiseSqrt();
   const auto length_um = [&](int size) { return radius_um_ * std::exp(seen_->mean[size]); };
   return SizesByContour{.contour_count = contours_.contour_count(),
                         .thickness_um = length_um(0),
@@ -82,6 +101,9 @@ std::optional<SizesByContour> SizesCorrector::sizes() const {
                         .thickness_sigma = sigma[0],
                         .tip_radius_sigma = sigma[1],
                         .holder_radius_sigma = sigma[2],
+                        .sizes_changed = has_open_size_,
+                        .stiffening_effect = seen_->mean[kStiffening],
+                        .stiffening_effect_sigma = sigma[kStiffening],
                         .force_ratio = ratio_};
 }
 

@@ -15,12 +15,15 @@ struct SizesCorrection {
   double slope_per_um = 0.0;    ///< its derivative by depth
   double pressure_ratio = 1.0;  ///< on the liquid's pressure: a thick wall yields under the needle by itself
   double push_ratio = 1.0;  ///< on the liquid's push on the middle surface, whose inner face moves with the thickness
-  std::optional<double>
-      log_sigma;  ///< of the force, from thickness, tip and holder; none: as the picture at rest has them
+  /// Of the force, from thickness, tip and holder; none: as the picture at rest has them.
+  std::optional<double> log_sigma;
+  double elongation_log_sigma = 0.0;  ///< of the force, from how wide an oval cell is across the picture
+  /// Of the force, from how the wall stiffens; none: as the kind does.
+  std::optional<double> stiffening_log_sigma;
 };
 
-/// Follows what the contours of a cell say of its sizes, without jumps, and what the force is multiplied by for it. One
-/// thread at a time.
+/// Follows what the contours of a cell say of its sizes and of its wall, without jumps, and what the force is
+/// multiplied by for it. One thread at a time.
 class SizesCorrector {
  public:
   /// An untouched cell.
@@ -32,17 +35,20 @@ class SizesCorrector {
   /// Another cell.
   void forget();
 
-  /// A frame in contact, at a depth above 0. `is_doubted`: its contour is not to be learnt from.
+  /// A frame in contact, at a depth above 0. `is_doubted`: its contour is not to be learnt from. A scale from a push
+  /// has the cell's sizes and wall in it, at that push's depth: what is left is how much more the wall changes
+  /// elsewhere.
   SizesCorrection follow(const Observation& observation, const CellPlacement& placement, const CellModelCache& cell,
-                         double depth_um, bool is_doubted);
+                         double depth_um, bool is_doubted, const CellScale& scale);
   /// Of the last frame that was followed; nothing where the contours say nothing.
   std::optional<SizesByContour> sizes() const;
 
  private:
   ContourSizes contours_;
-  std::optional<ContourSizes::Sizes> seen_;
-  LogSizes change_ = LogSizes::Zero();  // in use, beside the model's own
+  std::optional<ContourSizes::Parameters> seen_;
+  SolidParameters change_ = SolidParameters::Zero();  // in use, beside the model's own
   double radius_um_ = 0.0, ratio_ = 1.0;
+  bool has_open_size_ = false;
 };
 
 }  // namespace pellucida

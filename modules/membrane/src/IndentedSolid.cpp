@@ -1,6 +1,7 @@
 #include "pellucida/membrane/IndentedSolid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,10 @@ using Json = nlohmann::json;
 
 /// The force's usual power in the thickness; the fit holds what differs from it.
 constexpr double kThicknessPower = 1.2;
+/// See `stiffening_effect`.
+constexpr double kStiffeningScale = 0.3;
+/// Powers are below this.
+constexpr std::size_t kDegrees = 8;
 
 Eigen::MatrixXd matrix_of(const Json& rows) {
   const auto lists = rows.get<std::vector<std::vector<double>>>();
@@ -37,6 +42,14 @@ Eigen::VectorXd vector_of(const Json& list) {
 
 }  // namespace
 
+double stiffening_effect(double stiffening) noexcept {
+  return std::log1p(stiffening / kStiffeningScale);
+}
+
+double stiffening_of(double effect) noexcept {
+  return kStiffeningScale * std::expm1(effect);
+}
+
 const IndentedSolid& IndentedSolid::shipped() {
   static const IndentedSolid solid = [] {
     const auto path = find_resource("shapes", "indented_solid", ".json");
@@ -44,13 +57,16 @@ const IndentedSolid& IndentedSolid::shipped() {
     try {
       std::ifstream file(path);
       const Json json = Json::parse(file);
-      made.centre_ = vector_of(json.at("log_size_centre"));
-      made.width_ = vector_of(json.at("log_size_width"));
-      made.lowest_ = vector_of(json.at("log_size_from"));
-      made.highest_ = vector_of(json.at("log_size_to"));
+      made.centre_ = vector_of(json.at("parameter_centre"));
+      made.width_ = vector_of(json.at("parameter_width"));
+      made.lowest_ = vector_of(json.at("parameter_from"));
+      made.highest_ = vector_of(json.at("parameter_to"));
       made.depth_centre_ = json.at("depth_centre").get<double>();
       made.deepest_ratio_ = json.at("deepest_ratio").get<double>();
-      made.powers_ = matrix_of(json.at("powers")).transpose().cast<int>();
+      const Eigen::MatrixXd powers = matrix_of(json.at("powers")).transpose();
+      if (powers.rows() != made.powers_.rows() || powers.minCoeff() < 0 || powers.maxCoeff() >= kDegrees)
+        throw InputError("its powers are none of six variables to degree 7");
+      made.powers_ = powers.cast<int>();
       made.angle_rad_ = std::numbers::pi / 180.0 * vector_of(json.at("angle_deg"));
       made.section_ = matrix_of(json.at("components")).transpose() * matrix_of(json.at("section_terms")).transpose();
       made.force_ = vector_of(json.at("force_terms"));
@@ -62,43 +78,96 @@ const IndentedSolid& IndentedSolid::shipped() {
     if (made.section_.rows() != 2 * n || made.section_.cols() != terms || made.force_.size() != terms ||
         made.pressure_.size() != terms)
       throw InputError(path.string() + ": its tables don't fit each other; install the program again");
-    made.rest_.resize(2, n);
-    made.rest_.row(0) = made.angle_rad_.array().sin().matrix().transpose();
-    made.rest_.row(1) = made.angle_rad_.array().cos().matrix().transpose();
     return made;
   }();
   return solid;
 }
 
-LogSizes IndentedSolid::within_range(const LogSizes& sizes) const {
-  return sizes.cwiseMax(lowest_).cwiseMin(highest_);
+SolidParameters IndentedSolid::within_range(const SolidParameters& parameters) const {
+  return parameters.cwiseMax(lowest_).cwiseMin(highest_);
 }
 
-Eigen::VectorXd IndentedSolid::basis(const LogSizes& sizes, double depth_ratio) const {
-  const LogSizes u = (within_range(sizes) - centre_).cwiseQuotient(width_);
+// By the angle of a point's direction.
+std::array<Eigen::Matrix2Xd, 2> IndentedSolid::rest(double elongation) const {
+  const Eigen::ArrayXd sine = angle_rad_.array().sin(), cosine = angle_rad_.array().cos();
+  const Eigen::ArrayXd along = std::exp(-elongation) * cosine.square(), across = std::exp(elongation) * sine.square();
+  const Eigen::ArrayXd radius = (along + across).rsqrt();
+  const Eigen::ArrayXd slope = 0.5 * radius.cube() * (along - across);
+  std::array<Eigen::Matrix2Xd, 2> both;
+  for (Eigen::Matrix2Xd& one : both) one.resize(2, angle_rad_.size());
+  both[0] << (radius * sine).transpose(), (radius * cosine).transpose();
+  both[1] << (slope * sine).transpose(), (slope * cosine).transpose();
+  return both;
+}
+
+IndentedSolid::Basis IndentedSolid::basis(const SolidParameters& parameters, double depth_ratio) const {
+  const SolidParameters u = (within_range(parameters) - centre_).cwiseQuotient(width_);
   const double depth = std::clamp(depth_ratio, 0.0, deepest_ratio_) / depth_centre_ - 1.0;
-  const double angle = std::acos(std::clamp(depth, -1.0, 1.0));
-  Eigen::VectorXd values(powers_.cols());
-  for (Eigen::Index k = 0; k < powers_.cols(); ++k) {
-    values[k] = std::pow(u[0], powers_(0, k)) * std::pow(u[1], powers_(1, k)) * std::pow(u[2], powers_(2, k)) *
-                std::cos(powers_(3, k) * angle);  // Chebyshev's polynomial
+  // Powers of each parameter, and Chebyshev's polynomials of the depth, with their derivatives.
+  using Powers = std::array<std::array<double, kDegrees>, kParameters + 1>;
+  Powers power, slope;
+  for (std::size_t p = 0; p < kParameters; ++p) {
+    const auto at = static_cast<Eigen::Index>(p);
+    power[p][0] = 1.0;
+    slope[p][0] = 0.0;
+    for (std::size_t k = 1; k < kDegrees; ++k) {
+      power[p][k] = power[p][k - 1] * u[at];
+      slope[p][k] = static_cast<double>(k) * power[p][k - 1] / width_[at];
+    }
   }
-  return values;
+  auto &value = power[kParameters], &by_depth = slope[kParameters];
+  value = {1.0, depth};
+  by_depth = {0.0, 1.0};
+  for (std::size_t k = 2; k < kDegrees; ++k) {
+    value[k] = 2.0 * depth * value[k - 1] - value[k - 2];
+    by_depth[k] = 2.0 * value[k - 1] + 2.0 * depth * by_depth[k - 1] - by_depth[k - 2];
+  }
+  for (double& one : by_depth) one /= depth_centre_;
+
+  Basis sloped(powers_.cols(), kParameters + 2);
+  for (Eigen::Index k = 0; k < powers_.cols(); ++k) {
+    std::array<double, kParameters + 1> factor, factor_slope;
+    double before = 1.0;  // product of the factors before
+    for (std::size_t p = 0; p <= kParameters; ++p) {
+      const auto degree = static_cast<std::size_t>(powers_(static_cast<Eigen::Index>(p), k));
+      factor[p] = power[p][degree];
+      factor_slope[p] = slope[p][degree];
+    }
+    double after[kParameters + 2];
+    after[kParameters + 1] = 1.0;
+    for (std::size_t p = kParameters + 1; p-- > 0;) after[p] = after[p + 1] * factor[p];
+    sloped(k, 0) = after[0];
+    for (std::size_t p = 0; p <= kParameters; ++p) {
+      sloped(k, static_cast<Eigen::Index>(p) + 1) = before * factor_slope[p] * after[p + 1];
+      before *= factor[p];
+    }
+  }
+  return sloped;
 }
 
-Eigen::Matrix2Xd IndentedSolid::section(const LogSizes& sizes, double depth_ratio) const {
+IndentedSolid::Section IndentedSolid::section(const SolidParameters& parameters, double depth_ratio) const {
   const double depth = std::clamp(depth_ratio, 0.0, deepest_ratio_);
-  const Eigen::VectorXd moved = depth * (section_ * basis(sizes, depth));
-  return rest_ + moved.reshaped(2, rest_.cols());
+  const Basis moved = section_ * basis(parameters, depth);
+  const auto part = [&](int column) { return moved.col(column).reshaped(2, angle_rad_.size()); };
+  const auto [rest, rest_slope] = this->rest(within_range(parameters)[kElongation]);
+  Section section;
+  section.places = rest + depth * part(0);
+  section.by_depth = part(0) + depth * part(kParameters + 1);
+  for (int p = 0; p < kParameters; ++p) section.by_parameter[static_cast<std::size_t>(p)] = depth * part(p + 1);
+  section.by_parameter[kElongation] += rest_slope;
+  return section;
 }
 
-double IndentedSolid::log_force(const LogSizes& sizes, double depth_ratio) const {
-  return force_.dot(basis(sizes, depth_ratio)) + kThicknessPower * within_range(sizes)[0] +
-         std::log(std::min(depth_ratio, deepest_ratio_));
-}
-
-double IndentedSolid::log_pressure(const LogSizes& sizes, double depth_ratio) const {
-  return log_force(sizes, depth_ratio) + pressure_.dot(basis(sizes, depth_ratio));
+IndentedSolid::Load IndentedSolid::load(const SolidParameters& parameters, double depth_ratio) const {
+  const Basis at = basis(parameters, depth_ratio);
+  const double depth = std::min(depth_ratio, deepest_ratio_);
+  Load load;
+  load.log_force = at.col(0).dot(force_) + kThicknessPower * within_range(parameters)[0] + std::log(depth);
+  load.log_pressure = load.log_force + at.col(0).dot(pressure_);
+  load.by_parameter = at.middleCols<kParameters>(1).transpose() * force_;
+  load.by_parameter[0] += kThicknessPower;
+  load.by_depth = at.col(kParameters + 1).dot(force_) + 1.0 / depth;
+  return load;
 }
 
 }  // namespace pellucida

@@ -48,6 +48,7 @@ class ContactReader {
     read_puncture();
     read_works();
     read_stiffness();
+    read_stiffening();
     read_speeds();
     read_deposits();
     return std::move(p_);
@@ -191,6 +192,17 @@ class ContactReader {
       p_.*kPlaces[k][0] = slope->value;
       p_.*kPlaces[k][1] = slope->lower;
       p_.*kPlaces[k][2] = slope->upper;
+    }
+  }
+
+  // Contours are added to those before: the last say most.
+  void read_stiffening() {
+    for (std::size_t i = span_.rows.begin; i < span_.rows.end; ++i) {
+      const Measurement& m = row(i);
+      if (m.state != CellState::kContact || std::isnan(m.strain_stiffening)) continue;
+      p_.strain_stiffening = m.strain_stiffening;
+      p_.strain_stiffening_lower = m.strain_stiffening_lower;
+      p_.strain_stiffening_upper = m.strain_stiffening_upper;
     }
   }
 

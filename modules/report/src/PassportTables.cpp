@@ -119,6 +119,11 @@ constexpr PassportField<C> kContactFields[] = {
      "Stiffness at 40 um"},
     {{"stiffness_40um_lower_uN_per_um", "uN/um", &C::stiffness_40um_lower_uN_per_um, kAny, kLower}, ""},
     {{"stiffness_40um_upper_uN_per_um", "uN/um", &C::stiffness_40um_upper_uN_per_um, kAny, kUpper}, ""},
+    {{"strain_stiffening", "1", &C::strain_stiffening, kAny,
+      "how the zona stiffens with strain, b of its law, by the last contours of the contact; see `measurements.csv`"},
+     "Strain stiffening b"},
+    {{"strain_stiffening_lower", "1", &C::strain_stiffening_lower, kAny, kLower}, ""},
+    {{"strain_stiffening_upper", "1", &C::strain_stiffening_upper, kAny, kUpper}, ""},
     {{"hysteresis_pJ", "pJ", &C::hysteresis_pJ, kAny,
       "area between the curves of insertion and removal; only for a contact that ended without a puncture. Under a "
       "profile that does not relax the force depends on the depth alone, and this shows errors of measurement"},

@@ -1,5 +1,6 @@
 #include "pellucida/mechanics_vtk/MechanicsStep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <mutex>
@@ -9,6 +10,7 @@
 #include "WarningNews.h"
 #include "pellucida/mechanics/ContactModelBuilder.h"
 #include "pellucida/mechanics/ForceObserver.h"
+#include "pellucida/membrane/IndentedSolid.h"
 
 namespace pellucida {
 namespace {
@@ -18,6 +20,17 @@ std::string format(const char* pattern, Numbers... numbers) {
   char text[256];
   std::snprintf(text, sizeof text, pattern, numbers...);
   return text;
+}
+
+/// Standard deviations of a 95 % interval.
+constexpr double kSure = 1.96;
+
+/// How the wall stiffens, as the contours say, with its interval.
+void write_stiffening(const SizesByContour& seen, Measurement& row) {
+  const double half_width = kSure * seen.stiffening_effect_sigma;
+  row.strain_stiffening = stiffening_of(seen.stiffening_effect);
+  row.strain_stiffening_lower = stiffening_of(std::max(0.0, seen.stiffening_effect - half_width));
+  row.strain_stiffening_upper = stiffening_of(seen.stiffening_effect + half_width);
 }
 
 }  // namespace
@@ -43,7 +56,7 @@ class MechanicsStep::Impl {
       warnings_.clear();
       reported_puncture_ = false;
       told_puncture_uN_ = 0.0;
-      told_sizes_ = false;
+      told_sizes_ = told_stiffening_ = false;
     }
     take_measurements();
     MeasuredScene measured{.scene = scene, .estimate = observer_.process(*scene.observation, known)};
@@ -72,6 +85,7 @@ class MechanicsStep::Impl {
       out.measurement.expected_puncture_uN = e.expected_puncture.force_uN;
       out.measurement.expected_puncture_um = e.expected_puncture.depth_um;
     }
+    if (e.sizes_by_contour) write_stiffening(*e.sizes_by_contour, out.measurement);
     add_events(e, *scene.observation, out);
 
     // Why there is no force: with every frame, and once as a note when the reason is new.
@@ -131,7 +145,7 @@ class MechanicsStep::Impl {
     }
 
     note_puncture(e, o, out);
-    note_sizes(e, o, out);
+    note_contours(e, o, out);
     const CellScale scale = observer_.scale();
     // A model built anew changes it by a trifle.
     const bool is_news = std::abs(std::log(scale.ratio / reported_scale_.ratio)) > 0.01 ||
@@ -162,19 +176,31 @@ class MechanicsStep::Impl {
                 expected.force_uN, expected.depth_um, kind.puncture_force_uN, kind.puncture_indentation_um)});
   }
 
-  /// Once a contact, when there is enough to go by: what its contours said of sizes that the picture left open.
-  void note_sizes(const ForceEstimate& e, const Observation& o, Scene& out) {
+  /// Once a contact each, when there is enough to go by: what its contours said of sizes that the picture left open,
+  /// and of a wall that surely stiffens.
+  void note_contours(const ForceEstimate& e, const Observation& o, Scene& out) {
     constexpr int kEnough = 3;
-    if (o.state == CellState::kFree) told_sizes_ = false;
-    if (!e.sizes_by_contour || told_sizes_ || e.sizes_by_contour->contour_count < kEnough) return;
-    const SizesByContour& sizes = *e.sizes_by_contour;
-    told_sizes_ = true;
-    out.events.push_back(
-        {o.time_s, event_kind::kNote,
-         format("by the contours in contact: zona %.1f um +- %.0f %%, tip radius %.1f um +- %.0f %%, holding pipette "
-                "%.1f um +- %.0f %%; the force is %.2f times that by the picture alone",
-                sizes.thickness_um, 100.0 * sizes.thickness_sigma, sizes.tip_radius_um, 100.0 * sizes.tip_radius_sigma,
-                sizes.holder_radius_um, 100.0 * sizes.holder_radius_sigma, sizes.force_ratio)});
+    if (o.state == CellState::kFree) told_sizes_ = told_stiffening_ = false;
+    if (!e.sizes_by_contour || e.sizes_by_contour->contour_count < kEnough) return;
+    const SizesByContour& seen = *e.sizes_by_contour;
+    const auto note = [&](const std::string& what) {
+      out.events.push_back(
+          {o.time_s, event_kind::kNote,
+           "by the contours in contact: " + what +
+               format("; the force is %.2f times that by the picture at rest alone", seen.force_ratio)});
+    };
+    if (seen.sizes_changed && !told_sizes_) {
+      told_sizes_ = true;
+      note(format("zona %.1f um +- %.0f %%, tip radius %.1f um +- %.0f %%, holding pipette %.1f um +- %.0f %%",
+                  seen.thickness_um, 100.0 * seen.thickness_sigma, seen.tip_radius_um, 100.0 * seen.tip_radius_sigma,
+                  seen.holder_radius_um, 100.0 * seen.holder_radius_sigma));
+    }
+    const double effect = seen.stiffening_effect, sigma = seen.stiffening_effect_sigma;
+    if (effect > kSure * sigma && !told_stiffening_) {
+      told_stiffening_ = true;
+      note(format("the zona stiffens with strain, b = %.2f (68 %%: %.2f to %.2f)", stiffening_of(effect),
+                  stiffening_of(effect - sigma), stiffening_of(effect + sigma)));
+    }
   }
 
   /// A measured scale that hardly any cell of the kind has.
@@ -188,9 +214,9 @@ class MechanicsStep::Impl {
 
   ForceObserver observer_;
   WarningNews warnings_;
-  double told_puncture_uN_ = 0.0;   // the expected one of the last note; 0: none yet
-  bool told_sizes_ = false;         // in this contact
-  bool reported_puncture_ = false;  // the state has been punctured since
+  double told_puncture_uN_ = 0.0;                      // the expected one of the last note; 0: none yet
+  bool told_sizes_ = false, told_stiffening_ = false;  // in this contact
+  bool reported_puncture_ = false;                     // the state has been punctured since
   CellScale reported_scale_;
   std::mutex waiting_mutex_;
   std::optional<std::vector<ScaleMeasurement>> waiting_;  // measurements for the next frame

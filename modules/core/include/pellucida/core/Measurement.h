@@ -50,6 +50,9 @@ struct Measurement {
   double expected_puncture_um = kNotMeasured;
   double manipulator_x_um = kNotMeasured;
   double manipulator_y_um = kNotMeasured;
+  double strain_stiffening = kNotMeasured;
+  double strain_stiffening_lower = kNotMeasured;
+  double strain_stiffening_upper = kNotMeasured;
 };
 
 /// The two parts of a force's uncertainty as standard deviations over the force, from their 95 % intervals; NaN where

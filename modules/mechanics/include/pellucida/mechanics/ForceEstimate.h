@@ -26,13 +26,16 @@ std::string to_string(ForceWarning warnings);
 /// The same for a person, one line; empty for none. `profile_name` is that of the profile in use.
 std::string describe(ForceWarning warnings, std::string_view profile_name);
 
-/// What the contours of a contact said of sizes that the picture at rest leaves open.
+/// What the contours of a contact said of sizes that the picture at rest leaves open, and of how the wall stiffens.
 struct SizesByContour {
   int contour_count = 0;  ///< contours, at depths 0.08 outer radii apart
   /// Of zona, needle and holding pipette (outer), with the standard deviations of their logarithms; those that the
   /// picture shows are its own.
   double thickness_um = 0.0, tip_radius_um = 0.0, holder_radius_um = 0.0;
   double thickness_sigma = 0.0, tip_radius_sigma = 0.0, holder_radius_sigma = 0.0;
+  bool sizes_changed = false;  ///< the picture left one of them open
+  /// `stiffening_effect` of the wall's law, 0 or more, with its standard deviation.
+  double stiffening_effect = 0.0, stiffening_effect_sigma = 0.0;
   double force_ratio = 1.0;  ///< in use, on the force by the picture's sizes: follows these over some frames
 };
 

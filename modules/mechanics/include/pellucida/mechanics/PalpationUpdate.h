@@ -10,6 +10,7 @@ struct CellScale {
   double relative_sigma = 0.0;  ///< >= 0
   /// Measured by a push on this cell as it is seen: what sizes leave open is part of it.
   bool has_geometry = false;
+  double push_depth_um = 0.0;  ///< of such pushes, their mean; 0 without one
 };
 
 /// An independent measurement made beforehand: a small push of known force, or of a known rise of the force with depth.

@@ -61,6 +61,7 @@ struct ContactPassport {
          stiffness_30um_upper_uN_per_um = kNone;
   double stiffness_40um_uN_per_um = kNone, stiffness_40um_lower_uN_per_um = kNone,
          stiffness_40um_upper_uN_per_um = kNone;
+  double strain_stiffening = kNone, strain_stiffening_lower = kNone, strain_stiffening_upper = kNone;
   double hysteresis_pJ = kNone, hysteresis_lower_pJ = kNone, hysteresis_upper_pJ = kNone;
   double approach_speed_um_per_s = kNone;
   double insertion_speed_um_per_s = kNone;
