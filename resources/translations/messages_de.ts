@@ -1048,6 +1048,10 @@
         <translation>nach ihren Maßen und denen der Nadel gibt diese Zelle voraussichtlich bei %1 uN und %2 um nach, ihre Art bei %3 uN und %4 um</translation>
     </message>
     <message>
+        <source>by the contours in contact: the zona stiffens with strain, b = %1 (68 %: %2 to %3); the force is %4 times that by the picture alone</source>
+        <translation>nach den Konturen im Kontakt: die Zona versteift sich mit der Dehnung, b = %1 (68 %: %2 bis %3); die Kraft ist %4-mal die nach dem Bild allein</translation>
+    </message>
+    <message>
         <source>by the contours in contact: zona %1 um +- %2 %, tip radius %3 um +- %4 %, holding pipette %5 um +- %6 %; the force is %7 times that by the picture alone</source>
         <translation>nach den Konturen im Kontakt: Zona %1 um +- %2 %, Spitzenradius %3 um +- %4 %, Haltepipette %5 um +- %6 %; die Kraft ist %7-mal die nach dem Bild allein</translation>
     </message>
@@ -1402,6 +1406,10 @@
     <message>
         <source>its palette is missing</source>
         <translation>die Palette fehlt</translation>
+    </message>
+    <message>
+        <source>its powers are none of six variables to degree 7</source>
+        <translation>die Potenzen sind nicht die von sechs Veränderlichen bis zum Grad 7</translation>
     </message>
     <message>
         <source>late tick</source>

@@ -113,6 +113,33 @@ TEST(MechanicsStep, SizesByContoursAreANote) {
   EXPECT_NE(notes.front().detail.find("holding pipette"), std::string::npos);
 }
 
+// How a wall stiffens stands beside the force of each frame in contact, and is a note once it is sure.
+TEST(MechanicsStep, AWallThatStiffensIsAColumnAndANote) {
+  const CellReference cell =
+      CellReference::load(PELLUCIDA_SOURCE_DIR "/tests/data/stiffening/specimen-1067", 1);  // b = 0.35
+  MechanicsStep mechanics(load_profile("mouse-oocyte"));
+  int notes = 0;
+  long frame = 0;
+  Measurement last;
+  for (double depth_um = -3.0; depth_um <= 40.0; depth_um += 0.5) {
+    Observation o = testing::view_of(cell, std::max(0.0, depth_um), frame++);
+    o.rest_inner_radius_um = cell.inner_radius_um();
+    Scene scene;
+    scene.observation = std::make_shared<const Observation>(o);
+    const auto measured = mechanics.process(scene);
+    ASSERT_TRUE(measured);
+    last = measured->scene.measurement;
+    if (depth_um <= 0.0) EXPECT_TRUE(std::isnan(last.strain_stiffening)) << depth_um;
+    for (const Event& event : measured->scene.events)
+      notes += event.detail.find("the zona stiffens with strain, b = ") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(notes, 1);
+  EXPECT_GT(last.strain_stiffening_lower, 0.0);
+  EXPECT_LT(last.strain_stiffening_lower, 0.35);
+  EXPECT_GT(last.strain_stiffening_upper, 0.35);
+  EXPECT_LT(last.strain_stiffening_upper, 1.5);
+}
+
 /// A push along x in frame `frame`, with tip and membrane at these depths.
 Scene pushed_scene(double tip_um, double membrane_um, CellState state, long frame) {
   Scene scene = make_scene(membrane_um, 0.0, 12, 23);

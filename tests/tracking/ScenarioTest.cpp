@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pellucida/core_vtk/SceneData.h"
+#include "tracking/PixelView.h"
 #include "tracking/ScenarioRun.h"
 
 namespace pellucida {
@@ -176,6 +177,43 @@ TEST(ScenarioContract, TheCellLeavesAndComesBack) {
   EXPECT_TRUE(lost);
   EXPECT_NE(seen.state, CellState::kLost);
   EXPECT_LT(test::compare(seen, microscope.truth().observation, scenario.image.pixel_size_um).outer_px, 0.085);
+}
+
+// A cell that is lost while the needle pushes it, and found again with its dimple, is the same one: where it lies at
+// rest is known, and one frame of it is no puncture.
+TEST(Scenarios, ACellLostInContactAndFoundAgainKeepsItsRestAndItsContact) {
+  constexpr double kDeep_um = 25.0;
+  constexpr int kDark_frames = 5;
+  TrackerOptions options;
+  options.detection = TrackerOptions::Detection::kLines;
+  MembraneTracker tracker(options);
+  VirtualMicroscope microscope(load_scenario("default"));
+  int dark = 0, judged = 0;
+  bool was_lost = false;
+  while (const std::optional<Frame> frame = microscope.next()) {
+    const Truth truth = microscope.truth();
+    if (truth.observation.state == CellState::kPunctured) break;
+    const ImageView view = view_of(frame->image.get());
+    const bool is_dark = truth.observation.indentation_um > kDeep_um && dark < kDark_frames;
+    const std::vector<std::uint8_t> nothing(static_cast<std::size_t>(view.width_px * view.height_px), 20);
+    ImageView shown = view;
+    if (is_dark) {
+      ++dark;
+      shown = test::view_of_bytes(nothing, view.width_px, view.height_px, view.pixel_size_um);
+    }
+    const Observation seen = tracker.process(shown, frame->time_s, frame->frame_index);
+    was_lost = was_lost || (dark > 0 && seen.state == CellState::kLost);
+    if (dark < kDark_frames || is_dark || !seen.outer) continue;
+    ++judged;
+    ASSERT_EQ(seen.state, CellState::kContact) << "frame " << frame->frame_index;
+    // In the first frame the contour is on its way into the dimple.
+    const double allowed_um = judged == 1 ? 5.0 : 1.0;
+    EXPECT_NEAR(seen.indentation_um, truth.observation.indentation_um, allowed_um) << "frame " << frame->frame_index;
+    EXPECT_NEAR(seen.rest_outer_radius_um, truth.observation.rest_outer_radius_um, 0.3);
+    if (judged == 20) break;
+  }
+  EXPECT_TRUE(was_lost);
+  EXPECT_EQ(judged, 20);
 }
 
 }  // namespace

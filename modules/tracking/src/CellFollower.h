@@ -49,6 +49,19 @@ class CellFollower {
   /// nothing.
   bool start(const FrameInput& frame, const DetectedCell& cell);
 
+  /// What is known of a cell apart from how it is seen now: its shape at rest, with the centre where it is in the
+  /// image, and its contact.
+  struct Memory {
+    RestGeometry rest;
+    ContactLogic contact;
+  };
+  /// Of the cell that was followed until now, as it lay under `motion`.
+  Memory memory(const RigidMove& motion) const;
+  /// The cell just begun goes on as the one before, if it lies where that lay and is as large: what one frame of a cell
+  /// under a needle shows of its shape at rest is little, and no puncture. Nothing is done for a cell that nothing
+  /// touched, or another one.
+  void resume(const FrameInput& frame, const Memory& before);
+
   /// The needle's tip is at `tip`, px, according to a person. False where no needle can be followed there; the needle
   /// is then what it was.
   bool expect_needle(const FrameInput& frame, const Eigen::Vector2d& tip);

@@ -22,6 +22,9 @@ constexpr double kLeastCell = 0.15, kSureCell = 0.9, kLeastOfSureCell = 0.63;
 // Of the radius expected of the kind: what is smaller or larger is another thing, as bubbles are. No force is known
 // outside 0.6 to 1.7 of it.
 constexpr double kSmallest_ratio = 0.4, kLargest_ratio = 2.5;
+// A cell found anew within so much of the radius of where one was followed, and so much as large at least and at most,
+// is that one: what a needle dents, or where another boundary is read, moves the circle through it by less.
+constexpr double kSamePlace_ratio = 0.3, kSameSize_ratio = 0.8;
 
 }  // namespace
 
@@ -104,6 +107,28 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   least_dent_ = dent_;
   deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
   return true;
+}
+
+CellFollower::Memory CellFollower::memory(const RigidMove& motion) const {
+  Memory memory{rest_, contact_};
+  memory.rest.center = motion.apply(rest_.center);
+  memory.rest.shape = rest_.shape.turned_back(-motion.angle_rad);
+  return memory;
+}
+
+void CellFollower::resume(const FrameInput& frame, const Memory& before) {
+  const double radius = before.rest.outer_radius, ratio = rest_.outer_radius / radius;
+  const bool is_same = (rest_.center - before.rest.center).norm() < kSamePlace_ratio * radius &&
+                       ratio > kSameSize_ratio && ratio < 1.0 / kSameSize_ratio;
+  if (before.contact.state() == CellState::kFree || !before.rest.seen_free || !is_same) return;
+  rest_ = before.rest;
+  motion_ = {};
+  motion_.pivot = seat_ = rest_.center;
+  contact_ = before.contact;
+  touching_ = contact_.state() == CellState::kContact;
+  learn_holder_motion(frame);
+  if (is_read_ && needle_.valid() && tip_depth() > kEntered_px) read_dimples(frame);
+  membrane_depth_ = measure_membrane_depth();
 }
 
 }  // namespace pellucida

@@ -56,10 +56,15 @@ class MembraneTracker::Impl {
       outcomes_.cell = has_cell_ ? "found" : "nothing like a cell was found there";
     } else if (has_cell_) {
       if (needle_search_.is_due(cell_.needle().valid(), frames_since_detection_) && is_needle_missed()) look(frame);
+      const RigidMove motion = cell_.motion();
       has_cell_ = cell_.follow(frame) && is_confirmed(frame);
-      if (!has_cell_) detect(frame);
+      if (!has_cell_) {
+        lost_ = cell_.memory(motion);
+        searches_ = 0;
+        find_again(frame);
+      }
     } else if (frames_since_detection_ >= options_.redetect_interval_frames) {
-      detect(frame);
+      find_again(frame);
     }
 
     // Lines look for a needle alone only in the frames in which a cell is looked for too.
@@ -107,6 +112,7 @@ class MembraneTracker::Impl {
 
   void search_again() {
     has_cell_ = false;
+    lost_.reset();
     lone_needle_.reset();
     frames_since_detection_ = options_.redetect_interval_frames;
   }
@@ -158,6 +164,13 @@ class MembraneTracker::Impl {
     if (options_.detection == Detection::kLines) return;
     scene_ = reader_.read(whole_);
     frame.seen = frame.scene = &scene_;
+  }
+
+  // Looks for a cell, which may be the one that was lost just now.
+  void find_again(FrameInput& frame) {
+    detect(frame);
+    if (has_cell_ && lost_) cell_.resume(frame, *lost_);
+    if (has_cell_ || ++searches_ >= kRemembered_searches) lost_.reset();
   }
 
   // Looks for a cell with no memory of an earlier one; a person's hint serves once.
@@ -314,6 +327,8 @@ class MembraneTracker::Impl {
   Deinterlacer fields_;
   PictureOrientation laid_;
   CellFollower cell_;
+  std::optional<CellFollower::Memory> lost_;  // until a cell is found
+  int searches_ = 0;                          // for it
   LoneNeedle lone_needle_;
   GrayImage whole_;
   SceneReader reader_;

@@ -14,6 +14,8 @@ inline constexpr int kConfirmation_frames = 30;
 // While a cell is followed by lines: frames between two readings of where it is by the networks, and of these so many
 // in a row that contradict the lines.
 inline constexpr int kReread_frames = 8, kDisagreements = 2;
+// Searches that find nothing until the cell that was lost is forgotten: what is found later may be another one.
+inline constexpr int kRemembered_searches = 5;
 
 /// When the whole image is searched for the needle of a cell that has none.
 class NeedleSearch {

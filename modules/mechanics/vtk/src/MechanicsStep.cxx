@@ -183,23 +183,22 @@ class MechanicsStep::Impl {
     if (o.state == CellState::kFree) told_sizes_ = told_stiffening_ = false;
     if (!e.sizes_by_contour || e.sizes_by_contour->contour_count < kEnough) return;
     const SizesByContour& seen = *e.sizes_by_contour;
-    const auto note = [&](const std::string& what) {
-      out.events.push_back(
-          {o.time_s, event_kind::kNote,
-           "by the contours in contact: " + what +
-               format("; the force is %.2f times that by the picture at rest alone", seen.force_ratio)});
-    };
+    const auto note = [&](std::string text) { out.events.push_back({o.time_s, event_kind::kNote, std::move(text)}); };
     if (seen.sizes_changed && !told_sizes_) {
       told_sizes_ = true;
-      note(format("zona %.1f um +- %.0f %%, tip radius %.1f um +- %.0f %%, holding pipette %.1f um +- %.0f %%",
-                  seen.thickness_um, 100.0 * seen.thickness_sigma, seen.tip_radius_um, 100.0 * seen.tip_radius_sigma,
-                  seen.holder_radius_um, 100.0 * seen.holder_radius_sigma));
+      note(
+          format("by the contours in contact: zona %.1f um +- %.0f %%, tip radius %.1f um +- %.0f %%, holding pipette "
+                 "%.1f um +- %.0f %%; the force is %.2f times that by the picture alone",
+                 seen.thickness_um, 100.0 * seen.thickness_sigma, seen.tip_radius_um, 100.0 * seen.tip_radius_sigma,
+                 seen.holder_radius_um, 100.0 * seen.holder_radius_sigma, seen.force_ratio));
     }
     const double effect = seen.stiffening_effect, sigma = seen.stiffening_effect_sigma;
     if (effect > kSure * sigma && !told_stiffening_) {
       told_stiffening_ = true;
-      note(format("the zona stiffens with strain, b = %.2f (68 %%: %.2f to %.2f)", stiffening_of(effect),
-                  stiffening_of(effect - sigma), stiffening_of(effect + sigma)));
+      note(format(
+          "by the contours in contact: the zona stiffens with strain, b = %.2f (68 %%: %.2f to %.2f); the force "
+          "is %.2f times that by the picture alone",
+          stiffening_of(effect), stiffening_of(effect - sigma), stiffening_of(effect + sigma), seen.force_ratio));
     }
   }
 
