@@ -55,7 +55,8 @@ TEST(CellPassport, WorkStiffnessAndPeakOfALinearCell) {
   EXPECT_TRUE(contact.doubt_list.empty()) << contact.doubts;
 }
 
-// Contours add up over a contact: the last frame in contact that has a stiffening says most, and one after it says nothing.
+// Contours add up over a contact: the last frame in contact that has a stiffening says most, and one after it says
+// nothing.
 TEST(CellPassport, StrainStiffeningIsTheLastOfTheContact) {
   SyntheticRows rows;
   rows.approach();
