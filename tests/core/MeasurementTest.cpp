@@ -46,7 +46,7 @@ TEST(Measurement, RowReadsBackAndEmptyCellsMeanNotMeasured) {
   m.indentation_um = 12.25;
   m.contact_force_uN = 1.5;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(row, "41,1.3666667,contact,0.93,,,,,,12.25,,1.5,,,,,,,,,,,,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_EQ(back.frame, 41);
   EXPECT_EQ(back.state, CellState::kContact);
@@ -100,7 +100,7 @@ TEST(Measurement, ARowWithoutAStateWasNotMeasured) {
   m.frame = 12;
   m.time_s = 0.4;
   const std::string row = to_csv(m);
-  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(row, "12,0.4,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,");
   const Measurement back = measurement_from_csv(row);
   EXPECT_FALSE(back.state);
   EXPECT_TRUE(std::isnan(back.confidence));

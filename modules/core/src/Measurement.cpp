@@ -68,12 +68,12 @@ constexpr Field<M> kColumns[] = {
      "where the manipulator reported the tip at the frame's time, to 1 nm; only while one moves the needle. Known "
      "before the frame was measured: evidence for the tracker, not a measurement"},
     {"manipulator_y_um", "um", &M::manipulator_y_um, kAny, "the same, down"},
-    {"strain_stiffening", "1", &M::strain_stiffening, kAny,
+    {"strain_stiffening", "", &M::strain_stiffening, kAny,
      "how the zona stiffens with strain, as the contours of this contact have shown so far: b of its law "
      "mu/(2 b) (exp(b (I1 - 3)) - 1), 0 if it does not ([method.md](method.md#38-from-the-contour-to-the-force)); only "
      "where the needle comes from opposite the holding pipette"},
-    {"strain_stiffening_lower", "1", &M::strain_stiffening_lower, kAny, "lower end of its 95 % interval"},
-    {"strain_stiffening_upper", "1", &M::strain_stiffening_upper, kAny, "upper end of it"},
+    {"strain_stiffening_lower", "", &M::strain_stiffening_lower, kAny, "lower end of its 95 % interval"},
+    {"strain_stiffening_upper", "", &M::strain_stiffening_upper, kAny, "upper end of it"},
 };
 
 double M::*number_of(const Field<M>& column) {

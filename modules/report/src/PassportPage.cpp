@@ -43,7 +43,8 @@ Shown shown(const C& contact, std::size_t index) {
   const double lower = has_ends ? double_of(contact, fields[index + 1].field) : C::kNone;
   const double upper = has_ends ? double_of(contact, fields[index + 2].field) : C::kNone;
   const int decimals = field.unit == "s" ? 2 : decimals_of(value);
-  Shown shown{fixed_number(value, decimals) + ' ' + unit_text(field.unit), ""};
+  const std::string unit = field.unit.empty() ? "" : ' ' + unit_text(field.unit);
+  Shown shown{fixed_number(value, decimals) + unit, ""};
   if (std::isfinite(lower) && std::isfinite(upper)) {
     shown.interval = fixed_number(lower, decimals) + " to " + fixed_number(upper, decimals);
   }
@@ -65,6 +66,7 @@ std::string reason(const C& contact, std::string_view name, const PassportInput&
   if (begins("release_") || begins("removal_")) return "not seen";
   if (begins("deposit_")) return "not recorded";
   if (begins("first_deposit_")) return input.is_hand_recorded ? "no deposit" : "not recorded";
+  if (begins("strain_")) return "not shown by its contours";
   if (begins("approach_") || begins("largest_")) return "not recorded";
   return "not measured";
 }
