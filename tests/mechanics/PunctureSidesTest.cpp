@@ -20,7 +20,7 @@ double bulge_um(double depth_um) {
   return kBulge_um * std::pow(depth_um / kDeepest_um, 2);
 }
 
-Sight seen(double tip_um, double membrane_um, double flank_um, double side_um) {
+Sight sides_seen(double tip_um, double membrane_um, double flank_um, double side_um) {
   return {.tip_um = tip_um,
           .tip_sigma_um = 0.5,
           .membrane_um = membrane_um,
@@ -34,7 +34,7 @@ Sight seen(double tip_um, double membrane_um, double flank_um, double side_um) {
 PunctureVerdict pushed() {
   PunctureVerdict verdict;
   for (double depth = 1.0; depth <= kDeepest_um; depth += 1.0) {
-    EXPECT_FALSE(verdict.judge(seen(depth, depth, kFlank_ratio * depth, bulge_um(depth))));
+    EXPECT_FALSE(verdict.judge(sides_seen(depth, depth, kFlank_ratio * depth, bulge_um(depth))));
     EXPECT_FALSE(verdict.is_doubted()) << depth;
     verdict.add(depth, 0.1 * depth);
   }
@@ -46,7 +46,7 @@ TEST(PunctureSides, ACellThatStillBulgesIsPushedWhereverItsContourIsUnderTheTip)
   PunctureVerdict verdict = pushed();
   EXPECT_FALSE(verdict.judge(Shape{.residual_um = 0.5, .dimple_residual_um = 1.0, .usual_um = 0.3}));
   for (int k = 0; k < 8; ++k) {
-    Sight lost = seen(30.0, 9.0, 4.0, 2.9);
+    Sight lost = sides_seen(30.0, 9.0, 4.0, 2.9);
     lost.is_tracked_punctured = true;
     EXPECT_FALSE(verdict.judge(lost)) << k;
     EXPECT_TRUE(verdict.is_pushed()) << k;
@@ -56,7 +56,7 @@ TEST(PunctureSides, ACellThatStillBulgesIsPushedWhereverItsContourIsUnderTheTip)
   // Without a look at the sides the same frames are a puncture.
   PunctureVerdict blind = pushed();
   bool is_through = false;
-  for (int k = 0; k < 8; ++k) is_through = is_through || blind.judge(seen(30.0, 9.0, 4.0, NAN));
+  for (int k = 0; k < 8; ++k) is_through = is_through || blind.judge(sides_seen(30.0, 9.0, 4.0, NAN));
   EXPECT_TRUE(is_through);
 }
 
@@ -66,7 +66,7 @@ TEST(PunctureSides, SidesThatGoBackTellAPuncture) {
   int frames = 0;
   for (const double share : {0.55, 0.35, 0.25, 0.2}) {
     ++frames;
-    if (verdict.judge(seen(30.5, 30.0, 0.7 * kFlank_ratio * kDeepest_um, share * kBulge_um))) break;
+    if (verdict.judge(sides_seen(30.5, 30.0, 0.7 * kFlank_ratio * kDeepest_um, share * kBulge_um))) break;
     verdict.add(30.0, 3.0);
   }
   EXPECT_LE(frames, 3);
@@ -76,7 +76,7 @@ TEST(PunctureSides, SidesThatGoBackTellAPuncture) {
 TEST(PunctureSides, SidesThatGoWithANeedleDrawnBackAreNoRecoil) {
   PunctureVerdict verdict = pushed();
   for (double depth = 28.0; depth > 0.0; depth -= 2.0) {
-    EXPECT_FALSE(verdict.judge(seen(depth, depth, kFlank_ratio * depth, bulge_um(depth)))) << depth;
+    EXPECT_FALSE(verdict.judge(sides_seen(depth, depth, kFlank_ratio * depth, bulge_um(depth)))) << depth;
     EXPECT_FALSE(verdict.is_doubted()) << depth;
     verdict.add(depth, 0.1 * depth);
   }

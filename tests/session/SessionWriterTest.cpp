@@ -147,7 +147,7 @@ TEST(SessionWriter, TablesHaveTheHeadersOfTheContract) {
             "puncture_probability,contact_force_picture_lower_uN,contact_force_picture_upper_uN,"
             "contact_force_scale_lower_uN,contact_force_scale_upper_uN,expected_puncture_uN,expected_puncture_um,"
             "manipulator_x_um,manipulator_y_um,strain_stiffening,strain_stiffening_lower,strain_stiffening_upper");
-  EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(rows[2], "1,0.0333333333,contact,0.75,100,80,0,150,80,3,0,0.5,,,,,,,,,,,,,,,,,,,,,,");
   const auto events = rows_of(folder / "s/events.csv");
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0], "time_s,kind,detail");
@@ -175,7 +175,7 @@ TEST(SessionWriter, WritesOnlyThePartsThatAreThere) {
   EXPECT_FALSE(fs::exists(folder / "s/frames/frame_00000001.vti"));
   EXPECT_TRUE(fs::is_empty(folder / "s/surface"));
   EXPECT_TRUE(fs::is_empty(folder / "s/membranes"));
-  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,,,,,,,,,");
+  EXPECT_EQ(rows_of(folder / "s/measurements.csv")[1], "0,0,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,");
   EXPECT_EQ(writer.counts().step_count, 2U);
   EXPECT_EQ(writer.counts().files(SessionPart::kFrame), 1U);
   EXPECT_TRUE(check_session(folder / "s", false).fine());

@@ -9,12 +9,12 @@
 #include "CellModelCache.h"
 #include "CellPlacement.h"
 #include "ContactSight.h"
-#include "DepthFilter.h"
 #include "ErrorBudget.h"
 #include "ForceReport.h"
 #include "ObservationCheck.h"
 #include "PunctureVerdict.h"
 #include "SizesCorrector.h"
+#include "pellucida/core/DepthFilter.h"
 #include "pellucida/core/Error.h"
 #include "pellucida/mechanics/RevolvedContour.h"
 

@@ -1,4 +1,4 @@
-#include "DepthFilter.h"
+#include "pellucida/core/DepthFilter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "DepthFilter.h"
+#include "pellucida/core/DepthFilter.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -13,7 +13,7 @@ constexpr double kAccelerationDensity = 20.0;
 /// Speeds a needle may have at once when a new motion starts, um/s.
 constexpr double kSpeedSpread_um_per_s = 40.0;
 /// Frames farther apart than this have nothing to do with each other.
-constexpr double kLongestGap_s = 0.5;
+constexpr double kLongestFrameGap_s = 0.5;
 /// Squared innovation over its variance beyond which the motion has changed.
 constexpr double kGate = 9.0;
 
@@ -21,7 +21,7 @@ constexpr double kGate = 9.0;
 
 std::optional<double> DepthFilter::expected_um(double time_s) const {
   const double dt_s = time_s_ ? time_s - *time_s_ : -1.0;
-  if (dt_s < 0.0 || dt_s > kLongestGap_s) return std::nullopt;
+  if (dt_s < 0.0 || dt_s > kLongestFrameGap_s) return std::nullopt;
   return state_.x() + dt_s * state_.y();
 }
 
@@ -30,7 +30,7 @@ DepthFilter::Estimate DepthFilter::update(double time_s, double depth_um, double
   const double dt_s = time_s_ ? time_s - *time_s_ : -1.0;
 
   // First frame, a long gap, or time going back: begin anew.
-  if (dt_s < 0.0 || dt_s > kLongestGap_s) {
+  if (dt_s < 0.0 || dt_s > kLongestFrameGap_s) {
     state_ = {depth_um, 0.0};
     covariance_ = Eigen::Vector2d(variance, kSpeedSpread_um_per_s * kSpeedSpread_um_per_s).asDiagonal();
     time_s_ = time_s;
