@@ -162,7 +162,8 @@ TEST(ContourSizes, ContoursOfNoSolidSayNothing) {
 // At the sizes that the picture shows and the kind's own modulus: a wall that stiffens bears up to two thirds more.
 TEST(ForceObserver, AWallThatStiffensIsSeenByItsContours) {
   const CellProfile profile = load_profile("mouse-oocyte");
-  for (const auto& [name, stiffening] : kStiffeningCells) {
+  for (const auto& stiffening : kStiffeningCells) {
+    const char* name = stiffening.name;
     const CellReference cell = stiffening_cell(name);
     const auto error_of = [&](bool with_outline) {
       ForceObserver observer(profile);

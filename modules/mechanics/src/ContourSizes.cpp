@@ -1,6 +1,7 @@
 #include "ContourSizes.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
