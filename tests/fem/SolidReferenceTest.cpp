@@ -182,6 +182,8 @@ TEST(SolidReference, OutOfRangeIsRefused) {
   EXPECT_THROW(SolidReference({}, {}, {.edge_length_ratio = 0.0}), UsageError);
   EXPECT_THROW(SolidReference({}, {}, {.stiffening = -0.1}), UsageError);
   EXPECT_THROW(SolidReference({}, {}, {.stiffening = 2.5}), UsageError);
+  EXPECT_THROW(SolidReference({}, {}, {.aspect_ratio = 0.6}), UsageError);
+  EXPECT_THROW(SolidReference({}, {}, {.aspect_ratio = 1.5}), UsageError);
 }
 
 }  // namespace

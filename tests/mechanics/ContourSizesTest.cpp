@@ -159,54 +159,66 @@ TEST(ContourSizes, ContoursOfNoSolidSayNothing) {
   EXPECT_FALSE(contours.estimate({parameters_of(cell), {0.5, 0.15, 0.08, kOpenStiffening, 0.01}}));
 }
 
+struct Push {
+  bool has_rest = true, shows_holder = true;         ///< an outline at rest; the holding pipette's width
+  std::vector<ScaleMeasurement> scale_measurements;  ///< of this cell
+};
+
+/// The last estimate of a push to 40 um of which the picture shows so much.
+ForceEstimate pushed(const CellReference& cell, const Push& push) {
+  ForceObserver observer(load_profile("mouse-oocyte"));
+  observer.set_scale_measurements(push.scale_measurements);
+  ForceEstimate e;
+  long frame = 0;
+  for (double depth_um = -5.0; depth_um <= 40.0; depth_um += 0.5) {
+    Observation o = view_of(cell, std::max(0.0, depth_um), frame++);
+    o.rest_inner_radius_um = cell.inner_radius_um();
+    if (!push.shows_holder) o.holder->outer_radius_um = 0.0;
+    if (!push.has_rest && depth_um <= 0.0) o.outer->points_um.resize(2, 0);
+    e = observer.process(o);
+  }
+  return e;
+}
+
+double log_error(const ForceEstimate& e, const CellReference& cell) {
+  return std::log(e.contact_force_uN / cell.force_uN(40.0));
+}
+
 // At the sizes that the picture shows and the kind's own modulus: a wall that stiffens bears up to two thirds more.
 TEST(ForceObserver, AWallThatStiffensIsSeenByItsContours) {
-  const CellProfile profile = load_profile("mouse-oocyte");
-  for (const auto& stiffening : kStiffeningCells) {
-    const char* name = stiffening.name;
+  for (const auto& [name, stiffening] : kStiffeningCells) {
     const CellReference cell = stiffening_cell(name);
-    const auto error_of = [&](bool with_outline) {
-      ForceObserver observer(profile);
-      ForceEstimate e;
-      long frame = 0;
-      for (double depth_um = -5.0; depth_um <= 40.0; depth_um += 0.5) {
-        Observation o = view_of(cell, std::max(0.0, depth_um), frame++);
-        o.rest_inner_radius_um = cell.inner_radius_um();
-        if (!with_outline && depth_um <= 0.0) o.outer->points_um.resize(2, 0);
-        e = observer.process(o);
-      }
-      if (with_outline) {
-        EXPECT_LE(e.by_picture.lower_uN, cell.force_uN(40.0)) << name;
-        EXPECT_GE(e.by_picture.upper_uN, cell.force_uN(40.0)) << name;
-      }
-      return std::log(e.contact_force_uN / cell.force_uN(40.0));
-    };
-    const double with = error_of(true), without = error_of(false);
-    EXPECT_LT(std::abs(with), 0.1) << name;
-    EXPECT_LT(without, -0.1) << name;
+    const ForceEstimate with = pushed(cell, {}), without = pushed(cell, {.has_rest = false});
+    EXPECT_LT(std::abs(log_error(with, cell)), 0.1) << name;
+    EXPECT_LT(log_error(without, cell), -0.1) << name;
+    EXPECT_LE(with.by_picture.lower_uN, cell.force_uN(40.0)) << name;
+    EXPECT_GE(with.by_picture.upper_uN, cell.force_uN(40.0)) << name;
   }
+}
+
+// A push that was measured has the wall in it at its own depth: counted twice there, the force deeper would be too
+// large by as much.
+TEST(ForceObserver, AfterAMeasuredPushTheWallCountsFromItsDepth) {
+  const CellReference cell = stiffening_cell("specimen-1067");
+  ScaleMeasurement known;
+  known.at_indentation_um = 30.0;
+  known.known_force_uN = cell.force_uN(known.at_indentation_um);
+  known.known_force_sigma_percent = 1.0;
+  known.at_indentation_sigma_um = 0.1;
+  const ForceEstimate e = pushed(cell, {.scale_measurements = {known}});
+  ASSERT_TRUE(e.sizes_by_contour);
+  EXPECT_GT(e.sizes_by_contour->force_ratio, 1.0);
+  EXPECT_LT(std::abs(log_error(e, cell)), 0.1);
 }
 
 TEST(ForceObserver, AHoldingPipetteOutOfSizeIsCorrectedByTheContours) {
   // The holder's width is not seen: at the kind's own the force is too large or too small.
   const CellReference cell = CellReference::load("specimen-14", 1);
-  const CellProfile profile = load_profile("mouse-oocyte");
-  const auto error_of = [&](bool with_outline) {
-    ForceObserver observer(profile);
-    ForceEstimate e;
-    long frame = 0;
-    for (double depth_um = -5.0; depth_um <= 40.0; depth_um += 0.5) {
-      Observation o = view_of(cell, std::max(0.0, depth_um), frame++);
-      o.rest_inner_radius_um = cell.inner_radius_um();
-      o.holder->outer_radius_um = 0.0;
-      if (!with_outline && depth_um <= 0.0) o.outer->points_um.resize(2, 0);
-      e = observer.process(o);
-    }
-    EXPECT_EQ(e.sizes_by_contour.has_value(), with_outline);
-    return std::abs(std::log(e.contact_force_uN / cell.force_uN(40.0)));
-  };
-  const double with = error_of(true), without = error_of(false);
-  EXPECT_LT(with, 0.7 * without) << with << " of " << without;
+  const ForceEstimate with = pushed(cell, {.shows_holder = false});
+  const ForceEstimate without = pushed(cell, {.has_rest = false, .shows_holder = false});
+  EXPECT_TRUE(with.sizes_by_contour);
+  EXPECT_FALSE(without.sizes_by_contour);
+  EXPECT_LT(std::abs(log_error(with, cell)), 0.7 * std::abs(log_error(without, cell)));
 }
 
 }  // namespace

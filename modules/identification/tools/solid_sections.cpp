@@ -1,9 +1,10 @@
 // A developer's tool: the outer sections of solids of revolution under a needle, for all geometries of a survey. What
 // resources/shapes/indented_solid.py is fitted to.
 //   solid_sections COUNT > FILE.csv
-// A row an equilibrium: cell, thickness, tip, holder (um), the wall's stiffening, indentation (um, on a middle radius
-// of 50 um), force (uN), pressure (kPa), then x and z (um) of the outer surface at rest angles 2 degrees apart from the
-// needle's pole. Each geometry twice: neo-Hookean, and of a wall that stiffens.
+// A row an equilibrium: cell, thickness, tip, holder (um), the wall's stiffening, its length over width, indentation
+// (um, on a middle radius of 50 um), force (uN), pressure (kPa), then x and z (um) of the outer surface at rest angles
+// 2 degrees apart from the needle's pole. Each geometry three times: round and neo-Hookean, of a wall that stiffens,
+// and out of round.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

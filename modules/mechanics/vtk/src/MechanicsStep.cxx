@@ -9,6 +9,7 @@
 
 #include "WarningNews.h"
 #include "pellucida/mechanics/ContactModelBuilder.h"
+#include "pellucida/mechanics/ForceInterval.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/IndentedSolid.h"
 
@@ -22,12 +23,9 @@ std::string format(const char* pattern, Numbers... numbers) {
   return text;
 }
 
-/// Standard deviations of a 95 % interval.
-constexpr double kSure = 1.96;
-
 /// How the wall stiffens, as the contours say, with its interval.
 void write_stiffening(const SizesByContour& seen, Measurement& row) {
-  const double half_width = kSure * seen.stiffening_effect_sigma;
+  const double half_width = kSigmas95 * seen.stiffening_effect_sigma;
   row.strain_stiffening = stiffening_of(seen.stiffening_effect);
   row.strain_stiffening_lower = stiffening_of(std::max(0.0, seen.stiffening_effect - half_width));
   row.strain_stiffening_upper = stiffening_of(seen.stiffening_effect + half_width);
@@ -193,7 +191,7 @@ class MechanicsStep::Impl {
                  seen.holder_radius_um, 100.0 * seen.holder_radius_sigma, seen.force_ratio));
     }
     const double effect = seen.stiffening_effect, sigma = seen.stiffening_effect_sigma;
-    if (effect > kSure * sigma && !told_stiffening_) {
+    if (effect > kSigmas95 * sigma && !told_stiffening_) {
       told_stiffening_ = true;
       note(format(
           "by the contours in contact: the zona stiffens with strain, b = %.2f (68 %%: %.2f to %.2f); the force "
