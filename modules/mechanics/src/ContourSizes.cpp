@@ -33,9 +33,11 @@ constexpr double kEdge_um = 0.2, kEdge_rad = 0.2, kNoise_um = 0.1;
 constexpr double kPlace_um = 0.3, kRadius_um = 0.2, kDepth_um = 0.2;
 /// Of an outline's ln of length over width.
 constexpr double kElongation_sigma = 0.01;
-/// Gauss-Newton: steps, the longest and the last, in logarithms.
-constexpr int kMostSteps = 6;
-constexpr double kLongestStep = 0.4, kLastStep = 0.01;
+/// Gauss-Newton: steps, the longest and the last, in logarithms. Of a contour the solid's shape and slope are taken
+/// where it was last held against the solid, unless that was farther away than this.
+constexpr int kMostSteps = 30;
+constexpr double kLongestStep = 0.4, kLastStep = 0.01, kFarthestSlope = 0.03;
+constexpr int kContoursPerStep = 2;
 /// Fewer nodes say nothing.
 constexpr Eigen::Index kFewestNodes = 8;
 /// Nor do fewer say how long the cell is, of 17.
@@ -87,13 +89,19 @@ SolidParameters step_within(const Information& information, const SolidParameter
 
 }  // namespace
 
-/// One row for each node that a contour shows.
-struct ContourSizes::Misfit {
-  Eigen::VectorXd residual_um;                                  // contour less solid, along the normal
-  Eigen::Matrix<double, Eigen::Dynamic, kParameters> slope_um;  // of the solid, by its parameters
-  std::vector<int> node;                                        // of those that count
-  Eigen::VectorXd depth_ratio, normal_z, depth_slope;
-};
+void ContourSizes::Misfit::resize(Eigen::Index rows) {
+  residual_um.conservativeResize(rows);
+  slope_um.conservativeResize(rows, kParameters);
+  for (Eigen::VectorXd* column : {&depth_ratio, &normal_z, &depth_slope}) column->conservativeResize(rows);
+  node.resize(static_cast<std::size_t>(rows));
+}
+
+void ContourSizes::clear() noexcept {
+  contours_.clear();
+  at_.reset();
+  estimate_.reset();
+  is_settled_ = true;
+}
 
 MembraneContour ContourSizes::in_cell(const Observation& o, const CellPlacement& placement) {
   MembraneContour contour = *o.outer;
@@ -133,6 +141,7 @@ void ContourSizes::add_rest(const Observation& o, const CellPlacement& placement
   for (Eigen::Index k = 0; k < seen.size(); ++k)
     if (!std::isnan(seen[k])) rest_[k] = std::isnan(rest_[k]) ? seen[k] : rest_[k] + (seen[k] - rest_[k]) / rest_count_;
   if (rest_count_ >= kFewestRest) elongation_ = elongation_of_rest();
+  for (Seen& contour : contours_) contour.at.reset();
 }
 
 // By least squares over what was seen: a circle of another size, moved along the needle, and an ellipse.
@@ -148,58 +157,88 @@ double ContourSizes::elongation_of_rest() const {
   return 2.0 * amplitude_um[2] / radius_um_;
 }
 
-bool ContourSizes::add(const Observation& o, const CellPlacement& placement, double depth_um) {
-  if (!o.outer || !(o.rest_outer_radius_um > 0.0) || rest_count_ < kFewestRest) return false;
+void ContourSizes::add(const Observation& o, const CellPlacement& placement, double depth_um) {
+  if (!o.outer || !(o.rest_outer_radius_um > 0.0) || rest_count_ < kFewestRest) return;
   const double depth_ratio = depth_um / radius_um_, place = std::round(depth_ratio / kDepthStep_ratio);
   const bool counts = place >= 1.0 && depth_ratio <= solid_.deepest_ratio() &&
                       std::abs(depth_ratio - place * kDepthStep_ratio) < kDepthWindow_ratio;
-  if (!counts) return false;
+  if (!counts) return;
   const auto at = std::find_if(contours_.begin(), contours_.end(), [&](const Seen& seen) {
     return std::round(seen.depth_ratio / kDepthStep_ratio) >= place;
   });
-  if (at != contours_.end() && std::round(at->depth_ratio / kDepthStep_ratio) == place) return false;
-  contours_.insert(at, {depth_ratio, in_cell(o, placement)});
-  return true;
+  if (at != contours_.end() && std::round(at->depth_ratio / kDepthStep_ratio) == place) return;
+  contours_.insert(at, {.depth_ratio = depth_ratio, .contour = in_cell(o, placement), .at = {}, .misfit = {}});
+  steps_ = 0;
+  is_settled_ = false;
 }
 
-ContourSizes::Misfit ContourSizes::misfit(const SolidParameters& parameters) const {
+// A contour against the solid of the parameters it is to be held against.
+ContourSizes::Misfit ContourSizes::misfit(const Seen& seen) const {
+  const SolidParameters& parameters = *seen.at;
   const double from_rad = std::asin(std::min(1.0, std::exp(parameters[1]))) + kBesideTool_rad;
   const double to_rad = std::numbers::pi - std::asin(std::min(1.0, std::exp(parameters[2]))) - kBesideTool_rad;
   const auto nodes = solid_.angle_rad().size();
-  const auto most = static_cast<Eigen::Index>(contours_.size()) * (nodes / kNodeStep + 1);
-  Misfit all;
-  all.slope_um.resize(most, kParameters);
-  for (Eigen::VectorXd* column : {&all.residual_um, &all.depth_ratio, &all.normal_z, &all.depth_slope})
-    column->resize(most);
-  all.node.resize(static_cast<std::size_t>(most));
   // The outline at rest, from its ellipse.
   const Eigen::VectorXd rest_um =
       rest_.array() - 0.5 * radius_um_ * elongation_ * (2.0 * solid_.angle_rad().array()).cos();
+  const auto section = solid_.section(parameters, seen.depth_ratio);
+  const Eigen::Matrix2Xd normals = normals_of(section.places);
+  const Eigen::VectorXd offset = offsets(seen.contour, radius_um_ * section.places, normals) - rest_um;
+  Misfit misfit;
+  misfit.resize(nodes / kNodeStep + 1);
+  Eigen::Index row = 0;
+  for (Eigen::Index k = 0; k < nodes; k += kNodeStep) {
+    const double angle = solid_.angle_rad()[k];
+    if (std::isnan(offset[k]) || angle < from_rad || angle > to_rad) continue;
+    misfit.residual_um[row] = offset[k];
+    for (int p = 0; p < kParameters; ++p)
+      misfit.slope_um(row, p) =
+          p == kElongation ? 0.0
+                           : radius_um_ * normals.col(k).dot(section.by_parameter[static_cast<std::size_t>(p)].col(k));
+    misfit.node[static_cast<std::size_t>(row)] = static_cast<int>(k / kNodeStep);
+    misfit.depth_ratio[row] = seen.depth_ratio;
+    misfit.normal_z[row] = normals(1, k);
+    misfit.depth_slope[row] = normals.col(k).dot(section.by_depth.col(k));
+    ++row;
+  }
+  misfit.resize(row);
+  return misfit;
+}
+
+// Some of the contours whose solid is too far from the present one, farthest first. False: all are near by now.
+bool ContourSizes::hold_against_solid() {
+  int held = 0;
+  for (; held < kContoursPerStep; ++held) {
+    const auto distance = [this](const Seen& seen) {
+      return seen.at ? (*at_ - *seen.at).cwiseAbs().maxCoeff() : std::numeric_limits<double>::infinity();
+    };
+    const auto farthest = std::max_element(contours_.begin(), contours_.end(),
+                                           [&](const Seen& a, const Seen& b) { return distance(a) < distance(b); });
+    if (distance(*farthest) < kFarthestSlope) break;
+    farthest->at = at_;
+    farthest->misfit = misfit(*farthest);
+  }
+  return held > 0;
+}
+
+// Against the solid of the present parameters, as slopes have it.
+ContourSizes::Misfit ContourSizes::misfit_of_all() const {
+  Misfit all;
+  Eigen::Index rows = 0;
+  for (const Seen& seen : contours_) rows += seen.misfit.residual_um.size();
+  all.resize(rows);
   Eigen::Index row = 0;
   for (const Seen& seen : contours_) {
-    const auto section = solid_.section(parameters, seen.depth_ratio);
-    const Eigen::Matrix2Xd normals = normals_of(section.places);
-    const Eigen::VectorXd offset = offsets(seen.contour, radius_um_ * section.places, normals) - rest_um;
-    for (Eigen::Index k = 0; k < nodes; k += kNodeStep) {
-      const double angle = solid_.angle_rad()[k];
-      if (std::isnan(offset[k]) || angle < from_rad || angle > to_rad) continue;
-      all.residual_um[row] = offset[k];
-      for (int p = 0; p < kParameters; ++p)
-        all.slope_um(row, p) =
-            p == kElongation
-                ? 0.0
-                : radius_um_ * normals.col(k).dot(section.by_parameter[static_cast<std::size_t>(p)].col(k));
-      all.node[static_cast<std::size_t>(row)] = static_cast<int>(k / kNodeStep);
-      all.depth_ratio[row] = seen.depth_ratio;
-      all.normal_z[row] = normals(1, k);
-      all.depth_slope[row] = normals.col(k).dot(section.by_depth.col(k));
-      ++row;
-    }
+    const Misfit& one = seen.misfit;
+    const Eigen::Index n = one.residual_um.size();
+    all.residual_um.segment(row, n) = one.residual_um - one.slope_um * (*at_ - *seen.at);
+    all.slope_um.middleRows(row, n) = one.slope_um;
+    all.depth_ratio.segment(row, n) = one.depth_ratio;
+    all.normal_z.segment(row, n) = one.normal_z;
+    all.depth_slope.segment(row, n) = one.depth_slope;
+    std::copy(one.node.begin(), one.node.end(), all.node.begin() + row);
+    row += n;
   }
-  all.residual_um.conservativeResize(row);
-  all.slope_um.conservativeResize(row, kParameters);
-  for (Eigen::VectorXd* column : {&all.depth_ratio, &all.normal_z, &all.depth_slope}) column->conservativeResize(row);
-  all.node.resize(static_cast<std::size_t>(row));
   return all;
 }
 
@@ -236,41 +275,45 @@ Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
   return covariance;
 }
 
-std::optional<ContourSizes::Parameters> ContourSizes::estimate(ParametersPrior prior) {
+void ContourSizes::settle(std::optional<Parameters> estimate) {
+  is_settled_ = true;
+  estimate_ = std::move(estimate);
+}
+
+void ContourSizes::step(ParametersPrior prior) {
+  if (is_settled_) return;
   bool has_open = false;
   for (int p = 0; p < kParameters; ++p) has_open = has_open || is_open(prior, p);
-  if (contours_.empty() || !has_open) return std::nullopt;
+  if (!has_open) return settle(std::nullopt);
   prior.mean[kElongation] = elongation_;
   prior.sigma[kElongation] = kElongation_sigma;
   const Information weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  SolidParameters at = solid_.within_range(start_.value_or(prior.mean));
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Misfit seen = misfit(at);
-    const Eigen::Index n = seen.residual_um.size();
-    if (n < kFewestNodes) return std::nullopt;
-    const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(covariance_um2(seen));
-    const Eigen::Matrix<double, Eigen::Dynamic, kParameters> weighed = factor.solve(seen.slope_um);
-    const Eigen::VectorXd explained = factor.solve(seen.residual_um);
-    const Information information = weight + seen.slope_um.transpose() * weighed;
-    const SolidParameters gradient = weighed.transpose() * seen.residual_um - weight * (at - prior.mean);
-    const SolidParameters next = solid_.within_range(at + step_within(information, gradient, at));
-    const double moved = (next - at).cwiseAbs().maxCoeff();
-    if (moved < kLastStep || step + 1 == kMostSteps) {
-      if (seen.residual_um.dot(explained) > kLargestMisfit * static_cast<double>(n)) return std::nullopt;
-      start_ = next;
-      Parameters result{next, information.inverse()};
-      for (int p = 0; p < kParameters; ++p) {
-        if (is_open(prior, p)) continue;
-        result.mean[p] = prior.mean[p];
-        result.covariance.row(p).setZero();
-        result.covariance.col(p).setZero();
-        result.covariance(p, p) = prior.sigma[p] * prior.sigma[p];
-      }
-      return result;
-    }
-    at = next;
+  if (!at_) at_ = solid_.within_range(prior.mean);
+  const bool has_held = hold_against_solid();
+  if (std::any_of(contours_.begin(), contours_.end(), [](const Seen& seen) { return !seen.at; })) return;
+
+  const Misfit seen = misfit_of_all();
+  const Eigen::Index n = seen.residual_um.size();
+  if (n < kFewestNodes) return settle(std::nullopt);
+  const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(covariance_um2(seen));
+  const Eigen::Matrix<double, Eigen::Dynamic, kParameters> weighed = factor.solve(seen.slope_um);
+  const Information information = weight + seen.slope_um.transpose() * weighed;
+  const SolidParameters gradient = weighed.transpose() * seen.residual_um - weight * (*at_ - prior.mean);
+  const SolidParameters next = solid_.within_range(*at_ + step_within(information, gradient, *at_));
+  const double moved = (next - *at_).cwiseAbs().maxCoeff();
+  at_ = next;
+  if (++steps_ < kMostSteps && (has_held || moved > kLastStep)) return;
+  const double misfit = seen.residual_um.dot(factor.solve(seen.residual_um));
+  if (misfit > kLargestMisfit * static_cast<double>(n)) return settle(std::nullopt);
+  Parameters found{next, information.inverse()};
+  for (int p = 0; p < kParameters; ++p) {
+    if (is_open(prior, p)) continue;
+    found.mean[p] = prior.mean[p];
+    found.covariance.row(p).setZero();
+    found.covariance.col(p).setZero();
+    found.covariance(p, p) = prior.sigma[p] * prior.sigma[p];
   }
-  return std::nullopt;
+  settle(found);
 }
 
 ContourSizes::ForceChange ContourSizes::force_change(const SolidParameters& from, const SolidParameters& to,

@@ -18,9 +18,9 @@ struct ParametersPrior {
 /// What the outer contours of a contact add to that: how wide a dimple is, and where the cell bulges, depends on the
 /// wall's thickness, on how it stiffens with strain, and on both tools. The most likely parameters (maximum a
 /// posteriori) given the contours at depths 0.08 outer radii apart, against the sections of a solid (`IndentedSolid`),
-/// by Gauss and Newton's method; the difference between cell and solid is normal and correlated along the contour and
-/// over the depth. Only for a needle opposite the holding pipette, which is what the solid is. One thread at a time;
-/// allocates.
+/// by Gauss and Newton's method, a step of bounded time at a time; the difference between cell and solid is normal and
+/// correlated along the contour and over the depth. Only for a needle opposite the holding pipette, which is what the
+/// solid is. One thread at a time; allocates.
 class ContourSizes {
  public:
   ContourSizes() : solid_(IndentedSolid::shipped()) {}
@@ -29,14 +29,10 @@ class ContourSizes {
   void add_rest(const Observation& observation, const CellPlacement& placement);
   /// ln of that outline's length (along the needle) over its width; 0 where too little was seen of it.
   double elongation() const noexcept { return elongation_; }
-  /// A contour in contact at that depth. True where it is the first one at a depth, so that an estimate is worth its
-  /// time.
-  bool add(const Observation& observation, const CellPlacement& placement, double depth_um);
+  /// A contour in contact at that depth: counts where it is the first one at a depth.
+  void add(const Observation& observation, const CellPlacement& placement, double depth_um);
   /// Another model: the contours are forgotten, the outline at rest is kept.
-  void clear() noexcept {
-    contours_.clear();
-    start_.reset();
-  }
+  void clear() noexcept;
   int contour_count() const noexcept { return static_cast<int>(contours_.size()); }
   void forget() {
     clear();
@@ -48,9 +44,14 @@ class ContourSizes {
     SolidParameters mean;
     Eigen::Matrix<double, kParameters, kParameters> covariance;
   };
-  /// Those that the prior knows well stay as they are. Nothing where it knows all of them, where too little was seen in
-  /// contact, or where no parameters explain it.
-  std::optional<Parameters> estimate(ParametersPrior prior);
+  /// A step towards the most likely parameters, while contours were added since the last one was found. Takes as long
+  /// as it takes to hold two contours against the solid.
+  void step(ParametersPrior prior);
+  /// Nothing is left to do.
+  bool is_settled() const noexcept { return is_settled_; }
+  /// The last that was settled. Parameters that the prior knows well are as there. Nothing where it knows all of them,
+  /// where too little was seen in contact, or where no parameters explain it.
+  const std::optional<Parameters>& estimate() const noexcept { return estimate_; }
   /// A standard deviation up to this one is known well.
   static constexpr double kOpen = 0.2;
 
@@ -69,16 +70,28 @@ class ContourSizes {
   ForceChange force_change(const SolidParameters& from, const SolidParameters& to, double depth_ratio) const;
 
  private:
+  /// One row for each node of the solid's section that a contour shows.
+  struct Misfit {
+    Eigen::VectorXd residual_um;                                  // contour less solid, along the normal
+    Eigen::Matrix<double, Eigen::Dynamic, kParameters> slope_um;  // of the solid, by its parameters
+    std::vector<int> node;                                        // of those that count
+    Eigen::VectorXd depth_ratio, normal_z, depth_slope;
+    void resize(Eigen::Index rows);
+  };
   struct Seen {
     double depth_ratio = 0.0;
-    MembraneContour contour;  // frame C: x across, z towards the needle; um
+    MembraneContour contour;            // frame C: x across, z towards the needle; um
+    std::optional<SolidParameters> at;  // of the solid that it was last held against
+    Misfit misfit;                      // there
   };
-  struct Misfit;
   static MembraneContour in_cell(const Observation& observation, const CellPlacement& placement);
   Eigen::VectorXd offsets(const MembraneContour& contour, const Eigen::Matrix2Xd& places,
                           const Eigen::Matrix2Xd& normals) const;
   double elongation_of_rest() const;
-  Misfit misfit(const SolidParameters& parameters) const;
+  bool hold_against_solid();
+  Misfit misfit(const Seen& seen) const;
+  Misfit misfit_of_all() const;
+  void settle(std::optional<Parameters> estimate);
   Eigen::MatrixXd covariance_um2(const Misfit& seen) const;
 
   const IndentedSolid& solid_;
@@ -86,8 +99,11 @@ class ContourSizes {
   double radius_um_ = 0.0;      // outer, of the cell they show
   Eigen::VectorXd rest_;        // (n) um, of the outline at rest from its circle, by node of the solid's half-section
   int rest_count_ = 0;
-  double elongation_ = 0.0;               // of the outline at rest
-  std::optional<SolidParameters> start_;  // the last estimate, where the next one begins
+  double elongation_ = 0.0;            // of the outline at rest
+  std::optional<SolidParameters> at_;  // the present estimate
+  int steps_ = 0;                      // since a contour was added
+  bool is_settled_ = true;
+  std::optional<Parameters> estimate_;
 };
 
 }  // namespace pellucida

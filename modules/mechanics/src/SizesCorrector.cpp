@@ -36,7 +36,6 @@ double inner_over_middle(const LogSizes& sizes) {
 
 void SizesCorrector::clear() noexcept {
   contours_.clear();
-  seen_.reset();
   change_.setZero();
 }
 
@@ -54,21 +53,22 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
                              std::log(built.holder_radius_um / radius_um_), 0.0, 0.0);
   const bool is_solid = is_of_revolution(placement, radius_um_);
   const double elongation = is_solid ? contours_.elongation() : 0.0;
-  const bool is_news = !is_doubted && is_solid && contours_.add(o, placement, depth_um);
-  if (is_news) {
+  if (!is_doubted && is_solid) contours_.add(o, placement, depth_um);
+  if (!contours_.is_settled()) {
     LogSizes sigmas = cell.geometry().log_sigmas();
     if (scale.has_geometry) sigmas = sigmas.cwiseMin(ContourSizes::kOpen);
     has_open_size_ = (sigmas.array() > ContourSizes::kOpen).any();
-    seen_ = contours_.estimate({from, (SolidParameters() << sigmas, kStiffening_sigma, 0.0).finished()});
+    contours_.step({from, (SolidParameters() << sigmas, kStiffening_sigma, 0.0).finished()});
   }
-  SolidParameters wanted = seen_ ? SolidParameters(seen_->mean - from) : SolidParameters::Zero();
+  const auto& seen = contours_.estimate();
+  SolidParameters wanted = seen ? SolidParameters(seen->mean - from) : SolidParameters::Zero();
   wanted[kElongation] = elongation;
   change_ += kFollow * (wanted - change_);
   change_[kElongation] = elongation;  // seen at rest already
 
   SizesCorrection correction;
   ratio_ = 1.0;
-  if (!seen_ && change_.norm() < kLeastChange) return correction;
+  if (!seen && change_.norm() < kLeastChange) return correction;
   const SolidParameters to = from + change_;
   auto change = contours_.force_change(from, to, depth_ratio);
   if (scale.has_geometry) change -= contours_.force_change(from, to, scale.push_depth_um / radius_um_);
@@ -78,22 +78,23 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
       correction.pressure_ratio * std::pow(inner_over_middle(to.head<3>()) / inner_over_middle(from.head<3>()), 2);
   correction.elongation_log_sigma = kOtherWidth_ratio * std::abs(change.slope[kElongation] * elongation);
   correction.slope_per_um = ratio_ * change.by_depth / radius_um_;
-  if (!seen_) return correction;
+  if (!seen) return correction;
   const SolidParameters not_yet = (wanted - change_).cwiseProduct(change.slope);
   correction.stiffening_log_sigma = std::hypot(
-      std::sqrt(seen_->covariance(kStiffening, kStiffening)) * change.slope[kStiffening], not_yet[kStiffening]);
+      std::sqrt(seen->covariance(kStiffening, kStiffening)) * change.slope[kStiffening], not_yet[kStiffening]);
   if (!has_open_size_) return correction;
   const Eigen::Vector3d slope = change.slope.head<3>();
-  const double by_sizes = std::sqrt(slope.dot(seen_->covariance.topLeftCorner<3, 3>() * slope));
+  const double by_sizes = std::sqrt(slope.dot(seen->covariance.topLeftCorner<3, 3>() * slope));
   const double fit = kFit_log * std::min(1.0, change_.head<3>().norm() / kFitFrom_log);
   correction.log_sigma = std::hypot(by_sizes, not_yet.head<3>().sum(), fit);
   return correction;
 }
 
 std::optional<SizesByContour> SizesCorrector::sizes() const {
-  if (!seen_) return std::nullopt;
-  const SolidParameters sigma = seen_->covariance.diagonal().cwiseSqrt();
-  const auto length_um = [&](int size) { return radius_um_ * std::exp(seen_->mean[size]); };
+  const auto& seen = contours_.estimate();
+  if (!seen) return std::nullopt;
+  const SolidParameters sigma = seen->covariance.diagonal().cwiseSqrt();
+  const auto length_um = [&](int size) { return radius_um_ * std::exp(seen->mean[size]); };
   return SizesByContour{.contour_count = contours_.contour_count(),
                         .thickness_um = length_um(0),
                         .tip_radius_um = length_um(1),
@@ -102,7 +103,7 @@ std::optional<SizesByContour> SizesCorrector::sizes() const {
                         .tip_radius_sigma = sigma[1],
                         .holder_radius_sigma = sigma[2],
                         .sizes_changed = has_open_size_,
-                        .stiffening_effect = seen_->mean[kStiffening],
+                        .stiffening_effect = seen->mean[kStiffening],
                         .stiffening_effect_sigma = sigma[kStiffening],
                         .force_ratio = ratio_};
 }

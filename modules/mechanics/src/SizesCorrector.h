@@ -45,7 +45,6 @@ class SizesCorrector {
 
  private:
   ContourSizes contours_;
-  std::optional<ContourSizes::Parameters> seen_;
   SolidParameters change_ = SolidParameters::Zero();  // in use, beside the model's own
   double radius_um_ = 0.0, ratio_ = 1.0;
   bool has_open_size_ = false;
