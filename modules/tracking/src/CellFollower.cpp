@@ -18,7 +18,7 @@ constexpr double kRigidReach_px = 38.0;
 // 1.7 px of the truth, the walls within 2.5 px in 24 and 12 px off in one.
 constexpr double kAstray_ratio = 0.08;
 constexpr double kSlid_px = 2.0, kSlid_ratio = 0.03;
-constexpr int kAstrayFrames = 3;
+constexpr int kAstrayFrames = 3, kMostAstray = 1;
 // Within so much (cosine) of the holder's direction the membrane stays on its mouth: by finite elements within 1 % of
 // the radius at the deepest; where the walls don't say how it moves across, or no holder is known, more of it has to
 // do. Rounds of the fit; its scale at first and last.
@@ -31,6 +31,8 @@ constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // a push of 25 um (wide film 179137).
 constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
 constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4, kMoved_sigmas = 3.0;
+// Of the outline of a cell that networks read; of where the walls put it.
+constexpr double kReadSigma_px = 0.25, kWallsSigma_px = 0.1;
 // Of the narrow band: where a membrane that is back at rest is looked for.
 constexpr double kAtRest_ratio = 0.5;
 // Of the tip's depth: the contour lies on it.
@@ -176,46 +178,76 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
   const PartTimer timer(frame.timings->rigid_us);
   if (rigid_.valid() && rigid_.track(frame.image, kRigidReach_px + jump.norm(), jump)) {
     motion_ = rigid_.motion();
+    are_walls_seen_ = true;
   } else {
     motion_.shift += jump;
+    are_walls_seen_ = false;
   }
 }
 
-// Without a holder the cell's seat gives the rigid motion. With one it is a check: the long walls of a pipette fit
-// anywhere along themselves, and a cell may leave its holder; neither must look like an indentation. From one frame to
-// the next the seat moves with the holder, but for a share of the needle's own way; and where they part slowly, the
-// walls have slid: the holder is learnt anew, or, in contact, the seat followed along it.
+// Without a holder, or where its walls are not found, the cell's seat gives the rigid motion. With one it is a check:
+// the long walls of a pipette fit anywhere along themselves, and a cell may leave its holder; neither must look like an
+// indentation.
 void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before) {
   const Eigen::Vector2d seat_before = seat_;
   seat_ = seat_center();
   if (!rigid_.valid()) return follow_seat();
-  const Eigen::Vector2d seat_way = seat_ - seat_before, holder_way = center_now() - center_before;
-  // What the needle pushed, it pushed by its way against the cell.
-  const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
-  if ((seat_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push) {
-    rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way);
-    motion_ = rigid_.motion();
-    return;
+  if (!are_walls_seen_) {
+    follow_seat();
+    rigid_.move_by(motion_.shift - rigid_.motion().shift);
+  } else if (contact_.state() == CellState::kFree) {
+    check_walls_by_outline(frame);
+  } else {
+    check_walls_by_seat(frame, seat_ - seat_before, center_now() - center_before);
   }
-  // The walls tell across the pipette, the seat along it.
-  const Eigen::Vector2d gap = seat_ - center_now(), along = gap.dot(holder_direction()) * holder_direction();
-  const bool is_free = contact_.state() == CellState::kFree;
-  const bool astray = (is_free ? gap : along).norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius) &&
-                      (is_free || !has_drifted_here());
+}
+
+// Nothing shows the place of an untouched cell as well as its outline. A holder that is elsewhere for some frames is
+// the needle, if it comes from there; else it is learnt anew, and no longer followed where it parts from the cell
+// again.
+void CellFollower::check_walls_by_outline(const FrameInput& frame) {
+  const double dent = kDent_ratio * std::max(0.0, needle_.valid() ? tip_depth() : 0.0);
+  const double limit = kMoved_sigmas * std::hypot(is_read_ ? kReadSigma_px : kOutlineSigma_px, kWallsSigma_px, dent);
+  const auto gap = [this] { return Eigen::Vector2d(seat_ - center_now()); };
+  const bool astray = gap().norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
   astray_frames_ = astray ? astray_frames_ + 1 : 0;
-  const bool pushed = may_be_pushed();
-  walls_slide_ = pushed && (walls_slide_ || astray_frames_ >= kAstrayFrames);
-  if (walls_slide_) {
-    rigid_.move_by(along);
-    motion_ = rigid_.motion();
-  }
-  if (astray_frames_ < kAstrayFrames) return;
+  walls_slide_ = false;
+  if (gap().norm() <= limit) return;
+  if (rigid_.correct(frame.image, rigid_.motion().shift + gap())) motion_ = rigid_.motion();
+  if (gap().norm() > limit) rigid_.move_by(gap());
+  motion_ = rigid_.motion();
+  if (astray_frames_ < kAstrayFrames || may_be_pushed()) return;
   astray_frames_ = 0;
-  if (pushed) return;
+  const bool is_needle = needle_.valid() && needle_.estimate().direction.dot(holder_direction()) < 0.0;
+  if (is_needle) holder_.reset();
+  if (is_needle || ++times_astray_ > kMostAstray) return rigid_.reset();
   rest_.center = seat_;
   motion_ = {};
   motion_.pivot = rest_.center;
   learn_holder_motion(frame);
+}
+
+// From one frame to the next the seat moves with the holder, but for a share of the needle's own way; and where they
+// part slowly, the walls have slid: the seat is followed along the holder.
+void CellFollower::check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way,
+                                       const Eigen::Vector2d& holder_way) {
+  // What the needle pushed, it pushed by its way against the cell.
+  const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
+  if ((seat_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push &&
+      rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way)) {
+    motion_ = rigid_.motion();
+    return;
+  }
+  // The walls tell across the pipette, the seat along it.
+  const double bulge = kHeldBulge_ratio * std::max(0.0, membrane_depth_);
+  const Eigen::Vector2d along = (seat_ - center_now()).dot(holder_direction()) * holder_direction();
+  const bool astray = along.norm() > std::max({kSlid_px, kSlid_ratio * rest_.outer_radius, kMoved_sigmas * bulge}) &&
+                      !has_drifted_here();
+  astray_frames_ = astray ? astray_frames_ + 1 : 0;
+  walls_slide_ = walls_slide_ || astray_frames_ >= kAstrayFrames;
+  if (!walls_slide_) return;
+  rigid_.move_by(along);
+  motion_ = rigid_.motion();
 }
 
 // The seat, by what is known of either weighed against where the drift before the touch has led: beside a needle that

@@ -183,6 +183,8 @@ class CellFollower {
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;
   void follow_seat();
+  void check_walls_by_outline(const FrameInput& frame);
+  void check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way, const Eigen::Vector2d& holder_way);
   bool has_drifted_here() const;
   bool may_be_pushed() const;
 
@@ -195,6 +197,7 @@ class CellFollower {
   RigidMotion rigid_;
   RigidMove motion_;
   SteadyDrift drift_;
+  bool are_walls_seen_ = false;                     // the holder was followed in this frame
   double seat_sigma_ = 0.0;                         // px, of the shift in contact where no holder shows it
   Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;
@@ -210,7 +213,7 @@ class CellFollower {
   bool is_doubtful_ = false;
   bool walls_slide_ = false;  // the holder's, along themselves
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
-  int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, frames_followed_ = 0;
+  int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, times_astray_ = 0, frames_followed_ = 0;
   int unseen_frames_ = 0;  // without a needle
 };
 

@@ -10,7 +10,17 @@ constexpr std::size_t kMostPixels = 640;
 constexpr int kReferenceFrames = 16;    // the reference is the mean of that many
 constexpr double kJumpStep_px = 3.0;    // between the starts about a jump
 constexpr double kLeastContrast = 0.4;  // of the reference's, for a fit to be one
-constexpr double kTellable_px = 0.1;    // a motion counts as determined when its standard deviation is below this
+// Along the walls, between the starts beside the expected place, and how many to each side; a fit is tried from all of
+// them in so many frames at first, and where it leaves so many times what is usual. One farther away has to be so much
+// better.
+constexpr double kBeside_px = 1.5;
+constexpr int kStartsBeside = 2, kFirstFrames = 4;
+constexpr double kUnusual_ratio = 1.2, kBetter_ratio = 0.7;
+// A fit that leaves so many times what is usual is none; the longer there is none, the more may be left.
+constexpr double kNone_ratio = 2.5, kMissed_ratio = 1.2;
+// How the usual residual and the steady motion follow, per frame.
+constexpr double kUsual = 0.2, kSteady = 0.3;
+constexpr double kTellable_px = 0.1;  // a motion counts as determined when its standard deviation is below this
 
 // Central differences over three rows: pixel noise makes no gradient of its own.
 Eigen::Vector2d smooth_gradient(const FrameSampler& image, const Eigen::Vector2d& p) {
@@ -28,7 +38,10 @@ Eigen::Vector2d smooth_gradient(const FrameSampler& image, const Eigen::Vector2d
 void RigidMotion::reset() {
   pixels_.clear();
   motion_ = {};
+  velocity_.setZero();
   frames_averaged_ = 1;
+  frames_followed_ = 0;
+  usual_residual_ = 0.0;
 }
 
 bool RigidMotion::learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& candidates,
@@ -74,6 +87,7 @@ bool RigidMotion::learn(const FrameSampler& image, const std::vector<Eigen::Vect
   noise_ = noise;
   spread_ = std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
   shift_covariance_ = noise * noise * shifts.inverse();
+  along_ = worst;
   // What is left of a turn's information once the shifts are free.
   const Eigen::Vector2d mixed = information.topRightCorner<2, 1>();
   const double alone = information(2, 2) - mixed.dot(shifts.inverse() * mixed);
@@ -149,39 +163,60 @@ bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen:
   if (!valid()) return false;
   RigidMove best = motion_;
   double least = 0.35 * spread_ + noise_;
+  if (frames_followed_ >= kFirstFrames) least = std::min(least, kNone_ratio * usual_residual_);
   bool found = false;
-  const auto attempt = [&](const Eigen::Vector2d& way) {
+  const auto attempt = [&](const Eigen::Vector2d& way, double better_ratio) {
     RigidMove start = motion_;
     start.shift += way;
     const Fit fit = refine(image, start);
-    if (!fit.good || (fit.move.shift - motion_.shift).norm() > reach_px || fit.residual >= least) return;
+    const bool is_near = (fit.move.shift - motion_.shift).norm() <= reach_px;
+    if (!fit.good || !is_near || fit.residual >= (found ? better_ratio : 1.0) * least) return;
     best = fit.move;
     least = fit.residual;
     found = true;
   };
   if (jump.isZero()) {
-    attempt(jump);
+    attempt(jump, 1.0);
+    // The walls fit nearly as well beside their place along themselves; only the rim shows that they don't belong
+    // there.
+    const bool is_doubtful = frames_followed_ < kFirstFrames || least > kUnusual_ratio * usual_residual_;
+    if (is_doubtful) attempt(velocity_, kBetter_ratio);
+    for (int k = 1; k <= kStartsBeside && found && is_doubtful; ++k) {
+      attempt(velocity_ + k * kBeside_px * along_, kBetter_ratio);
+      attempt(velocity_ - k * kBeside_px * along_, kBetter_ratio);
+    }
   } else {
     // The long walls fit anywhere along themselves: where a jump ended shows at the rim only, so the best of several
     // starts is taken.
     for (int i = -1; i <= 1; ++i) {
-      for (int j = -1; j <= 1; ++j) attempt(jump + kJumpStep_px * Eigen::Vector2d(i, j));
+      for (int j = -1; j <= 1; ++j) attempt(jump + kJumpStep_px * Eigen::Vector2d(i, j), 1.0);
     }
   }
   // Nothing near: starts round about.
   for (double radius = 6.0; radius <= reach_px && !found; radius += 6.0) {
-    for (int k = 0; k < 12; ++k) attempt(radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6)));
+    for (int k = 0; k < 12; ++k) attempt(radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6)), 1.0);
   }
-  if (!found) return false;
+  if (!found) {
+    usual_residual_ *= kMissed_ratio;
+    return false;
+  }
+  const Eigen::Vector2d way = best.shift - motion_.shift;
+  if (jump.isZero()) velocity_ += (frames_followed_ == 0 ? 1.0 : kSteady) * (way - velocity_);
+  usual_residual_ += (frames_followed_ == 0 ? 1.0 : kUsual) * (least - usual_residual_);
+  ++frames_followed_;
   motion_ = best;
   if (frames_averaged_ < kReferenceFrames) average_in(image);
   return true;
 }
 
-void RigidMotion::correct(const FrameSampler& image, const Eigen::Vector2d& shift) {
-  motion_.shift = shift;
-  const Fit fit = refine(image, motion_);
-  if (fit.good && (fit.move.shift - shift).norm() < kJumpStep_px) motion_ = fit.move;
+bool RigidMotion::correct(const FrameSampler& image, const Eigen::Vector2d& shift) {
+  RigidMove start = motion_;
+  start.shift = shift;
+  const Fit there = refine(image, start), here = refine(image, motion_);
+  const bool is_there = there.good && (there.move.shift - shift).norm() < kJumpStep_px;
+  if (!is_there || (here.good && there.residual > here.residual)) return false;
+  motion_ = there.move;
+  return true;
 }
 
 // The reference's own noise falls with the frames it is the mean of.

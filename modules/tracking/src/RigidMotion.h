@@ -39,13 +39,13 @@ class RigidMotion {
   bool learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& candidates, const Eigen::Vector2d& pivot,
              double noise);
 
-  /// Finds the motion since `learn`, px; starts from the last one moved by `jump` (0, or what the whole picture seems
-  /// to have jumped, good to a few px). `reach_px` bounds the step. False when the fit fails.
+  /// Finds the motion since `learn`, px; starts from the last one gone on with, or moved by `jump` (0, or what the
+  /// whole picture seems to have jumped, good to a few px). `reach_px` bounds the step. False when the fit fails.
   bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& jump);
 
-  /// Something surer says that the motion is about `shift`: the fit begun there is taken, or, where it fails, `shift`
-  /// itself with the last turn.
-  void correct(const FrameSampler& image, const Eigen::Vector2d& shift);
+  /// Something else says that the motion is about `shift`: taken where the pixels fit as well near there as at the last
+  /// place.
+  bool correct(const FrameSampler& image, const Eigen::Vector2d& shift);
 
   /// The next fit begins so much further; for motions along which the pixels tell nothing.
   void move_by(const Eigen::Vector2d& way) noexcept { motion_.shift += way; }
@@ -75,6 +75,10 @@ class RigidMotion {
   double spread_ = 0.0;      // standard deviation of the reference's grey values
   bool turns_ = false;       // whether the pixels determine a turn
   int frames_averaged_ = 1;  // in the reference's grey values
+  int frames_followed_ = 0;
+  double usual_residual_ = 0.0;
+  Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();  // px a frame
+  Eigen::Vector2d along_ = Eigen::Vector2d::UnitX();    // the direction in which the pixels tell least
   Eigen::Matrix2d shift_covariance_ = Eigen::Matrix2d::Zero();
   RigidMove motion_;
 };
