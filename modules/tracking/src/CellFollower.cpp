@@ -19,6 +19,9 @@ constexpr double kRigidReach_px = 38.0;
 constexpr double kAstray_ratio = 0.08;
 constexpr double kSlid_px = 2.0, kSlid_ratio = 0.03;
 constexpr int kAstrayFrames = 3, kMostAstray = 1;
+// Walls that are so far from an untouched cell's place along the pipette, px, in the mean of late, don't tell where it
+// is; how that mean follows, per frame.
+constexpr double kSlips_px = 0.5, kSlipPace = 0.3;
 // Within so much (cosine) of the holder's direction the membrane stays on its mouth: by finite elements within 1 % of
 // the radius at the deepest; where the walls don't say how it moves across, or no holder is known, more of it has to
 // do. Rounds of the fit; its scale at first and last.
@@ -30,7 +33,10 @@ constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // how far from its drift a cell has moved. Without: a holder beside the needle's line lets the far side go by 0.41 of
 // a push of 25 um (wide film 179137).
 constexpr double kOutlineSigma_px = 0.1, kSeatSigma_px = 0.45;
+// A narrow holder lets the seat go by up to 0.15 of the depth (0.17 R; plain film 80413), which is no slide of its
+// walls.
 constexpr double kDent_ratio = 0.2, kHeldBulge_ratio = 0.05, kBulge_ratio = 0.4, kMoved_sigmas = 3.0;
+constexpr double kWorstHeldBulge_ratio = 0.08;
 // Of the outline of a cell that networks read; of where the walls put it.
 constexpr double kReadSigma_px = 0.25, kWallsSigma_px = 0.1;
 // Of the narrow band: where a membrane that is back at rest is looked for.
@@ -212,6 +218,7 @@ void CellFollower::check_walls_by_outline(const FrameInput& frame) {
   const bool astray = gap().norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
   astray_frames_ = astray ? astray_frames_ + 1 : 0;
   walls_slide_ = false;
+  if (!may_be_pushed()) walls_slip_ += kSlipPace * (std::abs(gap().dot(holder_direction())) - walls_slip_);
   if (gap().norm() <= limit) return;
   if (rigid_.correct(frame.image, rigid_.motion().shift + gap())) motion_ = rigid_.motion();
   if (gap().norm() > limit) rigid_.move_by(gap());
@@ -238,21 +245,26 @@ void CellFollower::check_walls_by_seat(const FrameInput& frame, const Eigen::Vec
     motion_ = rigid_.motion();
     return;
   }
-  // The walls tell across the pipette, the seat along it.
-  const double bulge = kHeldBulge_ratio * std::max(0.0, membrane_depth_);
-  const Eigen::Vector2d along = (seat_ - center_now()).dot(holder_direction()) * holder_direction();
-  const bool astray = along.norm() > std::max({kSlid_px, kSlid_ratio * rest_.outer_radius, kMoved_sigmas * bulge}) &&
-                      !has_drifted_here();
+  // A push lets the seat go by towards the holder, never away from it.
+  const double gap = (seat_ - center_now()).dot(holder_direction());
+  const double least = std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
+  const double bulge = kMoved_sigmas * kWorstHeldBulge_ratio * std::max(0.0, membrane_depth_);
+  const bool astray = (gap < -least || gap > std::max(least, bulge)) && !has_drifted_here();
   astray_frames_ = astray ? astray_frames_ + 1 : 0;
-  walls_slide_ = walls_slide_ || astray_frames_ >= kAstrayFrames;
+  walls_slide_ = walls_slide_ || walls_slip_ > kSlips_px || astray_frames_ >= kAstrayFrames;
   if (!walls_slide_) return;
-  rigid_.move_by(along);
+  // The walls tell across the pipette, seat and drift along it.
+  rigid_.move_by((place_by_seat() - center_now()).dot(holder_direction()) * holder_direction());
   motion_ = rigid_.motion();
+}
+
+void CellFollower::follow_seat() {
+  motion_.shift += place_by_seat() - center_now();
 }
 
 // The seat, by what is known of either weighed against where the drift before the touch has led: beside a needle that
 // pushes deep the far side bulges. What is farther from there than that has moved.
-void CellFollower::follow_seat() {
+Eigen::Vector2d CellFollower::place_by_seat() {
   const bool is_free = contact_.state() == CellState::kFree;
   const double bulge = (is_free   ? kDent_ratio
                         : holder_ ? kHeldBulge_ratio
@@ -262,8 +274,8 @@ void CellFollower::follow_seat() {
   const double seat = std::hypot(is_free ? kOutlineSigma_px : kSeatSigma_px, bulge), drift = drift_.sigma_px(),
                both = std::hypot(seat, drift);
   const bool has_moved = !may_be_pushed() || gap.norm() > kMoved_sigmas * both;
-  motion_.shift += (has_moved ? seat_ : drift_.place() + std::pow(drift / both, 2) * gap) - center_now();
   seat_sigma_ = has_moved ? seat : seat * drift / both;
+  return has_moved ? seat_ : drift_.place() + std::pow(drift / both, 2) * gap;
 }
 
 bool CellFollower::may_be_pushed() const {

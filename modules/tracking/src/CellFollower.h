@@ -183,6 +183,7 @@ class CellFollower {
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;
   void follow_seat();
+  Eigen::Vector2d place_by_seat();
   void check_walls_by_outline(const FrameInput& frame);
   void check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way, const Eigen::Vector2d& holder_way);
   bool has_drifted_here() const;
@@ -198,6 +199,7 @@ class CellFollower {
   RigidMove motion_;
   SteadyDrift drift_;
   bool are_walls_seen_ = false;                     // the holder was followed in this frame
+  double walls_slip_ = 0.0;                         // px, of late, along the pipette, from an untouched cell's outline
   double seat_sigma_ = 0.0;                         // px, of the shift in contact where no holder shows it
   Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;

@@ -166,7 +166,7 @@ double CellFollower::membrane_sigma() const {
 
 double CellFollower::rest_sigma() const {
   const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
-  if (rigid_.valid()) return std::hypot(rest, rigid_.sigma_px(needle_.estimate().direction));
+  if (rigid_.valid() && !walls_slide_) return std::hypot(rest, rigid_.sigma_px(needle_.estimate().direction));
   return std::hypot(rest, seat_sigma_);
 }
 

@@ -90,6 +90,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   scene_.reset();
   scene_.update(frame.image);
   astray_frames_ = times_astray_ = 0;
+  walls_slip_ = 0.0;
   seat_ = circle.center;
   learn_holder_motion(frame);
   if (is_read_ && needle_.valid() && tip_depth() > kEntered_px) read_dimples(frame);
