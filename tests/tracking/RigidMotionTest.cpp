@@ -97,6 +97,34 @@ TEST_F(RigidMotionTest, AJumpAlongTheWallsIsFoundAtTheRims) {
   EXPECT_LT((motion_.motion().shift - truth.shift).norm(), 1e-6);
 }
 
+TEST_F(RigidMotionTest, APlaceWhereThePixelsFitWorseIsNotTaken) {
+  const RigidMove truth = moved(1.0, 0.5, 0.0);
+  const ScenePicture now = draw_scene(truth);
+  const FrameSampler image(now.view());
+  ASSERT_TRUE(motion_.track(image, 20.0, Eigen::Vector2d::Zero()));
+  EXPECT_FALSE(motion_.correct(image, {-14.0, 0.5}));
+  EXPECT_LT((motion_.motion().shift - truth.shift).norm(), 0.1);
+}
+
+TEST_F(RigidMotionTest, ThePlaceWhereThePixelsFitIsTaken) {
+  const RigidMove truth = moved(14.0, 0.0, 0.0);
+  const ScenePicture now = draw_scene(truth);
+  EXPECT_TRUE(motion_.correct(FrameSampler(now.view()), {13.0, 0.0}));
+  EXPECT_LT((motion_.motion().shift - truth.shift).norm(), 1e-3);
+}
+
+TEST_F(RigidMotionTest, WallsThatFitFarWorseThanUsualAreNotFound) {
+  for (int frame = 0; frame < 8; ++frame) {
+    const ScenePicture now = draw_scene(moved(0.1 * frame, 0.0, 0.0), 1.0, 0.003, 20 + frame);
+    ASSERT_TRUE(motion_.track(FrameSampler(now.view()), 20.0, Eigen::Vector2d::Zero()));
+  }
+  const Eigen::Vector2d last = motion_.motion().shift;
+  // The rims are gone, and with them what tells a motion along the walls.
+  const ScenePicture away = draw_scene(moved(60.0, 0.0, 0.0), 1.0, 0.003, 40);
+  EXPECT_FALSE(motion_.track(FrameSampler(away.view()), 20.0, Eigen::Vector2d::Zero()));
+  EXPECT_EQ(motion_.motion().shift, last);
+}
+
 TEST_F(RigidMotionTest, AnEmptyPictureIsNotFollowed) {
   const std::vector<std::uint8_t> gray(kSceneWidth * kSceneHeight, 150);
   const ImageView view{gray.data(), PixelFormat::kGray8, kSceneWidth, kSceneHeight, kSceneWidth, 1.0};

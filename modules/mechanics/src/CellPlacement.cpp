@@ -62,12 +62,11 @@ void CellPlacement::follow_needle(const Observation& o) {
 }
 
 void CellPlacement::follow_holder(const Observation& o) {
-  // Smoothed while seen, remembered while hidden.
+  // Smoothed while seen, remembered while hidden; from the other side it is another one.
   if (!o.holder || !is_direction(o.holder->direction)) return;
   const Eigen::Vector2d seen = o.holder->direction.normalized();
-  const Eigen::Vector2d mixed =
-      holder_W_ ? Eigen::Vector2d((1.0 - kHolderFollow) * *holder_W_ + kHolderFollow * seen) : seen;
-  holder_W_ = mixed.norm() > 0.1 ? Eigen::Vector2d(mixed.normalized()) : seen;
+  const bool is_same = holder_W_ && seen.dot(*holder_W_) > 0.0;
+  holder_W_ = is_same ? ((1.0 - kHolderFollow) * *holder_W_ + kHolderFollow * seen).normalized() : seen;
 }
 
 }  // namespace pellucida

@@ -226,11 +226,11 @@ void CellFollower::check_walls_by_outline(const FrameInput& frame) {
   if (astray_frames_ < kAstrayFrames || may_be_pushed()) return;
   astray_frames_ = 0;
   const bool is_needle = needle_.valid() && needle_.estimate().direction.dot(holder_direction()) < 0.0;
-  if (is_needle) holder_.reset();
-  if (is_needle || ++times_astray_ > kMostAstray) return rigid_.reset();
+  if (!is_needle && ++times_astray_ > kMostAstray) return rigid_.reset();
   rest_.center = seat_;
   motion_ = {};
   motion_.pivot = rest_.center;
+  if (is_needle) find_holder_anew(frame);
   learn_holder_motion(frame);
 }
 

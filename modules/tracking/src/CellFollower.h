@@ -182,6 +182,8 @@ class CellFollower {
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;
+  void find_facing_holder(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
+  void find_holder_anew(const FrameInput& frame);
   void follow_seat();
   Eigen::Vector2d place_by_seat();
   void check_walls_by_outline(const FrameInput& frame);

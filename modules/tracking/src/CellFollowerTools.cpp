@@ -126,16 +126,26 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
     });
     find_among(others);
   }
-  // What faces the needle holds the cell, however narrow: the scene takes such a pipette for another needle.
-  if (!holder_ && needle_.valid()) {
-    std::vector<FoundTool> facing;
-    std::copy_if(tools.begin(), tools.end(), std::back_inserter(facing), [&](const FoundTool& tool) {
-      return tool.direction.dot(needle_.estimate().direction) > kAlongHolder;
-    });
-    holder_ = find_holder(frame.image, facing, circle, frame.noise, kNarrowestFacing_ratio);
-  }
+  if (!holder_) find_facing_holder(frame, circle, tools);
   begin_command(frame);
   read_tip_width(frame, false);
+}
+
+// What faces the needle holds the cell, however narrow: the scene takes such a pipette for another needle.
+void CellFollower::find_facing_holder(const FrameInput& frame, const contour::Circle& circle,
+                                      const std::vector<FoundTool>& tools) {
+  if (!needle_.valid()) return;
+  std::vector<FoundTool> facing;
+  std::copy_if(tools.begin(), tools.end(), std::back_inserter(facing),
+               [&](const FoundTool& tool) { return tool.direction.dot(needle_.estimate().direction) > kAlongHolder; });
+  holder_ = find_holder(frame.image, facing, circle, frame.noise, kNarrowestFacing_ratio);
+}
+
+// The tool taken for the holder goes with the needle: it is the needle.
+void CellFollower::find_holder_anew(const FrameInput& frame) {
+  holder_.reset();
+  const contour::Circle circle = resting_circle();
+  find_facing_holder(frame, circle, find_tools(gray(frame.view), circle));
 }
 
 // Lines may have one wall alone for the holder, and the scene none: either may know better.
