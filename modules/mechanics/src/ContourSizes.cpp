@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "NearestOnContour.h"
+#include "pellucida/core/NearestOnContour.h"
 
 namespace pellucida {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "NearestOnContour.h"
+#include "pellucida/core/NearestOnContour.h"
 
 namespace pellucida {
 namespace {

@@ -1,4 +1,4 @@
-#include "NearestOnContour.h"
+#include "pellucida/core/NearestOnContour.h"
 
 #include <algorithm>
 #include <cmath>
