@@ -40,7 +40,8 @@ class RigidMotion {
              double noise);
 
   /// Finds the motion since `learn`, px; starts from the last one moved by `jump` (0, or what the whole picture seems
-  /// to have jumped, good to a few px); where that fits unusually ill, beside it as well. `reach_px` bounds the step. False when the fit fails.
+  /// to have jumped, good to a few px); where that fits unusually ill, beside it as well. `reach_px` bounds the step.
+  /// False when the fit fails.
   bool track(const FrameSampler& image, double reach_px, const Eigen::Vector2d& jump);
 
   /// Something else says that the motion is about `shift`: taken where the pixels fit as well near there as at the last
