@@ -29,7 +29,8 @@ struct FrameSight {
   double confidence = 0.0, needle_confidence = 0.0;
   double tip_um = 0.0, tip_sigma_um = 0.0, membrane_um = 0.0, membrane_sigma_um = 0.0, depth_um = 0.0;
   double true_tip_um = 0.0, true_membrane_um = 0.0;
-  double flank_um = 0.0;                                               ///< of the dimple, as `flank_depth_um` has it
+  double flank_um = 0.0;                       ///< of the dimple, as `flank_depth_um` has it
+  double side_um = 0.0, rest_radius_um = 0.0;  ///< how far the sides bulge, 0: not seen; of the resting outline
   double residual_um = 0.0, dimple_residual_um = 0.0, noise_um = 0.0;  ///< of `ShapeAudit`; NaN: not measured
   double force_uN = 0.0, lower_uN = 0.0, upper_uN = 0.0;  ///< by what was seen, with the picture's interval
   double expected_uN = 0.0, true_uN = 0.0;                ///< by the true contours and tip; the cell's own

@@ -251,7 +251,8 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,frame,truth,tracked,judged,is_doubted,confidence,has_needle,needle_confidence,tip_um,tip_sigma_um,"
          "membrane_um,membrane_sigma_um,depth_um,true_tip_um,true_membrane_um,residual_um,dimple_residual_um,noise_um,"
-         "flank_um,outer_px,tip_px,pixel_size_um,force_uN,lower_uN,upper_uN,expected_uN,true_uN\n";
+         "flank_um,side_um,rest_radius_um,outer_px,tip_px,pixel_size_um,force_uN,lower_uN,upper_uN,expected_uN,true_"
+         "uN\n";
   for (const FilmRun& run : runs) {
     for (std::size_t k = 0; k < run.sights.size(); ++k) {
       const test::FrameSight& s = run.sights[k];
@@ -259,10 +260,10 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
           << to_string(s.judged) << ',' << s.is_doubted << ',' << s.confidence << ',' << s.has_needle << ','
           << s.needle_confidence << ',' << s.tip_um << ',' << s.tip_sigma_um << ',' << s.membrane_um << ','
           << s.membrane_sigma_um << ',' << s.depth_um << ',' << s.true_tip_um << ',' << s.true_membrane_um << ','
-          << s.residual_um << ',' << s.dimple_residual_um << ',' << s.noise_um << ',' << s.flank_um << ','
-          << run.errors[k].outer_px << ',' << run.errors[k].tip_px << ',' << run.film.scenario.image.pixel_size_um
-          << ',' << s.force_uN << ',' << s.lower_uN << ',' << s.upper_uN << ',' << s.expected_uN << ',' << s.true_uN
-          << '\n';
+          << s.residual_um << ',' << s.dimple_residual_um << ',' << s.noise_um << ',' << s.flank_um << ',' << s.side_um
+          << ',' << s.rest_radius_um << ',' << run.errors[k].outer_px << ',' << run.errors[k].tip_px << ','
+          << run.film.scenario.image.pixel_size_um << ',' << s.force_uN << ',' << s.lower_uN << ',' << s.upper_uN << ','
+          << s.expected_uN << ',' << s.true_uN << '\n';
     }
   }
   if (!out.flush()) throw OutputError(file + " can't be written");

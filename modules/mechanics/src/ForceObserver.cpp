@@ -165,6 +165,7 @@ class ForceObserver::Impl {
   std::optional<double> look(const Observation& o, ForceEstimate& estimate) {
     if (o.state == CellState::kFree) {
       end_contact();
+      verdict_.watch(sight_of(o, placement_.contact()));
       leave(o, estimate);
       return std::nullopt;
     }

@@ -31,6 +31,9 @@ constexpr double kMisreadBack_ratio = 0.3;
 constexpr double kStays_sigma = 0.25, kGoesOn_sigma = 1.0;
 /// Of the frames in contact, those in which both go back.
 constexpr double kDrawnBack_ratio = 0.2;
+/// Of the frames in contact, those in which the contour cuts across the dimple and its flanks or the cell's sides show
+/// that it is pushed: it may do so for long, however well it is seen.
+constexpr double kCuts_ratio = 0.02;
 /// Of punctures, those in which the contour is still tied to the tip.
 constexpr double kTied_ratio = 0.5;
 /// A dimple deepens as long as something pushes it; behind a needle that is through it seems to so often.
@@ -105,7 +108,8 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   // anywhere on its way.
   const double tied = has_flank || has_side ? kTied_ratio : 0.0;
   const double on_tip = 2.0 * normal(back, now.back_sigma_ratio);
-  Odds axis{.contact = on_tip,
+  const double cuts = has_flank || has_side ? kCuts_ratio : 0.0;
+  Odds axis{.contact = (1.0 - cuts) * on_tip + cuts * of_misread(back),
             .misread = of_misread(back),
             .punctured = tied * 0.5 * (on_tip + 1.0) + (1.0 - tied) * (now.is_apart ? gone(back) : 0.0)};
   Odds flanks;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kUsual_um = 2.0;
 constexpr double kSigmas = 4.0;
 /// A dimple shallower than this is no puncture when it goes.
-constexpr double kShallowest_um = 2.5;
+constexpr double kShallowest_um = 1.5;
 /// Probability from which on the membrane is through; and that something is amiss from which on a contact is in doubt.
 constexpr double kSure = 0.9, kInDoubt = 0.5;
 /// In a deep, narrow dimple the contour lags behind the tip, and back, by about this share of the depth.
@@ -36,8 +36,15 @@ constexpr double kSpring_um = 1.0;
 constexpr double kUnusual = 2.5;
 /// Frames with tip and membrane together that make a contact again.
 constexpr int kTogetherFrames = 3;
+/// Flanks go ever deeper with the needle. The sides' bulge turns back slowly in a very deep push.
+constexpr double kLeastFlank_um = 0.1, kFlankFade = 0.98, kFlankOnward = 1.2;
+constexpr double kLeastSide_um = 0.1, kSideFade = 0.9, kSideOnward = 1.0;
 
 }  // namespace
+
+PunctureVerdict::PunctureVerdict() noexcept
+    : flanks_({.least_um = kLeastFlank_um, .fade = kFlankFade, .most_onward = kFlankOnward}),
+      sides_({.least_um = kLeastSide_um, .fade = kSideFade, .most_onward = kSideOnward}) {}
 
 bool PunctureVerdict::is_apart(const Sight& now) noexcept {
   const double sigma_um = std::hypot(now.tip_sigma_um, now.membrane_sigma_um);
@@ -159,8 +166,8 @@ void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
   // While a puncture is doubted, a membrane that creeps back is measured against where it was.
   if (!is_doubted_) {
     deepest_um_ *= kFade;
-    flanks_.fade();
-    sides_.fade();
+    flanks_.fade(now.tip_um);
+    sides_.fade(now.tip_um);
   }
   if (!is_pushed) return;
   flanks_.follow(now.flank_um, now.tip_um);
@@ -213,7 +220,17 @@ std::optional<Puncture> PunctureVerdict::take_puncture(double time_s) noexcept {
 }
 
 void PunctureVerdict::release() noexcept {
+  const PushedShape flanks = flanks_, sides = sides_;
   *this = PunctureVerdict{};
+  flanks_ = flanks;
+  sides_ = sides;
+  flanks_.forget();
+  sides_.forget();
+}
+
+void PunctureVerdict::watch(const Sight& untouched) noexcept {
+  flanks_.learn_noise(untouched.flank_um);
+  sides_.learn_noise(untouched.side_um);
 }
 
 }  // namespace pellucida

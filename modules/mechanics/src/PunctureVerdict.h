@@ -22,6 +22,8 @@ namespace pellucida {
 /// the cell, it is revoked: there was none. One thread at a time.
 class PunctureVerdict {
  public:
+  PunctureVerdict() noexcept;
+
   /// What a frame in contact, or tracked as punctured, shows before its force is known. Depths past the resting
   /// membrane along the needle, with their standard deviations, um.
   struct Sight {
@@ -41,6 +43,9 @@ class PunctureVerdict {
   static bool is_apart(const Sight& now) noexcept;
   /// Whether the membrane seems to lie beyond the tip by more than noise explains: one of them is elsewhere.
   static bool lies_beyond_tip(const Sight& now) noexcept;
+
+  /// A frame in which nothing touches the cell: how much its flanks and sides seem to move by themselves.
+  void watch(const Sight& untouched) noexcept;
 
   /// Whether the membrane is through in this frame, by tip, membrane and tracker. First of a frame's calls.
   bool judge(const Sight& now) noexcept;
@@ -85,9 +90,6 @@ class PunctureVerdict {
   void forget_deepest() noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
-  // Flanks no deeper, and sides that bulge no further, say nothing.
-  static constexpr double kShallowestFlank_um = 0.5, kSmallestBulge_um = 0.5;
-
   PunctureOdds odds_;
   bool has_contact_ = false;
   bool through_ = false;
@@ -101,7 +103,7 @@ class PunctureVerdict {
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();
   double rest_radius_um_ = 0.0;
   double depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
-  PushedShape flanks_{kShallowestFlank_um}, sides_{kSmallestBulge_um};
+  PushedShape flanks_, sides_;
   double deepest_um_ = 0.0, tip_at_deepest_um_ = 0.0;  // of the membrane, of late
   // Since the membrane is through.
   double least_membrane_um_ = std::numeric_limits<double>::infinity();

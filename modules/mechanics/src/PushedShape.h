@@ -5,16 +5,22 @@ namespace pellucida {
 
 /// What of a cell's shape shows that it is pushed, wherever its contour lies under the tip: the depth of the dimple's
 /// flanks, the bulge of the cell's sides. Keeps the most of late and where the tip was then; both go with the needle's
-/// depth squared, so that what a needle drawn back leaves of them is no recoil. um; one thread at a time.
+/// depth squared as it is drawn back, so that what this leaves of them is no recoil, and with the depth as it goes on.
+/// um; one thread at a time.
 class PushedShape {
  public:
-  /// Below `least_um`, or three times its noise, it says nothing.
-  explicit PushedShape(double least_um) noexcept : least_um_(least_um) {}
+  /// What is known of a measure of the shape.
+  struct Nature {
+    double least_um;     ///< below this, or some times its noise, it says nothing
+    double fade;         ///< of the most of late, per frame
+    double most_onward;  ///< by no more than this factor it grows with a tip that goes on
+  };
+  explicit PushedShape(const Nature& nature) noexcept;
 
-  /// A frame that was seen well: noise is learnt from the differences.
+  /// A frame that was seen well, in contact or not: noise is learnt from what neither place nor pace explain.
   void learn_noise(double value_um) noexcept;
-  /// The most of late fades, frame by frame: a needle drawn back slowly punctures nothing.
-  void fade() noexcept;
+  /// The most of late fades, frame by frame, while the tip, now at `tip_um`, is drawn back: that punctures nothing.
+  void fade(double tip_um) noexcept;
   void follow(double value_um, double tip_um) noexcept;
   /// Nothing of late; the noise stays known.
   void forget() noexcept { most_um_ = 0.0; }
@@ -34,10 +40,10 @@ class PushedShape {
   Share back(double value_um, double tip_um, double tip_sigma_um) const noexcept;
 
  private:
-  double least_um_;
+  Nature nature_;
   double most_um_ = 0.0, tip_at_most_um_ = 0.0;
-  double variance_um2_ = 0.0;  // of one frame, by their differences
-  double last_um_ = std::numeric_limits<double>::quiet_NaN();
+  double variance_um2_;  // of one frame, by second differences
+  double last_um_ = std::numeric_limits<double>::quiet_NaN(), before_last_um_ = last_um_;
 };
 
 }  // namespace pellucida
