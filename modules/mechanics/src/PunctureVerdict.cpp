@@ -36,7 +36,8 @@ constexpr double kSpring_um = 1.0;
 constexpr double kUnusual = 2.5;
 /// Frames with tip and membrane together that make a contact again.
 constexpr int kTogetherFrames = 3;
-/// Flanks go ever deeper with the needle. The sides' bulge turns back slowly in a very deep push.
+/// Flanks go ever deeper with the needle. The sides' bulge turns back slowly in a very deep push, and says nothing of
+/// how far it should be.
 constexpr double kLeastFlank_um = 0.1, kFlankFade = 0.98, kFlankOnward = 1.2;
 constexpr double kLeastSide_um = 0.1, kSideFade = 0.9, kSideOnward = 1.0;
 
@@ -131,7 +132,10 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
                                   .is_apart = is_apart(now),
                                   .is_astray = lies_beyond_tip(now)};
   const PushedShape::Share flank = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um);
-  const PushedShape::Share side = sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
+  // In a very deep push the bulge turns back while the flanks go ever deeper: then it says nothing.
+  const bool may_turn_back = flank.back <= 0.0 && now.flank_um > flank_before_um_;
+  const PushedShape::Share side =
+      may_turn_back ? PushedShape::Share{} : sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
   evidence.flank_ratio = flank.back;
   evidence.flank_sigma_ratio = flank.sigma;
   evidence.side_ratio = side.back;

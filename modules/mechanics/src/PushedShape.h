@@ -23,7 +23,10 @@ class PushedShape {
   void fade(double tip_um) noexcept;
   void follow(double value_um, double tip_um) noexcept;
   /// Nothing of late; the noise stays known.
-  void forget() noexcept { most_um_ = 0.0; }
+  void forget() noexcept {
+    most_um_ = 0.0;
+    last_um_ = before_last_um_ = std::numeric_limits<double>::quiet_NaN();
+  }
 
   double most_um() const noexcept { return most_um_; }
   /// Standard deviation of one frame's value.

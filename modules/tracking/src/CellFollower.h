@@ -158,7 +158,7 @@ class CellFollower {
   void mend_dimple(const FrameInput& frame, const NeedleZone& needle);
   SnakeContour dimpled(SnakeContour snake, double reach_px) const;
   void read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift);
-  void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before);
+  void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before, const Eigen::Vector2d& jump);
   void take_dimple();
   void measure_dent();
   double flank_depth() const;
@@ -182,12 +182,15 @@ class CellFollower {
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
   Eigen::Vector2d seat_center() const;
+  double seat_way() const;
+  double seat_way_sigma() const;
   void find_facing_holder(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   void find_holder_anew(const FrameInput& frame);
   void follow_seat();
   Eigen::Vector2d place_by_seat();
   void check_walls_by_outline(const FrameInput& frame);
-  void check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way, const Eigen::Vector2d& holder_way);
+  void check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way, const Eigen::Vector2d& holder_way,
+                           const Eigen::Vector2d& jump);
   bool has_drifted_here() const;
   bool may_be_pushed() const;
 

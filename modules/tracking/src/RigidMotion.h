@@ -68,7 +68,8 @@ class RigidMotion {
     double residual = 0.0;
     bool good = false;
   };
-  Fit refine(const FrameSampler& image, RigidMove start) const;
+  static constexpr int kTolerantRounds = 3;
+  Fit refine(const FrameSampler& image, RigidMove start, int tolerant_rounds = kTolerantRounds) const;
   void average_in(const FrameSampler& image);
 
   std::vector<Pixel> pixels_;
