@@ -28,6 +28,9 @@ constexpr double kEdgeBias_um = 0.12;
 /// A contact is confirmed over some frames. So deep, um, it is by then: a needle that is seen deeper in an untouched
 /// cell isn't in its plane.
 constexpr double kLateContact_um = 3.0;
+/// A tip known less surely (standard deviation) has faded from view, as that of a needle that leaves its plane: what
+/// that takes from its depth, in what is left of its standard deviation.
+constexpr double kVagueTip_um = 1.0, kVagueTip_sigmas = 2.0;
 
 }  // namespace
 
@@ -189,7 +192,9 @@ class ForceObserver::Impl {
     // The membrane lies on the tip that pushes it: a contour short of that tip cuts across the dimple of a fine needle.
     // Far short of it, or far beyond, one of the two is not where it seems: the one counts that goes on as before. And
     // where the flanks have come back the contour may only be tied to the tip: in doubt the depth is between them.
-    const double by_contour_um = std::max(0.0, o.indentation_um), by_tip_um = std::max(0.0, sight.tip_um);
+    // A tip that has faded from view holds nothing up.
+    const double vague_um = kVagueTip_sigmas * std::max(0.0, sight.tip_sigma_um - kVagueTip_um);
+    const double by_contour_um = std::max(0.0, o.indentation_um), by_tip_um = std::max(0.0, sight.tip_um - vague_um);
     double depth_um = std::max(by_contour_um, by_tip_um), other_um = depth_um;
     if (PunctureVerdict::is_apart(sight) || PunctureVerdict::lies_beyond_tip(sight)) {
       other_um = std::min(by_contour_um, by_tip_um);

@@ -69,6 +69,8 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     if (rest_radius_um_ > 0.0) forget_deepest();
     rest_radius_um_ = now.rest_radius_um;
   }
+  // In a very deep push the sides' bulge turns back while the flanks go ever deeper: then it says nothing.
+  turns_back_ = now.flank_um > flank_before_um_ && flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um).back <= 0.0;
   if (now.has_depths && deepest_um_ > kShallowest_um) {
     const PunctureOdds::Evidence evidence = evidence_of(now);
     odds_.weigh(evidence);
@@ -132,10 +134,8 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
                                   .is_apart = is_apart(now),
                                   .is_astray = lies_beyond_tip(now)};
   const PushedShape::Share flank = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um);
-  // In a very deep push the bulge turns back while the flanks go ever deeper: then it says nothing.
-  const bool may_turn_back = flank.back <= 0.0 && now.flank_um > flank_before_um_;
   const PushedShape::Share side =
-      may_turn_back ? PushedShape::Share{} : sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
+      turns_back_ ? PushedShape::Share{} : sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
   evidence.flank_ratio = flank.back;
   evidence.flank_sigma_ratio = flank.sigma;
   evidence.side_ratio = side.back;
@@ -174,6 +174,7 @@ void PunctureVerdict::follow_deepest(const Sight& now) noexcept {
     sides_.fade(now.tip_um);
   }
   if (!is_pushed) return;
+  if (turns_back_) sides_.restart();
   flanks_.follow(now.flank_um, now.tip_um);
   sides_.follow(now.side_um, now.tip_um);
   if (now.membrane_um < deepest_um_) return;

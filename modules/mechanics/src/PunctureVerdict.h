@@ -98,6 +98,7 @@ class PunctureVerdict {
   double confidence_ = 1.0;        // of this frame
   bool is_apart_ = false;          // likewise
   bool are_sides_leaving_ = true;  // likewise, or not seen
+  bool turns_back_ = false;        // likewise, of the sides' bulge, while the flanks go deeper
   int together_frames_ = 0;
   double last_residual_um_ = std::numeric_limits<double>::quiet_NaN();
   double last_dimple_um_ = std::numeric_limits<double>::quiet_NaN();

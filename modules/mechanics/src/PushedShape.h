@@ -22,10 +22,12 @@ class PushedShape {
   /// The most of late fades, frame by frame, while the tip, now at `tip_um`, is drawn back: that punctures nothing.
   void fade(double tip_um) noexcept;
   void follow(double value_um, double tip_um) noexcept;
+  /// Its most of late begins with the next value.
+  void restart() noexcept { most_um_ = 0.0; }
   /// Nothing of late; the noise stays known.
   void forget() noexcept {
-    most_um_ = 0.0;
-    last_um_ = before_last_um_ = std::numeric_limits<double>::quiet_NaN();
+    if (most_um_ > 0.0) last_um_ = before_last_um_ = std::numeric_limits<double>::quiet_NaN();
+    restart();
   }
 
   double most_um() const noexcept { return most_um_; }

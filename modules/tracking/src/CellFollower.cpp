@@ -13,10 +13,10 @@ constexpr double kCircleTolerance_px = 3.0;
 constexpr double kAway_px = 2.0;
 // How far the holder may move between two frames, the search for it included.
 constexpr double kRigidReach_px = 38.0;
-// The seat so far (of the radius) from where the holder puts it, at once: the holder is not to be trusted; or so far,
-// px and of the radius, for so many frames. On 25 films with a holder (validation 22001 to 22040) the seat was within
+// The seat so far (of the radius, and px) from where the holder puts it, at once: the holder is not to be trusted; or so
+// far, px and of the radius, for so many frames. On 25 films with a holder (validation 22001 to 22040) the seat was within
 // 1.7 px of the truth, the walls within 2.5 px in 24 and 12 px off in one.
-constexpr double kAstray_ratio = 0.08;
+constexpr double kAstray_ratio = 0.08, kJump_ratio = 0.03, kLeastJump_px = 1.5;
 constexpr double kSlid_px = 2.0, kSlid_ratio = 0.03;
 constexpr int kAstrayFrames = 3, kMostAstray = 1;
 // Walls that are so far from an untouched cell's place along the pipette, px, in the mean of late, don't tell where it
@@ -242,7 +242,7 @@ void CellFollower::check_walls_by_seat(const FrameInput& frame, const Eigen::Vec
                                        const Eigen::Vector2d& holder_way, const Eigen::Vector2d& jump) {
   // What the needle pushed, it pushed by its way against the cell.
   const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
-  if ((seat_way - holder_way).norm() > kAstray_ratio * rest_.outer_radius + 0.5 * push) {
+  if ((seat_way - holder_way).norm() > std::max(kLeastJump_px, kJump_ratio * rest_.outer_radius) + 0.5 * push) {
     if (!rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way)) {
       // One of the two has jumped, and the picture as a whole has not.
       if ((holder_way - jump).norm() <= (seat_way - jump).norm()) return;
