@@ -8,7 +8,7 @@ namespace pellucida {
 namespace {
 
 // How well a person points, px: so far from the tip along the needle, and so far beside it.
-constexpr double kPointing_px = 12.0, kBeside_px = 6.0;
+constexpr double kPointing_px = 12.0, kBesideTip_px = 6.0;
 // Shafts tried through the place where no line leads: directions all round, and half widths in px.
 constexpr int kShaftDirections = 90;
 constexpr double kShaftHalfWidths_px[] = {2.5, 5.0, 9.0};
@@ -25,7 +25,7 @@ bool start_at_hint(NeedleTracker& needle, const FrameInput& frame, const std::ve
     if (!best.valid() || one.estimate().confidence > best.estimate().confidence) best = std::move(one);
   };
   for (const FoundTool& tool : tools) {
-    if (passes(tool, tip, kBeside_px)) attempt(tool);
+    if (passes(tool, tip, kBesideTip_px)) attempt(tool);
   }
   const bool has_line = best.valid();
   for (int k = 0; k < kShaftDirections && !has_line; ++k) {
