@@ -112,13 +112,11 @@ void CellFollower::check_walls_by_seat(const FrameInput& frame, const Eigen::Vec
   // What the needle pushed, it pushed by its way against the cell.
   const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
   if ((seat_way - holder_way).norm() > std::max(kLeastJump_px, kJump_ratio * rest_.outer_radius) + 0.5 * push) {
-    if (!rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way)) {
-      // One of the two has jumped, and the picture as a whole has not.
-      if ((holder_way - jump).norm() <= (seat_way - jump).norm()) return;
+    // One of the two has jumped, and the picture as a whole has not.
+    if (!rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way) &&
+        (holder_way - jump).norm() > (seat_way - jump).norm())
       rigid_.move_by(seat_way - holder_way);
-    }
     motion_ = rigid_.motion();
-    return;
   }
   const double gap = (seat_ - center_now()).dot(holder_direction());
   const double least = std::max({kSlid_px, kSlid_ratio * rest_.outer_radius, kMoved_sigmas * seat_way_sigma()});
