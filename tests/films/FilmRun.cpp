@@ -8,9 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "ContactSight.h"
 #include "films/FilmManipulator.h"
 #include "films/RelaxingTruth.h"
+#include "pellucida/core/NeedleContact.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
 #include "pellucida/membrane/CellProfile.h"

@@ -24,20 +24,6 @@ double seen_offset(const std::optional<MembraneContour>& contour, const Eigen::V
 
 }  // namespace
 
-NeedleContact needle_contact(const Observation& observation) {
-  const Eigen::Vector2d along = observation.needle->direction;
-  const Eigen::Vector2d left(-along.y(), along.x());
-  const Eigen::Vector2d to_center = observation.center_um - observation.needle->tip_um;
-  const double radius_um = observation.rest_outer_radius_um + observation.rest_beyond_um;
-  NeedleContact contact;
-  contact.offset_um = left.dot(to_center);
-  const double across_um = std::clamp(contact.offset_um, -radius_um, radius_um);
-  const double half_chord_um = std::sqrt(std::max(0.0, radius_um * radius_um - across_um * across_um));
-  contact.entry_um = observation.center_um - across_um * left - half_chord_um * along;
-  contact.tip_depth_um = along.dot(observation.needle->tip_um - contact.entry_um);
-  return contact;
-}
-
 void ShapeAuditor::set_model(const TriangleMesh& rest) {
   nodes_.clear();
   angle_rad_.clear();

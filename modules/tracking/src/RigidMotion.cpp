@@ -9,7 +9,6 @@ namespace {
 constexpr std::size_t kMostPixels = 640;
 constexpr int kReferenceFrames = 16;    // the reference is the mean of that many
 constexpr double kJumpStep_px = 3.0;    // between the starts about a jump
-constexpr double kStill_px = 2.0;       // a step up to which the walls have hardly moved
 constexpr double kLeastContrast = 0.4;  // of the reference's, for a fit to be one
 // Along the walls, between the starts beside the expected place, and how many to each side; a fit is tried from all of
 // them in so many frames at first, and where it leaves so many times what is usual. One farther away has to be so much
@@ -101,7 +100,7 @@ double RigidMotion::sigma_px(const Eigen::Vector2d& direction) const noexcept {
   return valid() ? std::sqrt(std::max(0.0, direction.dot(shift_covariance_ * direction))) : 0.0;
 }
 
-RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move, int tolerant_rounds) const {
+RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move) const {
   Fit fit;
   // A lamp turned up or down must not make every pixel an outlier: begin with the brightness as it is now.
   double then = 0.0, now = 0.0;
@@ -114,7 +113,7 @@ RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move, 
   for (int round = 0; round < 14; ++round) {
     // Pixels that something else covers now (a membrane that bulges beside the rim) must not pull: tolerant at first,
     // then strict.
-    const double scale = std::max(3.0 * noise_, (round < tolerant_rounds ? 0.5 : 0.12) * spread_);
+    const double scale = std::max(3.0 * noise_, (round < 3 ? 0.5 : 0.12) * spread_);
     const double c = std::cos(move.angle_rad), s = std::sin(move.angle_rad);
     const Eigen::Vector2d origin = move.pivot + move.shift;
     Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
@@ -166,45 +165,36 @@ bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen:
   double least = 0.35 * spread_ + noise_;
   if (frames_followed_ >= kFirstFrames) least = std::min(least, kNone_ratio * usual_residual_);
   bool found = false;
-  const auto attempt = [&](const Eigen::Vector2d& way, double better_ratio, double farthest_px,
-                           int tolerant_rounds = kTolerantRounds) {
+  const auto attempt = [&](const Eigen::Vector2d& way, double better_ratio) {
     RigidMove start = motion_;
     start.shift += way;
-    const Fit fit = refine(image, start, tolerant_rounds);
-    const bool is_near = (fit.move.shift - motion_.shift).norm() <= farthest_px;
+    const Fit fit = refine(image, start);
+    const bool is_near = (fit.move.shift - motion_.shift).norm() <= reach_px;
     if (!fit.good || !is_near || fit.residual >= (found ? better_ratio : 1.0) * least) return;
     best = fit.move;
     least = fit.residual;
     found = true;
   };
-  const auto is_doubtful = [&] {
-    return !found || frames_followed_ < kFirstFrames || least > kUnusual_ratio * usual_residual_;
-  };
   if (jump.isZero()) {
-    // Mostly it has hardly moved. What dents the cell changes the pixels at the rim, and a tolerant fit that they lead
-    // astray stays where the walls, drawn aslant in steps, repeat.
-    attempt(jump, 1.0, kStill_px, 0);
-    const bool is_still = !is_doubtful();
-    if (!is_still) attempt(jump, 1.0, reach_px);
+    attempt(jump, 1.0);
     // The walls fit nearly as well beside their place along themselves; only the rim shows that they don't belong
     // there.
-    const bool look_beside = !is_still && is_doubtful();
-    if (look_beside) attempt(velocity_, kBetter_ratio, reach_px);
-    for (int k = 1; k <= kStartsBeside && found && look_beside; ++k) {
-      attempt(velocity_ + k * kBeside_px * along_, kBetter_ratio, reach_px);
-      attempt(velocity_ - k * kBeside_px * along_, kBetter_ratio, reach_px);
+    const bool is_doubtful = frames_followed_ < kFirstFrames || least > kUnusual_ratio * usual_residual_;
+    if (is_doubtful) attempt(velocity_, kBetter_ratio);
+    for (int k = 1; k <= kStartsBeside && found && is_doubtful; ++k) {
+      attempt(velocity_ + k * kBeside_px * along_, kBetter_ratio);
+      attempt(velocity_ - k * kBeside_px * along_, kBetter_ratio);
     }
   } else {
     // The long walls fit anywhere along themselves: where a jump ended shows at the rim only, so the best of several
     // starts is taken.
     for (int i = -1; i <= 1; ++i) {
-      for (int j = -1; j <= 1; ++j) attempt(jump + kJumpStep_px * Eigen::Vector2d(i, j), 1.0, reach_px);
+      for (int j = -1; j <= 1; ++j) attempt(jump + kJumpStep_px * Eigen::Vector2d(i, j), 1.0);
     }
   }
   // Nothing near: starts round about.
   for (double radius = 6.0; radius <= reach_px && !found; radius += 6.0) {
-    for (int k = 0; k < 12; ++k)
-      attempt(radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6)), 1.0, reach_px);
+    for (int k = 0; k < 12; ++k) attempt(radius * Eigen::Vector2d(std::cos(k * M_PI / 6), std::sin(k * M_PI / 6)), 1.0);
   }
   if (!found) {
     usual_residual_ *= kMissed_ratio;

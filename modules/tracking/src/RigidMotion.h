@@ -68,8 +68,7 @@ class RigidMotion {
     double residual = 0.0;
     bool good = false;
   };
-  static constexpr int kTolerantRounds = 3;
-  Fit refine(const FrameSampler& image, RigidMove start, int tolerant_rounds = kTolerantRounds) const;
+  Fit refine(const FrameSampler& image, RigidMove start) const;
   void average_in(const FrameSampler& image);
 
   std::vector<Pixel> pixels_;

@@ -3,22 +3,11 @@
 #include <limits>
 #include <vector>
 
+#include "pellucida/core/NeedleContact.h"
 #include "pellucida/core/Observation.h"
 #include "pellucida/membrane/TriangleMesh.h"
 
 namespace pellucida {
-
-/// Where the needle meets the cell, from needle, centre and rest radius alone. Frame W, um.
-struct NeedleContact {
-  Eigen::Vector2d entry_um = Eigen::Vector2d::Zero();  ///< where the needle's line meets the resting outer circle
-  double offset_um = 0.0;     ///< of the centre from the needle's line; > 0: the centre lies to the left of `direction`
-                              ///< (towards (-dy, dx))
-  double tip_depth_um = 0.0;  ///< of the tip past `entry_um`, along the needle; negative outside
-};
-
-/// The contact of the observation's needle. With the line passing the cell by, the entry is the point of the circle
-/// nearest to the line. Precondition: `needle`, a rest radius above 0.
-NeedleContact needle_contact(const Observation& observation);
 
 /// What the contour shows besides its depth, in the section visible in the image.
 struct ShapeAudit {
