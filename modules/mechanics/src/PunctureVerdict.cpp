@@ -36,8 +36,9 @@ constexpr double kSpring_um = 1.0;
 constexpr double kUnusual = 2.5;
 /// Frames with tip and membrane together that make a contact again.
 constexpr int kTogetherFrames = 3;
-/// Flanks go ever deeper with the needle. The sides' bulge turns back slowly in a very deep push, and says nothing of
-/// how far it should be.
+/// Flanks go ever deeper with the needle. The sides' bulge says nothing of how far it should be, and turns back slowly
+/// in a push deeper than this share of the radius.
+constexpr double kTurnsBack_ratio = 0.55;
 constexpr double kLeastFlank_um = 0.1, kFlankFade = 0.98, kFlankOnward = 1.2;
 constexpr double kLeastSide_um = 0.1, kSideFade = 0.9, kSideOnward = 1.0;
 
@@ -70,7 +71,11 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     rest_radius_um_ = now.rest_radius_um;
   }
   // In a very deep push the sides' bulge turns back while the flanks go ever deeper: then it says nothing.
-  turns_back_ = now.flank_um > flank_before_um_ && flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um).back <= 0.0;
+  const double flank_back = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um).back;
+  const double side_back = sides_.back(now.side_um, now.tip_um, now.tip_sigma_um).back;
+  const bool is_very_deep = now.tip_um > kTurnsBack_ratio * now.rest_radius_um;
+  turns_back_ = (now.flank_um > flank_before_um_ && flank_back <= 0.0) ||
+                (is_very_deep && flank_back < kFlankLeaving_ratio && side_back > flank_back);
   if (now.has_depths && deepest_um_ > kShallowest_um) {
     const PunctureOdds::Evidence evidence = evidence_of(now);
     odds_.weigh(evidence);
