@@ -251,8 +251,8 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
   std::ofstream out(file);
   out << "seed,frame,truth,tracked,judged,is_doubted,confidence,has_needle,needle_confidence,tip_um,tip_sigma_um,"
          "membrane_um,membrane_sigma_um,depth_um,true_tip_um,true_membrane_um,residual_um,dimple_residual_um,noise_um,"
-         "flank_um,side_um,rest_radius_um,outer_px,tip_px,pixel_size_um,force_uN,lower_uN,upper_uN,expected_uN,true_"
-         "uN\n";
+         "flank_um,side_um,rest_radius_um,outer_px,tip_px,pixel_size_um,force_uN,lower_uN,upper_uN,expected_uN,"
+         "true_uN\n";
   for (const FilmRun& run : runs) {
     for (std::size_t k = 0; k < run.sights.size(); ++k) {
       const test::FrameSight& s = run.sights[k];

@@ -2,6 +2,7 @@
 // in films of specimens.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -37,7 +38,7 @@ PunctureVerdict pushed(double depth_um, double step_um, double flank_ratio, doub
 }
 
 // Film 81255: a fine needle goes through a thin zona; the contour stays on its tip, which goes on.
-TEST(PunctureQuietShape, AShallowPunctureUnderAContourThatStaysOnTheTipIsTold) {
+TEST(PunctureQuietShape, AShallowPunctureUnderAContourThatStaysOnTheTipIsDetected) {
   PunctureVerdict verdict = pushed(4.9, 0.35, 0.25, 0.032);
   const double tip_um[] = {5.18, 5.51, 5.84, 6.20, 6.54}, flank_um[] = {1.235, 0.999, 0.873, 0.808, 0.764},
                side_um[] = {0.157, 0.127, 0.108, 0.097, 0.094};
@@ -64,7 +65,7 @@ TEST(PunctureQuietShape, AContourThatCutsAcrossForLongIsNone) {
   }
 }
 
-// Film 80007: pushed to 1.3 of its radius a cell bulges less and less at its sides.
+// Film 80007: pushed to 0.8 of its radius a cell bulges less and less at its sides.
 TEST(PunctureQuietShape, SidesThatTurnBackWhileTheFlanksGoDeeperAreNoRecoil) {
   PunctureVerdict verdict = pushed(30.0, 1.5, 0.7, 0.044);
   const double tip_um[] = {31.7, 33.1, 34.6, 36.1, 37.6, 39.0, 40.5, 41.9, 43.4, 44.8, 46.1},
@@ -74,6 +75,20 @@ TEST(PunctureQuietShape, SidesThatTurnBackWhileTheFlanksGoDeeperAreNoRecoil) {
     EXPECT_FALSE(verdict.judge(seen(tip_um[k], tip_um[k], flank_um[k], side_um[k]))) << k;
     EXPECT_FALSE(verdict.is_doubted()) << k;
     verdict.add(tip_um[k], 0.1 * tip_um[k]);
+  }
+}
+
+// Film 82037: at rest 0.84 of the radius deep, with flanks slightly back, the bulge is half of what it was.
+TEST(PunctureQuietShape, SidesThatTurnedBackInAHeldPushAreNoRecoil) {
+  PunctureVerdict verdict = pushed(37.0, 1.6, 0.8, 0.028);
+  const double tip_um[] = {38.9, 40.5, 42.2, 43.6, 44.1, 44.3, 44.2},
+               flank_um[] = {32.1, 34.1, 36.3, 35.2, 35.7, 35.6, 35.6},
+               side_um[] = {0.93, 0.75, 0.54, 0.37, 0.28, 0.27, 0.26};
+  for (std::size_t k = 0; k < 16; ++k) {
+    const std::size_t at = std::min(k, std::size(tip_um) - 1);
+    EXPECT_FALSE(verdict.judge(seen(tip_um[at], tip_um[at], flank_um[at], side_um[at]))) << k;
+    EXPECT_FALSE(verdict.is_doubted()) << k;
+    verdict.add(tip_um[at], 0.1 * tip_um[at]);
   }
 }
 
@@ -94,7 +109,7 @@ TEST(PunctureQuietShape, TheNoiseOfOneContactIsKnownInTheNext) {
 }
 
 TEST(PushedShape, GrowsWithATipThatGoesOnAndFadesFasterAsItIsDrawnBack) {
-  PushedShape flanks({.least_um = 0.1, .fade = 0.98, .most_onward = 1.2});
+  PushedShape flanks({.least_um = 0.1, .fade_ratio = 0.98, .most_onward_ratio = 1.2});
   flanks.follow(2.0, 10.0);
   EXPECT_NEAR(flanks.expected_um(11.0, 0.0), 2.2, 1e-12);
   EXPECT_NEAR(flanks.expected_um(20.0, 0.0), 2.4, 1e-12);
@@ -108,7 +123,7 @@ TEST(PushedShape, GrowsWithATipThatGoesOnAndFadesFasterAsItIsDrawnBack) {
 
 // A value that rises steadily shows no noise by that.
 TEST(PushedShape, TakesASteadyPaceForNoNoise) {
-  PushedShape flanks({.least_um = 0.01, .fade = 0.98, .most_onward = 1.2});
+  PushedShape flanks({.least_um = 0.01, .fade_ratio = 0.98, .most_onward_ratio = 1.2});
   const double before_um = flanks.noise_um();
   for (int k = 0; k < 40; ++k) flanks.learn_noise(0.2 * k);
   EXPECT_LT(flanks.noise_um(), 0.2 * before_um);

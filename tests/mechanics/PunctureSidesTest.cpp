@@ -83,7 +83,7 @@ TEST(PunctureSides, SidesThatGoWithANeedleDrawnBackAreNoRecoil) {
 }
 
 TEST(PushedShape, SaysNothingBelowItsNoiseAndKnowsWhatTheNeedlesWayLeaves) {
-  PushedShape sides({.least_um = 0.5, .fade = 0.9, .most_onward = 1.0});
+  PushedShape sides({.least_um = 0.5, .fade_ratio = 0.9, .most_onward_ratio = 1.0});
   EXPECT_TRUE(std::isnan(sides.back(0.4, 10.0, 0.3).back));
   sides.follow(0.4, 10.0);
   EXPECT_TRUE(std::isnan(sides.back(0.1, 10.0, 0.3).back));

@@ -45,8 +45,8 @@ constexpr double kLeastSide_um = 0.1, kSideFade = 0.9, kSideOnward = 1.0;
 }  // namespace
 
 PunctureVerdict::PunctureVerdict() noexcept
-    : flanks_({.least_um = kLeastFlank_um, .fade = kFlankFade, .most_onward = kFlankOnward}),
-      sides_({.least_um = kLeastSide_um, .fade = kSideFade, .most_onward = kSideOnward}) {}
+    : flanks_({.least_um = kLeastFlank_um, .fade_ratio = kFlankFade, .most_onward_ratio = kFlankOnward}),
+      sides_({.least_um = kLeastSide_um, .fade_ratio = kSideFade, .most_onward_ratio = kSideOnward}) {}
 
 bool PunctureVerdict::is_apart(const Sight& now) noexcept {
   const double sigma_um = std::hypot(now.tip_sigma_um, now.membrane_sigma_um);

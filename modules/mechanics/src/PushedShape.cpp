@@ -13,9 +13,9 @@ constexpr double kNoiseBefore_um = 0.15, kLeastNoise_um = 0.02;
 constexpr double kShapeLag_ratio = 0.07;
 /// What the newest frame counts in the noise.
 constexpr double kNewestNoise_ratio = 0.2;
-/// Flanks go with this power of the needle's depth: 1.7 to 2.2 as it is drawn back in films of the specimens; 1.0 and
-/// more as it goes on.
-constexpr double kPower = 2.0, kPowerOnward = 1.0;
+/// Flanks go with this power of the needle's depth: 1.7 to 2.2 as it is drawn back in films of the specimens; with the
+/// depth itself, or more, as it goes on.
+constexpr double kPower = 2.0;
 /// Of a tip's way, what is beyond so many standard deviations of its place is sure.
 constexpr double kSureWay_sigmas = 1.5;
 /// How the most of late fades, per frame, while the needle is drawn back.
@@ -38,7 +38,7 @@ void PushedShape::learn_noise(double value_um) noexcept {
 }
 
 void PushedShape::fade(double tip_um) noexcept {
-  most_um_ *= tip_um < tip_at_most_um_ ? std::min(kFadeBack, nature_.fade) : nature_.fade;
+  most_um_ *= tip_um < tip_at_most_um_ ? std::min(kFadeBack, nature_.fade_ratio) : nature_.fade_ratio;
 }
 
 void PushedShape::follow(double value_um, double tip_um) noexcept {
@@ -58,8 +58,8 @@ bool PushedShape::is_telling(double value_um) const noexcept {
 double PushedShape::expected_um(double tip_um, double tip_sigma_um) const noexcept {
   const double then = std::max(tip_at_most_um_, kShallowestTip_um), unsure = kSureWay_sigmas * tip_sigma_um;
   const double back = std::clamp((tip_um + unsure) / then, 0.0, 1.0);
-  const double onward = std::clamp((tip_um - unsure) / then, 1.0, nature_.most_onward);
-  return most_um_ * std::pow(back, kPower) * std::pow(onward, kPowerOnward);
+  const double onward = std::clamp((tip_um - unsure) / then, 1.0, nature_.most_onward_ratio);
+  return most_um_ * std::pow(back, kPower) * onward;
 }
 
 PushedShape::Share PushedShape::back(double value_um, double tip_um, double tip_sigma_um) const noexcept {

@@ -11,9 +11,9 @@ class PushedShape {
  public:
   /// What is known of a measure of the shape.
   struct Nature {
-    double least_um;     ///< below this, or some times its noise, it says nothing
-    double fade;         ///< of the most of late, per frame
-    double most_onward;  ///< by no more than this factor it grows with a tip that goes on
+    double least_um;           ///< below this, or some times its noise, it says nothing
+    double fade_ratio;         ///< of the most of late, per frame
+    double most_onward_ratio;  ///< by no more than this factor it grows with a tip that goes on
   };
   explicit PushedShape(const Nature& nature) noexcept;
 
