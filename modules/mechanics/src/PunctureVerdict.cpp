@@ -71,13 +71,13 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
     rest_radius_um_ = now.rest_radius_um;
   }
   // In a very deep push the sides' bulge turns back while the flanks go ever deeper: then it says nothing.
-  const double flank_back = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um).back;
-  const double side_back = sides_.back(now.side_um, now.tip_um, now.tip_sigma_um).back;
+  const PushedShape::Share flank = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um);
+  const PushedShape::Share side = sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
   const bool is_very_deep = now.tip_um > kTurnsBack_ratio * now.rest_radius_um;
-  turns_back_ = (now.flank_um > flank_before_um_ && flank_back <= 0.0) ||
-                (is_very_deep && flank_back < kFlankLeaving_ratio && side_back > flank_back);
+  turns_back_ = (now.flank_um > flank_before_um_ && flank.back <= 0.0) ||
+                (is_very_deep && flank.back < kFlankLeaving_ratio && side.back > flank.back);
   if (now.has_depths && deepest_um_ > kShallowest_um) {
-    const PunctureOdds::Evidence evidence = evidence_of(now);
+    const PunctureOdds::Evidence evidence = evidence_of(now, flank, turns_back_ ? PushedShape::Share{} : side);
     odds_.weigh(evidence);
     if (!std::isnan(evidence.flank_ratio))
       depth_by_flanks_um_ = std::max(0.0, 1.0 - evidence.flank_ratio) * deepest_um_;
@@ -128,7 +128,8 @@ bool PunctureVerdict::is_pushed_again(const Sight& now) noexcept {
          now.flank_um - least_flank_um_ > kFlankOverNoise * flanks_.noise_um();
 }
 
-PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noexcept {
+PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now, const PushedShape::Share& flank,
+                                                    const PushedShape::Share& side) const noexcept {
   const double back_um = std::max(0.0, deepest_um_ - now.membrane_um);
   const double usual_um = std::hypot(now.membrane_sigma_um, kUsual_um / kSigmas, kLag_ratio * deepest_um_);
   // A way too short to tell says nothing of the tip's share in it.
@@ -138,9 +139,6 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now) const noex
                                   .confidence = now.confidence,
                                   .is_apart = is_apart(now),
                                   .is_astray = lies_beyond_tip(now)};
-  const PushedShape::Share flank = flanks_.back(now.flank_um, now.tip_um, now.tip_sigma_um);
-  const PushedShape::Share side =
-      turns_back_ ? PushedShape::Share{} : sides_.back(now.side_um, now.tip_um, now.tip_sigma_um);
   evidence.flank_ratio = flank.back;
   evidence.flank_sigma_ratio = flank.sigma;
   evidence.side_ratio = side.back;

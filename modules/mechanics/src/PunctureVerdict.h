@@ -86,7 +86,8 @@ class PunctureVerdict {
  private:
   bool may_end(const Sight& now) noexcept;
   bool is_pushed_again(const Sight& now) noexcept;
-  PunctureOdds::Evidence evidence_of(const Sight& now) const noexcept;
+  PunctureOdds::Evidence evidence_of(const Sight& now, const PushedShape::Share& flank,
+                                     const PushedShape::Share& side) const noexcept;
   void forget_deepest() noexcept;
   void follow_deepest(const Sight& now) noexcept;
 
