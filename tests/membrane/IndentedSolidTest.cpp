@@ -90,8 +90,18 @@ TEST(IndentedSolid, BeyondItsRangeItIsAsAtTheBorder) {
   const SolidParameters border = solid.within_range(far);
   EXPECT_LT(border[kStiffening], far[kStiffening]);
   EXPECT_LT(border[kElongation], 0.25);
-  EXPECT_EQ(solid.load(far, 2.0).log_force, solid.load(border, solid.deepest_ratio()).log_force);
+  EXPECT_EQ(solid.load(far, 0.5).log_force, solid.load(border, 0.5).log_force);
   EXPECT_EQ(solid.section(far, 2.0).places, solid.section(border, solid.deepest_ratio()).places);
+}
+
+TEST(IndentedSolid, BeyondItsDepthTheForceGoesOnWithThePowerItHasThere) {
+  const IndentedSolid& solid = IndentedSolid::shipped();
+  const SolidParameters at = parameters(5.0, 5.0, 22.5);
+  const double deepest = solid.deepest_ratio();
+  const auto border = solid.load(at, deepest), beyond = solid.load(at, 1.1 * deepest);
+  EXPECT_NEAR(beyond.log_force - border.log_force, border.by_depth * deepest * std::log(1.1), 1e-9);
+  EXPECT_NEAR(beyond.by_depth, border.by_depth / 1.1, 1e-9);
+  EXPECT_NEAR(solid.load(at, deepest + kStep).log_force, border.log_force + kStep * border.by_depth, 1e-8);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ TEST_P(ShippedGeometry, TheProfilesOwnIsCorrectedByTheDepthAlone) {
     EXPECT_GT(geometry_factor(profile_, own_, depth_um).ratio, least) << depth_um;
     EXPECT_LT(geometry_factor(profile_, own_, depth_um).ratio, most) << depth_um;
   }
+  profile_.geometry_range.solid_force_ratio = 0.0;  // the springs alone
   const auto springs = force_curve(profile_, setup_for_configuration(profile_, 1), 30.0, 15.0);
   EXPECT_DOUBLE_EQ(force_at_uN(profile_, own_, 15.0),
                    geometry_factor(profile_, own_, 15.0).ratio * springs[1].push_force_uN);

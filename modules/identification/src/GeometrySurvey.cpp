@@ -12,6 +12,7 @@
 #include "pellucida/core/Error.h"
 #include "pellucida/membrane/Indenter.h"
 #include "pellucida/membrane/MembraneGeometry.h"
+#include "pellucida/membrane/SolidForce.h"
 
 namespace pellucida {
 namespace {
@@ -177,6 +178,7 @@ void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,
   profile.geometry_terms.insert(profile.geometry_terms.begin(), of_force.begin(), of_force.end());
   profile.geometry_pressure_terms.insert(profile.geometry_pressure_terms.begin(), of_pressure.begin(),
                                          of_pressure.end());
+  profile.geometry_range.solid_force_ratio = solid_force_ratio(profile);
   record_solid_error(profile, cancel);
 }
 

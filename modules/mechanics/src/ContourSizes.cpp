@@ -303,9 +303,12 @@ void ContourSizes::step(ParametersPrior prior) {
   const SolidParameters next = solid_.within_range(*at_ + step_within(information, gradient, *at_));
   const double moved = (next - *at_).cwiseAbs().maxCoeff();
   at_ = next;
-  if (++steps_ < kMostSteps && (has_held || moved > kLastStep)) return;
+  is_settled_ = ++steps_ >= kMostSteps || (!has_held && moved <= kLastStep);
   const double misfit = seen.residual_um.dot(factor.solve(seen.residual_um));
-  if (misfit > kLargestMisfit * static_cast<double>(n)) return settle(std::nullopt);
+  if (misfit > kLargestMisfit * static_cast<double>(n)) {
+    if (is_settled_) estimate_.reset();
+    return;
+  }
   Parameters found{next, information.inverse()};
   for (int p = 0; p < kParameters; ++p) {
     if (is_open(prior, p)) continue;
@@ -314,7 +317,7 @@ void ContourSizes::step(ParametersPrior prior) {
     found.covariance.col(p).setZero();
     found.covariance(p, p) = prior.sigma[p] * prior.sigma[p];
   }
-  settle(found);
+  estimate_ = found;
 }
 
 ContourSizes::ForceChange ContourSizes::force_change(const SolidParameters& from, const SolidParameters& to,

@@ -20,9 +20,10 @@ constexpr double kSeldomBorne_ratio = 0.2;
 constexpr double kUnknownHolder_ratio = 0.3;
 /// What walls out of round or sucked differ from the model by at the same modulus, and how much more those bear that
 /// stiffen with strain where no contours show it; of the logarithm (docs/method.md, 4.4).
-constexpr double kUnlikeWall_ratio = 0.05, kStiffening_ratio = 0.13;
-/// A push of known force takes the sizes' error with it. This share of it is taken as left at other depths: 0.30 is, of
-/// thickness, tip and holder wrong by their standard deviations, at 10 to 44 um after a push at 5 um.
+constexpr double kUnlikeWall_ratio = 0.03, kStiffening_ratio = 0.13;
+/// A push of known force takes the sizes' error with it. This share of it is taken as left at other depths where the
+/// solid does not say: 0.30 is, of thickness, tip and holder wrong by their standard deviations, at 10 to 44 um after a
+/// push at 5 um.
 constexpr double kGeometryLeft_ratio = 0.4;
 
 }  // namespace
@@ -37,7 +38,7 @@ void fill_errors(const BudgetInput& in, ForceEstimate& estimate) {
   errors.depth_uN = stiffness_uN_per_um * estimate.depth_sigma_um;
   errors.relaxation_uN = in.force.sigma_uN;
   errors.scale_ratio = in.scale.relative_sigma;
-  errors.geometry_ratio = (in.scale.has_geometry ? kGeometryLeft_ratio : 1.0) *
+  errors.geometry_ratio = (in.scale.has_geometry && !in.sizes.log_sigma ? kGeometryLeft_ratio : 1.0) *
                           std::hypot(in.cell.geometry().force_sigma_ratio(in.sizes.log_sigma),
                                      estimate.holder_assumed ? kUnknownHolder_ratio : 0.0);
   add_model_errors(in.profile, in.model_force_uN, in.cell.rest_stiffness_uN_per_um(), errors);

@@ -106,15 +106,18 @@ GeometryEstimate::Length GeometryEstimate::known(const Seen& seen, const Length&
           std::hypot(std::min(seen.sigma, surest), std::sqrt(share * excess))};
 }
 
-double GeometryEstimate::force_sigma_ratio(std::optional<double> by_contour) const noexcept {
-  // Seen at rest, a thickness moves the middle radius with it; what contours say is at the outer one.
-  const double radius_sigma_um = by_contour ? kRadiusSigma_um : std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_);
+double GeometryEstimate::force_sigma_ratio(std::optional<double> by_solid) const noexcept {
+  // Seen at rest, a thickness moves the middle radius with it; the solid's is at the outer one.
+  const double radius_sigma_um = by_solid ? kRadiusSigma_um : std::hypot(kRadiusSigma_um, 0.5 * thickness_sigma_um_);
   const LogSizes sigmas = log_sigmas();
-  const double by_sizes =
-      by_contour.value_or(std::hypot(kThicknessPower * sigmas[0], kTipPower * sigmas[1], kHolderPower * sigmas[2]));
-  const double lengths = std::hypot(kRadiusPower * radius_sigma_um / geometry_.mid_radius_um, by_sizes);
+  const double by_powers = std::hypot(kThicknessPower * sigmas[0], kTipPower * sigmas[1], kHolderPower * sigmas[2]);
+  const double by_sizes = by_solid.value_or(std::hypot(by_powers, springs_spread_ratio()));
+  return std::hypot(kRadiusPower * radius_sigma_um / geometry_.mid_radius_um, by_sizes);
+}
+
+double GeometryEstimate::springs_spread_ratio() const noexcept {
   const double away = std::min(1.0, shape_distance(geometry_, geometry_of(*profile_)) / kWholeSpread);
-  return std::hypot(lengths, away * profile_->geometry_range.spread_ratio);
+  return away * profile_->geometry_range.spread_ratio;
 }
 
 }  // namespace pellucida

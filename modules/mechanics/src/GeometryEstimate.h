@@ -26,9 +26,11 @@ class GeometryEstimate {
   LogSizes log_sigmas() const noexcept {
     return {thickness_sigma_um_ / geometry_.thickness_um, tip_sigma_, holder_sigma_};
   }
-  /// Standard deviation of ln force from all lengths; `by_contour` that of thickness, tip and holder where contours in
-  /// contact say more of them.
-  double force_sigma_ratio(std::optional<double> by_contour = std::nullopt) const noexcept;
+  /// Standard deviation of ln force from all lengths. `by_solid`: that from thickness, tip and holder at a depth, and
+  /// of the force's law, where the solid says; else by usual powers, with `springs_spread_ratio`.
+  double force_sigma_ratio(std::optional<double> by_solid = std::nullopt) const noexcept;
+  /// What the springs' force with its factor differs by from the solid's, of its logarithm, in this geometry.
+  double springs_spread_ratio() const noexcept;
 
   /// With its standard deviation.
   struct Thickness {

@@ -10,7 +10,7 @@ namespace {
 /// within this share of its radius: the solid that they are held against is of revolution.
 constexpr double kOpposite_cos = 0.94, kThroughMiddle_ratio = 0.15;
 /// How far the sizes in use go towards what the contours say, per frame.
-constexpr double kFollow = 0.2;
+constexpr double kFollow = 0.5;
 /// How walls of one kind stiffen, `stiffening_effect`: 0 with this standard deviation, and never below. Set on GetFEM
 /// specimens (docs/method.md, 4.4).
 constexpr double kStiffening_sigma = 0.4;
@@ -18,8 +18,9 @@ constexpr double kStiffening_sigma = 0.4;
 constexpr double kOtherWidth_ratio = 0.4;
 /// A change below this (ln) is none.
 constexpr double kLeastChange = 1e-3;
-/// What the solid's force, as a smooth function of sizes, is off by (ln), where they change by so much or more.
-constexpr double kFit_log = 0.04, kFitFrom_log = 0.5;
+/// What the solid's force, as a smooth function of sizes, is off by (ln): 0.03 on cells left out of the fit, 0.02 to
+/// 0.03 on GetFEM specimens; springs that it moves by so much or more have all of it.
+constexpr double kFit_log = 0.03, kFitFrom_log = 0.5;
 
 bool is_of_revolution(const CellPlacement& placement, double radius_um) {
   return !placement.holder_assumed() && placement.holder().dot(placement.push()) > kOpposite_cos &&
@@ -68,7 +69,8 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
 
   SizesCorrection correction;
   ratio_ = 1.0;
-  if (!seen && change_.norm() < kLeastChange) return correction;
+  const double solid_share = cell.indenter().solid_share();
+  if (!seen && solid_share == 0.0 && change_.norm() < kLeastChange) return correction;
   const SolidParameters to = from + change_;
   auto change = contours_.force_change(from, to, depth_ratio);
   if (scale.has_geometry) change -= contours_.force_change(from, to, scale.push_depth_um / radius_um_);
@@ -78,15 +80,22 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
       correction.pressure_ratio * std::pow(inner_over_middle(to.head<3>()) / inner_over_middle(from.head<3>()), 2);
   correction.elongation_log_sigma = kOtherWidth_ratio * std::abs(change.slope[kElongation] * elongation);
   correction.slope_per_um = ratio_ * change.by_depth / radius_um_;
-  if (!seen) return correction;
   const SolidParameters not_yet = (wanted - change_).cwiseProduct(change.slope);
-  correction.stiffening_log_sigma = std::hypot(
-      std::sqrt(seen->covariance(kStiffening, kStiffening)) * change.slope[kStiffening], not_yet[kStiffening]);
-  if (!has_open_size_) return correction;
+  if (seen) {
+    correction.stiffening_log_sigma = std::hypot(
+        std::sqrt(seen->covariance(kStiffening, kStiffening)) * change.slope[kStiffening], not_yet[kStiffening]);
+  }
+  const bool by_contours = seen && has_open_size_;
+  if (!by_contours && solid_share == 0.0) return correction;
+  // The force's law: the solid's fit, or that of the springs to it, and the solid's where that moves them far.
+  const double moved = std::min(1.0, change_.head<3>().norm() / kFitFrom_log);
+  const double springs = std::hypot(cell.geometry().springs_spread_ratio(), kFit_log * moved);
+  const double fit = solid_share * kFit_log + (1.0 - solid_share) * springs;
+  Eigen::Matrix3d covariance = cell.geometry().log_sigmas().cwiseAbs2().asDiagonal();
+  if (by_contours) covariance = seen->covariance.topLeftCorner<3, 3>();
   const Eigen::Vector3d slope = change.slope.head<3>();
-  const double by_sizes = std::sqrt(slope.dot(seen->covariance.topLeftCorner<3, 3>() * slope));
-  const double fit = kFit_log * std::min(1.0, change_.head<3>().norm() / kFitFrom_log);
-  correction.log_sigma = std::hypot(by_sizes, not_yet.head<3>().sum(), fit);
+  const double by_sizes = std::sqrt(slope.dot(covariance * slope));
+  correction.log_sigma = std::hypot(by_sizes, by_contours ? not_yet.head<3>().sum() : 0.0, fit);
   return correction;
 }
 

@@ -15,7 +15,7 @@ struct SizesCorrection {
   double slope_per_um = 0.0;    ///< its derivative by depth
   double pressure_ratio = 1.0;  ///< on the liquid's pressure: a thick wall yields under the needle by itself
   double push_ratio = 1.0;  ///< on the liquid's push on the middle surface, whose inner face moves with the thickness
-  /// Of the force, from thickness, tip and holder; none: as the picture at rest has them.
+  /// Of the force, from thickness, tip and holder at this depth, and of its law; none: by usual powers.
   std::optional<double> log_sigma;
   double elongation_log_sigma = 0.0;  ///< of the force, from how wide an oval cell is across the picture
   /// Of the force, from how the wall stiffens; none: as the kind does.

@@ -117,7 +117,7 @@ constexpr Field<Reference> kReference[] = {
 };
 
 using Range = GeometryRange;
-constexpr FieldRange kOverRadius = above(0, 2);
+constexpr FieldRange kOverRadius = above(0, 2), kSolidScale{0, 1e3};
 constexpr Field<Range> kGeometryRange[] = {
     {"thickness_from_ratio", "", &Range::thickness_from_ratio, kOverRadius, "thinnest zona over the radius", kRequired},
     {"thickness_to_ratio", "", &Range::thickness_to_ratio, kOverRadius, "thickest", kRequired},
@@ -131,6 +131,8 @@ constexpr Field<Range> kGeometryRange[] = {
     {"spread_ratio", "", &Range::spread_ratio, kRatio,
      "RMS difference of the force's logarithm on cells left out of the fit", kRequired},
     {"pressure_spread_ratio", "", &Range::pressure_spread_ratio, kRatio, "the same of the pressure; 0: not fitted"},
+    {"solid_force_ratio", "", &Range::solid_force_ratio, kSolidScale,
+     "scale of the solid's force, which counts with the needle opposite the holder; 0: the springs' alone"},
 };
 
 using Term = GeometryTerm;

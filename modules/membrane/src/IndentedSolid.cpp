@@ -167,6 +167,10 @@ IndentedSolid::Load IndentedSolid::load(const SolidParameters& parameters, doubl
   load.by_parameter = at.middleCols<kParameters>(1).transpose() * force_;
   load.by_parameter[0] += kThicknessPower;
   load.by_depth = at.col(kParameters + 1).dot(force_) + 1.0 / depth;
+  if (depth_ratio <= depth) return load;
+  const double power = load.by_depth * depth;
+  load.log_force += power * std::log(depth_ratio / depth);
+  load.by_depth = power / depth_ratio;
   return load;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pellucida/core/Error.h"
+#include "pellucida/membrane/SolidForce.h"
 
 namespace pellucida {
 namespace {
@@ -20,6 +21,8 @@ constexpr double kShortestStep_um = 0.05;
 constexpr double kProbe_um = 1e-3;
 /// No single call spends more iterations: from rest to the deepest point takes about a hundred.
 constexpr int kMostStepIterations = 400;
+/// Up to this depth the force goes with the depth alone.
+constexpr double kTouch_um = 1e-3;
 
 }  // namespace
 
@@ -34,11 +37,29 @@ Indenter::Indenter(const CellProfile& profile, const MembraneGeometry& geometry,
       geometry_(geometry),
       model_(adapted_to(profile, geometry), {geometry.mid_radius_um, geometry.thickness_um, push, holder}),
       solver_(model_.energy()) {
+  if (auto solid = SolidForce::of(profile, geometry)) solid_ = std::make_shared<SolidForce>(*std::move(solid));
   reset();
 }
 
-GeometryFactor Indenter::factor_at(double depth_um) const noexcept {
-  return kind_ ? geometry_factor(*kind_, geometry_, depth_um) : GeometryFactor{};
+double Indenter::solid_share() const noexcept {
+  return solid_ ? SolidForce::share(model_.setup()) : 0.0;
+}
+
+GeometryFactor Indenter::factor() const noexcept {
+  if (!kind_) return {};
+  const GeometryFactor springs = geometry_factor(*kind_, geometry_, depth_um_);
+  const double share = solid_share();
+  // Nothing was solved yet, or no force is to be scaled.
+  const bool touches = depth_um_ > kTouch_um;
+  const double push_uN = touches ? forces_.push_uN : kTouch_um * stiffness_uN_per_um_;
+  if (share == 0.0 || !(push_uN > 0.0)) return springs;
+  const SolidForce::LogForce solid = solid_->at(touches ? depth_um_ : kTouch_um);
+  GeometryFactor both;
+  both.ratio = std::pow(springs.ratio, 1.0 - share) * std::pow(std::exp(solid.log_uN) / push_uN, share);
+  if (!touches) return both;
+  const double by_solid = solid.by_depth_per_um - stiffness_uN_per_um_ / push_uN;
+  both.slope_per_um = both.ratio * ((1.0 - share) * springs.slope_per_um / springs.ratio + share * by_solid);
+  return both;
 }
 
 double Indenter::pressure_ratio() const noexcept {
@@ -206,7 +227,7 @@ ToolForces Indenter::forces_at(const Eigen::Matrix3Xd& x_um) const {
 }
 
 IndentationState Indenter::read_out(const SolveReport& report) const {
-  const GeometryFactor factor = factor_at(depth_um_);
+  const GeometryFactor factor = this->factor();
   IndentationState state;
   state.depth_um = depth_um_;
   state.tip_force_uN = factor.ratio * forces_.tip_uN;

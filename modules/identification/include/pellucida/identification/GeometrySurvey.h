@@ -17,7 +17,8 @@ struct GeometrySurveyOptions {
 /// (`SolidReference`) and by the springs (`force_curve`), and fits the logarithm of their ratio, over that at the
 /// profile's own geometry, by least squares: all products of powers that sum to 1 to 3, times powers 0 to 3 of the
 /// depth. Writes `geometry_terms`, `geometry_pressure_terms` and `geometry_range` with the spread that an eightfold
-/// cross-validation leaves, and the solid's entry of `errors` anew. Precondition: the profile has constants. Throws
+/// cross-validation leaves and the scale of the shipped solid (`solid_force_ratio`), and the solid's entry of `errors`
+/// anew. Precondition: the profile has constants. Throws
 /// UsageError for too few cells, NothingMeasuredError where too few of them have an equilibrium, Error (internal error)
 /// on cancellation.
 void survey_geometry(CellProfile& profile, const GeometrySurveyOptions& options,

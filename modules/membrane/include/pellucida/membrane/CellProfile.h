@@ -59,6 +59,9 @@ struct GeometryRange {
   int cell_count = 0;
   double spread_ratio = 0.0;           ///< RMS difference of ln force on cells left out of the fit
   double pressure_spread_ratio = 0.0;  ///< of ln pressure; 0: not fitted
+  /// What the shipped solid's force (`IndentedSolid`) is at the profile's effective modulus, over modulus and outer
+  /// radius squared; 0: no solid, the springs' force with its terms everywhere.
+  double solid_force_ratio = 0.0;
 };
 
 /// Everything that turns a shape into a force for one kind of cell; no such number is hidden in code. Loaded from

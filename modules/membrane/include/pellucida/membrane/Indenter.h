@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -46,6 +47,8 @@ struct SolvedShape {
   SolveReport report;
 };
 
+class SolidForce;
+
 /// Pushes the needle into the model quasi-statically and keeps the solution from one depth to the next (warm start
 /// along the tangent and its curvature; long distances in steps).
 class Indenter {
@@ -62,8 +65,11 @@ class Indenter {
   /// Present positions of the nodes, um (3 x n), frame C.
   const Eigen::Matrix3Xd& positions_um() const noexcept { return x_um_; }
   /// What the forces of springs and hinges are multiplied by at the present depth; states have it in them.
-  double force_ratio() const noexcept { return factor_at(depth_um_).ratio; }
-  /// The same for the liquid's pressure.
+  double force_ratio() const noexcept { return factor().ratio; }
+  /// How much of the force's logarithm is the solid's (`IndentedSolid`) as the needle and the holder lie: 0, none,
+  /// to 1.
+  double solid_share() const noexcept;
+  /// The same ratio for the liquid's pressure.
   double pressure_ratio() const noexcept;
   /// Motion of the nodes per micrometre of depth (3 x n).
   const Eigen::Matrix3Xd& depth_tangent() const noexcept { return tangent_; }
@@ -103,10 +109,11 @@ class Indenter {
   ToolForces forces_at(const Eigen::Matrix3Xd& x_um) const;
   void forget_elastic();
   IndentationState read_out(const SolveReport& report) const;
-  GeometryFactor factor_at(double depth_um) const noexcept;
+  GeometryFactor factor() const noexcept;
 
   std::optional<CellProfile> kind_;  // of a cell of another geometry, and that geometry
   MembraneGeometry geometry_;
+  std::shared_ptr<const SolidForce> solid_;
   MembraneModel model_;
   NormalObservationTerm observation_;
   bool observes_ = false;
