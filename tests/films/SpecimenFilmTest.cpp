@@ -79,6 +79,25 @@ TEST(Specimens, CellsStayWhereTheirHoldersHoldThem) {
   }
 }
 
+// Without a needle in view all the while, and the force 0: what was taken for the holding pipette dents the cell.
+TEST(Specimens, WhatPressesTheCellIsItsNeedle) {
+  const FilmRun run = run_hard("specimen-4379", 83093);
+  ASSERT_TRUE(run.specimen);
+  EXPECT_LT(run.specimen->given_percent, 25.0);
+  int seen = 0;
+  for (const FrameError& error : run.errors) seen += error.tip_px >= 0.0 && error.tip_px < 2.0 ? 1 : 0;
+  EXPECT_GT(seen, static_cast<int>(run.errors.size()) / 2);
+  EXPECT_EQ(run.confident_and_wrong_count, 0);
+}
+
+// How the wall stiffens counts from the first step of the estimate on: 22 % of the peak off where it had to settle
+// between two contours, which come in every second frame here.
+TEST(Specimens, AWallThatStiffensIsKnownDuringThePush) {
+  const FilmRun run = run_hard("specimen-3821", 81318);
+  ASSERT_TRUE(run.specimen);
+  EXPECT_LT(run.specimen->given_percent, 12.0);
+}
+
 // A contour that cuts across a narrow dimple, for three frames and again, while the cell's sides bulge as before: a
 // puncture in six frames, and the force 40 % of the peak off, when sides were known to 0.15 um only.
 TEST(Specimens, AContourThatCutsAcrossANarrowDimpleIsNoPuncture) {

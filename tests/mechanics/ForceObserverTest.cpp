@@ -246,11 +246,11 @@ TEST(ForceObserver, SizesThatAreSeenDecideTheForce) {
     const double expected_uN = force_of(cell.thickness_um, cell.tip_radius_um, cell.holder_radius_um);
     const ForceEstimate seen = of_sizes(profile, cell.thickness_um, cell.tip_radius_um, cell.holder_radius_um);
     EXPECT_NEAR(seen.contact_force_uN, expected_uN, 0.02 * expected_uN);
-    EXPECT_GT(std::abs(seen.contact_force_uN - usual.contact_force_uN), 0.07 * usual.contact_force_uN);
+    EXPECT_GT(std::abs(seen.contact_force_uN - usual.contact_force_uN), 0.05 * usual.contact_force_uN);
   }
   // And what isn't seen is not sure.
   const ForceEstimate unseen = of_sizes(profile, 5.0, 0.0, 0.0);
-  EXPECT_GT(unseen.errors.geometry_ratio, 2.0 * usual.errors.geometry_ratio);
+  EXPECT_GT(unseen.errors.geometry_ratio, 1.7 * usual.errors.geometry_ratio);
 }
 
 TEST(ForceObserver, MissingPartsAreSaidNotGuessed) {

@@ -186,6 +186,7 @@ bool CellFollower::follow(const FrameInput& frame) {
     learn_rest(frame);
   }
   measure_dent();
+  check_holder_by_outline(frame);
   return true;
 }
 

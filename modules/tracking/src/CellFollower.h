@@ -186,6 +186,9 @@ class CellFollower {
   double seat_way_sigma() const;
   void find_facing_holder(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   void find_holder_anew(const FrameInput& frame);
+  double pressed_at_holder() const;
+  void check_holder_by_outline(const FrameInput& frame);
+  bool take_holder_for_needle(const FrameInput& frame);
   void follow_seat();
   Eigen::Vector2d place_by_seat();
   void check_walls_by_outline(const FrameInput& frame);
@@ -210,6 +213,7 @@ class CellFollower {
   RestGeometry rest_;
   ContactLogic contact_;
   std::optional<HolderFit> holder_;
+  std::optional<RestGeometry> unpressed_;  // without a needle: before the holder pressed, if it does
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   double deepest_flank_ = 0.0, tip_at_deepest_flank_ = 0.0;  // px, of late
@@ -221,7 +225,8 @@ class CellFollower {
   bool walls_slide_ = false;  // the holder's, along themselves
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, times_astray_ = 0, frames_followed_ = 0;
-  int unseen_frames_ = 0;  // without a needle
+  int unseen_frames_ = 0;   // without a needle
+  int pressed_frames_ = 0;  // by what was taken for the holder
 };
 
 }  // namespace pellucida

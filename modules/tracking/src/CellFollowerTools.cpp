@@ -148,6 +148,24 @@ void CellFollower::find_holder_anew(const FrameInput& frame) {
   find_facing_holder(frame, circle, find_tools(gray(frame.view), circle));
 }
 
+// False, and all as before, where no needle is found in its place.
+bool CellFollower::take_holder_for_needle(const FrameInput& frame) {
+  const contour::Circle circle = resting_circle();
+  const std::vector<FoundTool> tools = find_tools(gray(frame.view), circle);
+  const auto is_needle = [&](const FoundTool& tool) {
+    return tool.direction.dot(holder_direction()) > kAlongHolder && needle_.start(frame.image, tool, frame.noise) &&
+           needle_.estimate().tip_half_width < kFacingTip_ratio * circle.radius;
+  };
+  if (std::none_of(tools.begin(), tools.end(), is_needle)) {
+    needle_.reset();
+    return false;
+  }
+  holder_.reset();
+  find_facing_holder(frame, circle, tools);
+  begin_command(frame);
+  return true;
+}
+
 // Lines may have one wall alone for the holder, and the scene none: either may know better.
 bool CellFollower::is_wall_of_holder(const NeedleEstimate& lines, const SceneReading& scene,
                                      const Eigen::Vector2d& center) const {
