@@ -70,7 +70,7 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
   SizesCorrection correction;
   ratio_ = 1.0;
   const double solid_share = cell.indenter().solid_share();
-  if (!seen && solid_share == 0.0 && change_.norm() < kLeastChange) return correction;
+  if (!seen && !is_solid && change_.norm() < kLeastChange) return correction;
   const SolidParameters to = from + change_;
   auto change = contours_.force_change(from, to, depth_ratio);
   if (scale.has_geometry) change -= contours_.force_change(from, to, scale.push_depth_um / radius_um_);
@@ -86,7 +86,7 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
         std::sqrt(seen->covariance(kStiffening, kStiffening)) * change.slope[kStiffening], not_yet[kStiffening]);
   }
   const bool by_contours = seen && has_open_size_;
-  if (!by_contours && solid_share == 0.0) return correction;
+  if (!by_contours && !is_solid) return correction;
   // The force's law: the solid's fit, or that of the springs to it, and the solid's where that moves them far.
   const double moved = std::min(1.0, change_.head<3>().norm() / kFitFrom_log);
   const double springs = std::hypot(cell.geometry().springs_spread_ratio(), kFit_log * moved);

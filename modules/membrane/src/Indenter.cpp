@@ -42,7 +42,7 @@ Indenter::Indenter(const CellProfile& profile, const MembraneGeometry& geometry,
 }
 
 double Indenter::solid_share() const noexcept {
-  return solid_ ? SolidForce::share(model_.setup()) : 0.0;
+  return solid_ ? solid_->share(model_.setup()) : 0.0;
 }
 
 GeometryFactor Indenter::factor() const noexcept {

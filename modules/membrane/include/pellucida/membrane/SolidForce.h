@@ -21,19 +21,22 @@ class SolidForce {
   LogForce at(double depth_um) const;
 
   /// How much of the force is the solid's, the rest (of its logarithm) being the springs': 1 where the needle is
-  /// opposite the holder, 0 where the solid, which is of revolution and keeps its volume, says nothing.
-  static double share(const MembraneSetup& setup) noexcept;
+  /// opposite the holder; 0 where the solid, which is of revolution and keeps its volume, says nothing, and at the
+  /// profile's own geometry, where the springs with their terms are the solid computed for it.
+  double share(const MembraneSetup& setup) const noexcept;
 
  private:
-  SolidForce(const SolidParameters& parameters, double radius_um, double log_scale_uN)
+  SolidForce(const SolidParameters& parameters, double radius_um, double log_scale_uN, double away)
       : solid_(&IndentedSolid::shipped()),
         parameters_(parameters),
         radius_um_(radius_um),
-        log_scale_uN_(log_scale_uN) {}
+        log_scale_uN_(log_scale_uN),
+        away_(away) {}
 
   const IndentedSolid* solid_;
   SolidParameters parameters_;
   double radius_um_, log_scale_uN_;
+  double away_;  // from the profile's own geometry: 0, at it, to 1
 };
 
 /// The `solid_force_ratio` with which the solid's force on the profile's own cell is the springs' at the puncture's
