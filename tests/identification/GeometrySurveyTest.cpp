@@ -22,6 +22,8 @@ TEST(GeometrySurvey, ASmallOneFindsTheShippedCorrection) {
     EXPECT_NEAR(geometry_factor(profile, own, depth_um).ratio, geometry_factor(shipped, own, depth_um).ratio, 1e-3);
     EXPECT_NEAR(pressure_factor(profile, own, depth_um), pressure_factor(shipped, own, depth_um), 1e-3);
   }
+  // So does the solid's scale.
+  EXPECT_NEAR(profile.geometry_range.solid_force_ratio / shipped.geometry_range.solid_force_ratio, 1.0, 1e-3);
   ASSERT_EQ(profile.errors.size(), shipped.errors.size());
   EXPECT_NEAR(profile.errors.back().largest_ratio, shipped.errors.back().largest_ratio, 1e-4);
   EXPECT_LT(profile.errors.back().largest_ratio, 0.02);
