@@ -90,6 +90,21 @@ TEST(Specimens, WhatPressesTheCellIsItsNeedle) {
   EXPECT_EQ(run.confident_and_wrong_count, 0);
 }
 
+// A needle that crosses a bystander isn't found: from a dent of 0.03 of the radius on no force is given, where 0 was
+// until 11 um deep.
+TEST(Specimens, ADentWithoutANeedleIsNoFreeCell) {
+  const FilmRun run = run_hard("specimen-3370", 80326);
+  int deep = 0;
+  for (const FrameSight& sight : run.sights) {
+    if (sight.truth != CellState::kContact || sight.true_membrane_um < 5.0) continue;
+    ++deep;
+    EXPECT_NE(sight.judged, CellState::kFree) << sight.true_membrane_um << " um";
+    EXPECT_TRUE(sight.force_uN > 0.0 || std::isnan(sight.force_uN)) << sight.true_membrane_um << " um";
+    EXPECT_LT(sight.confidence, 0.8);
+  }
+  EXPECT_GT(deep, 8);
+}
+
 // How the wall stiffens counts from the first step of the estimate on: 22 % of the peak off where it had to settle
 // between two contours, which come in every second frame here.
 TEST(Specimens, AWallThatStiffensIsKnownDuringThePush) {
