@@ -178,7 +178,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
     }
   }
   NeedleEvidence evidence = kNoNeedleEvidence;
-  if (!(end.valid || cone.valid) || !fuse(end, cone, cue.in_the_clear, evidence)) {
+  if (!(end.valid || cone.valid) || !fuse(end, cone, cue.in_the_clear, sent.has_value(), evidence)) {
     axis_ = before;
     now_.tip = tip();
     now_.direction = axis_.direction;
@@ -296,15 +296,16 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
   return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor + blurred * blurred};
 }
 
-bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence) {
+bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, bool is_sent, NeedleEvidence& evidence) {
   bool use_end = end.valid, use_cone = cone.valid;
   now_.is_disputed = false;
   if (use_end && use_cone) {
     // Where the two contradict each other: in the clear the end is right; under a membrane the cone, unless the end is
     // where the needle was due and the cone isn't.
     const double apart = end.ahead - cone.ahead;
+    const double not_due = is_sent ? 4.0 : 9.0;  // where it was sent is surer than where it went on to
     const bool is_end_due = end.ahead * end.ahead < covariance_(0, 0) + end.variance &&
-                            cone.ahead * cone.ahead > 9.0 * (covariance_(0, 0) + cone.variance);
+                            cone.ahead * cone.ahead > not_due * (covariance_(0, 0) + cone.variance);
     const bool contradict = apart * apart > 9.0 * (end.variance + cone.variance);
     now_.is_disputed = !clear && contradict && std::abs(apart) > kDisputed_px;
     if (contradict) (clear || is_end_due ? use_cone : use_end) = false;

@@ -146,7 +146,7 @@ class NeedleTracker {
   ShaftResult align(const FrameSampler& image, double noise, int rounds);
   Along find_end(const FrameSampler& image, double noise, const ShaftResult& shaft, double reach_px,
                  const NeedleCue& cue);
-  bool fuse(const Along& end, const Along& cone, bool clear, NeedleEvidence& evidence);
+  bool fuse(const Along& end, const Along& cone, bool clear, bool is_sent, NeedleEvidence& evidence);
   void update(double ahead, double variance);
   void learn(double end_ahead);
   void fill(double noise, const ShaftResult& shaft);
