@@ -276,16 +276,16 @@ Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
   return covariance;
 }
 
-void ContourSizes::settle(std::optional<Parameters> estimate) {
+void ContourSizes::give_up() noexcept {
   is_settled_ = true;
-  estimate_ = std::move(estimate);
+  estimate_.reset();
 }
 
 void ContourSizes::step(ParametersPrior prior) {
   if (is_settled_) return;
   bool has_open = false;
   for (int p = 0; p < kParameters; ++p) has_open = has_open || is_open(prior, p);
-  if (!has_open) return settle(std::nullopt);
+  if (!has_open) return give_up();
   prior.mean[kElongation] = elongation_;
   prior.sigma[kElongation] = kElongation_sigma;
   const Information weight = prior.sigma.cwiseAbs2().cwiseInverse().asDiagonal();
@@ -295,7 +295,7 @@ void ContourSizes::step(ParametersPrior prior) {
 
   const Misfit seen = misfit_of_all();
   const Eigen::Index n = seen.residual_um.size();
-  if (n < kFewestNodes) return settle(std::nullopt);
+  if (n < kFewestNodes) return give_up();
   const Eigen::LLT<Eigen::MatrixXd, Eigen::Lower> factor(covariance_um2(seen));
   const Eigen::Matrix<double, Eigen::Dynamic, kParameters> weighed = factor.solve(seen.slope_um);
   const Information information = weight + seen.slope_um.transpose() * weighed;

@@ -49,8 +49,8 @@ class ContourSizes {
   void step(ParametersPrior prior);
   /// Nothing is left to do.
   bool is_settled() const noexcept { return is_settled_; }
-  /// The last that was settled. Parameters that the prior knows well are as there. Nothing where it knows all of them,
-  /// where too little was seen in contact, or where no parameters explain it.
+  /// As the last step left it, settled or not. Parameters that the prior knows well are as there. Nothing where it
+  /// knows all of them, where too little was seen in contact, or where no parameters explain it.
   const std::optional<Parameters>& estimate() const noexcept { return estimate_; }
   /// A standard deviation up to this one is known well.
   static constexpr double kOpen = 0.2;
@@ -91,7 +91,7 @@ class ContourSizes {
   bool hold_against_solid();
   Misfit misfit(const Seen& seen) const;
   Misfit misfit_of_all() const;
-  void settle(std::optional<Parameters> estimate);
+  void give_up() noexcept;
   Eigen::MatrixXd covariance_um2(const Misfit& seen) const;
 
   const IndentedSolid& solid_;

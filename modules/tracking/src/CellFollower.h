@@ -109,7 +109,7 @@ class CellFollower {
   /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
   double new_dent_ratio() const noexcept { return dent_ - least_dent_; }
   /// By more than noise and a cell's own motion make.
-  bool is_dented() const noexcept { return new_dent_ratio() > least_new_dent(); }
+  bool is_dented() const noexcept { return new_dent_ratio() > least_new_dent_ratio(); }
 
   /// 0..1: as good as the contours were seen, less where they were suddenly seen worse than before.
   double confidence() const;
@@ -161,7 +161,8 @@ class CellFollower {
   void check_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& center_before, const Eigen::Vector2d& jump);
   void take_dimple();
   void measure_dent();
-  double least_new_dent() const noexcept;
+  double least_new_dent_ratio() const noexcept;
+  double inward_px(const Eigen::Vector2d& toward, double from_ratio, double to_ratio) const;
   double flank_depth() const;
   bool is_pushed() const;
   void follow_flanks();
@@ -187,7 +188,6 @@ class CellFollower {
   double seat_way_sigma() const;
   void find_facing_holder(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   void find_holder_anew(const FrameInput& frame);
-  double pressed_at_holder() const;
   void check_holder_by_outline(const FrameInput& frame);
   bool take_holder_for_needle(const FrameInput& frame);
   void follow_seat();
@@ -221,7 +221,7 @@ class CellFollower {
   double largest_bulge_ = 0.0, tip_at_largest_bulge_ = 0.0;  // likewise, of the sides
   double untied_depth_ = 0.0, tip_at_untied_depth_ = 0.0;    // likewise, of the contour that nothing ties to the tip
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
-  double dent_noise_ = 0.0;  // of an undented cell without a needle: from frame to frame, of late
+  double dent_noise_ratio_ = 0.0;  // of an undented cell without a needle: from frame to frame, of late
   bool touching_ = false;
   bool is_doubtful_ = false;
   bool walls_slide_ = false;  // the holder's, along themselves

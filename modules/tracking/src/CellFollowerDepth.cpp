@@ -58,29 +58,34 @@ void CellFollower::measure_dent() {
   dent_ = dent_ratio(snakes_.outer().points, center_now(), holder_ ? std::optional(holder_direction()) : std::nullopt);
   least_dent_ = std::min(least_dent_, dent_);
   if (!needle_.valid() && new_dent_ratio() < kLeastDented_ratio)
-    dent_noise_ += kDentPace * (std::abs(dent_ - before) - dent_noise_);
+    dent_noise_ratio_ += kDentPace * (std::abs(dent_ - before) - dent_noise_ratio_);
 }
 
 // Where lines show no needle a dent is all there is to see of a push.
-double CellFollower::least_new_dent() const noexcept {
+double CellFollower::least_new_dent_ratio() const noexcept {
   if (needle_.valid() || is_read_) return kDented_ratio;
-  return std::clamp(kDentNoises * dent_noise_, kLeastDented_ratio, kDented_ratio);
+  return std::clamp(kDentNoises * dent_noise_ratio_, kLeastDented_ratio, kDented_ratio);
 }
 
-// How deep the dimple's flanks lie within the resting outline, beside what the needle hides or ties, px.
-double CellFollower::flank_depth() const {
-  const Eigen::Vector2d toward = -needle_.estimate().direction;
+// How deep the outline lies within the resting one on the side `toward` (unit), px: the mean over what is so far beside
+// the line through the centre, of the radius.
+double CellFollower::inward_px(const Eigen::Vector2d& toward, double from_ratio, double to_ratio) const {
   const Eigen::Matrix2Xd& points = snakes_.outer().points;
   double sum = 0.0;
   int count = 0;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector2d d = points.col(i) - center_now();
     const double across = std::abs(toward.x() * d.y() - toward.y() * d.x()) / rest_.outer_radius;
-    if (d.dot(toward) < 0.0 || across < kFlankFrom_ratio || across > kFlankTo_ratio) continue;
+    if (d.dot(toward) < 0.0 || across < from_ratio || across > to_ratio) continue;
     sum += rest_.outer_at(d.normalized(), motion_.angle_rad) - d.norm();
     ++count;
   }
   return count > 0 ? sum / count : 0.0;
+}
+
+// The dimple's flanks, beside what the needle hides or ties.
+double CellFollower::flank_depth() const {
+  return inward_px(-needle_.estimate().direction, kFlankFrom_ratio, kFlankTo_ratio);
 }
 
 double CellFollower::side_bulge() const {

@@ -109,22 +109,6 @@ void CellFollower::check_walls_by_outline(const FrameInput& frame) {
   learn_holder_motion(frame);
 }
 
-// How deep the outline lies within the resting one where the holder is, px.
-double CellFollower::pressed_at_holder() const {
-  const Eigen::Vector2d toward = holder_direction();
-  const Eigen::Matrix2Xd& points = snakes_.outer().points;
-  double sum = 0.0;
-  int count = 0;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const Eigen::Vector2d d = points.col(i) - center_now();
-    const double across = std::abs(toward.x() * d.y() - toward.y() * d.x());
-    if (d.dot(toward) < 0.0 || across > kPressedAbout_ratio * rest_.outer_radius) continue;
-    sum += rest_.outer_at(d.normalized(), motion_.angle_rad) - d.norm();
-    ++count;
-  }
-  return count > 0 ? sum / count : 0.0;
-}
-
 // A holder presses nothing: where no needle is seen and it does, it is the needle, and what faces it the holder.
 void CellFollower::check_holder_by_outline(const FrameInput& frame) {
   if (needle_.valid() || !holder_ || !rest_.seen_free) {
@@ -132,7 +116,8 @@ void CellFollower::check_holder_by_outline(const FrameInput& frame) {
     pressed_frames_ = 0;
     return;
   }
-  const double pressed_px = pressed_at_holder(), least_px = kPressed_ratio * rest_.outer_radius;
+  const double pressed_px = inward_px(holder_direction(), 0.0, kPressedAbout_ratio),
+               least_px = kPressed_ratio * rest_.outer_radius;
   if (!unpressed_ || pressed_px < 0.5 * least_px) {
     unpressed_ = rest_;
     unpressed_->center = center_now();

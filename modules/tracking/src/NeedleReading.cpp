@@ -48,7 +48,7 @@ constexpr double kSurestWidth = 0.08, kSameWidth = 0.12;
 // below half a pixel, where there is nothing to correct; it counts in full from so much above.
 constexpr double kLinesBlur_px = 0.35, kFinestRead_px = 0.5, kCorrectedFrom_px = 0.15;
 
-double half_width_of(double read_px) {
+double unblurred_px(double read_px) {
   const double share = std::clamp((read_px - kFinestRead_px) / kCorrectedFrom_px, 0.0, 1.0);
   return read_px + share * (std::hypot(read_px, kLinesBlur_px) - read_px);
 }
@@ -192,7 +192,7 @@ void NeedleTracker::read_width(TipWidthNetwork& network, const FrameSampler& ima
 }
 
 void NeedleTracker::take_width() {
-  const double by_lines_px = half_width_of(now_.tip_half_width);
+  const double by_lines_px = unblurred_px(now_.tip_half_width);
   now_.tip_radius = by_lines_px;
   now_.tip_radius_sigma = 0.0;
   if (width_readings_ == 0) return;

@@ -303,9 +303,10 @@ bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, bool i
     // Where the two contradict each other: in the clear the end is right; under a membrane the cone, unless the end is
     // where the needle was due and the cone isn't.
     const double apart = end.ahead - cone.ahead;
-    const double not_due = is_sent ? 4.0 : 9.0;  // where it was sent is surer than where it went on to
-    const bool is_end_due = end.ahead * end.ahead < covariance_(0, 0) + end.variance &&
-                            cone.ahead * cone.ahead > not_due * (covariance_(0, 0) + cone.variance);
+    const double not_due_sigmas = is_sent ? 2.0 : 3.0;  // where it was sent is surer than where it went on to
+    const bool is_end_due =
+        end.ahead * end.ahead < covariance_(0, 0) + end.variance &&
+        cone.ahead * cone.ahead > not_due_sigmas * not_due_sigmas * (covariance_(0, 0) + cone.variance);
     const bool contradict = apart * apart > 9.0 * (end.variance + cone.variance);
     now_.is_disputed = !clear && contradict && std::abs(apart) > kDisputed_px;
     if (contradict) (clear || is_end_due ? use_cone : use_end) = false;
