@@ -64,6 +64,12 @@ FrameSight sight_of(const Observation& seen, const Observation& truth, const For
   sight.force_uN = estimate.contact_force_uN;
   sight.lower_uN = estimate.by_picture.lower_uN;
   sight.upper_uN = estimate.by_picture.upper_uN;
+  const SizesByContour unsaid{.stiffening_effect = ForceEstimate::kNotMeasured,
+                              .stiffening_effect_sigma = ForceEstimate::kNotMeasured};
+  const SizesByContour said = estimate.sizes_by_contour.value_or(unsaid);
+  sight.stiffening = said.stiffening_effect;
+  sight.stiffening_sigma = said.stiffening_effect_sigma;
+  sight.sizes_ratio = said.force_ratio;
   return sight;
 }
 

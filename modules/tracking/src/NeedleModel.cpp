@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace pellucida {
+namespace {
+
+constexpr double kLineBlurs = 3.0;  // how far a line reaches to either side
+
+}  // namespace
 
 void NeedleLook::resize(double step, double inside, double outside) {
   step_ = step;
@@ -135,10 +140,27 @@ double NeedleLook::depth() const {
   return depth;
 }
 
-double NeedleCone::half_width(double behind) const noexcept {
+double NeedleLook::unevenness() const {
+  if (!is_line_ || empty()) return 1.0;
+  const double sign = depth() < 0.0 ? -1.0 : 1.0, reach = kLineBlurs * blur();
+  double outside_of = 0.0, inside_of = 0.0, apart = 0.0;
+  for (double d = 0.5 * step_; d <= reach; d += step_) {
+    outside_of += sign * mean_at(d);
+    inside_of += sign * mean_at(-d);
+    apart += 0.5 * (std::abs(value(0, d) - value(1, d)) + std::abs(value(0, -d) - value(1, -d)));
+  }
+  const double all = outside_of + inside_of;
+  return all > 0.0 ? std::min(1.0, std::max(std::abs(outside_of - inside_of), apart) / all) : 1.0;
+}
+
+double NeedleCone::fitted(double behind) const noexcept {
   const double s = std::clamp(behind + shift_, from_, to_);
   const double value = c_[0] + s * (c_[1] + s * (c_[2] + s * c_[3]));
-  return std::max(0.3, value + slope(behind) * (behind + shift_ - s));
+  return value + slope(behind) * (behind + shift_ - s);
+}
+
+double NeedleCone::half_width(double behind) const noexcept {
+  return std::max(0.3, fitted(behind));
 }
 
 double NeedleCone::slope(double behind) const noexcept {
@@ -191,6 +213,12 @@ void NeedleCone::set_roundness(double roundness) {
 void NeedleCone::find_radius() {
   radius_ = std::max(0.5, half_width(0.0));
   for (int round = 0; round < 4; ++round) radius_ = std::max(0.5, half_width(roundness_ * radius_));
+}
+
+double NeedleCone::fitted_tip_radius() const noexcept {
+  double radius = std::max(0.0, fitted(0.0));
+  for (int round = 0; round < 4; ++round) radius = std::max(0.0, fitted(roundness_ * radius));
+  return radius;
 }
 
 // The distance from a rectangle whose corners are rounded off.

@@ -54,6 +54,9 @@ class NeedleLook {
   double blur() const;
   /// Largest deviation from the medium: negative for a dark needle.
   double depth() const;
+  /// How far the look is from a line that is the same on both its sides and on both sides of the needle: of the line,
+  /// the larger difference of the two; 1 without a line. What defocus, relief or a halo make of an edge is uneven.
+  double unevenness() const;
 
  private:
   float mean_at(double d) const { return 0.5F * (value(0, d) + value(1, d)); }
@@ -72,6 +75,8 @@ class NeedleCone {
   double slope(double behind) const noexcept;
   /// Half width at the tip: the radius r with half_width(roundness r) = r, at least 0.5 px.
   double tip_radius() const noexcept { return radius_; }
+  /// The same as the cubic has it, without that limit: 0 where it ends in a point.
+  double fitted_tip_radius() const noexcept;
   /// Radius of the end's edge over the half width: 1, a half ball, to 0, cut off straight.
   double roundness() const noexcept { return roundness_; }
   void set_roundness(double roundness);
@@ -86,6 +91,7 @@ class NeedleCone {
   void see_to(double behind) noexcept { seen_to_ = std::max(seen_to_, behind); }
 
  private:
+  double fitted(double behind) const noexcept;
   void find_radius();
   double from_ = 0.0, to_ = 1.0, shift_ = 0.0, seen_to_ = 0.0;
   std::array<double, 4> c_{2.0, 0.0, 0.0, 0.0};
