@@ -179,7 +179,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   if (!are_flanks_back()) needle_.believe_reading();
   const bool was_free = contact_.state() == CellState::kFree;
   contact_.update({needle_.valid() ? tip_depth() : -1e3, membrane_depth_, needle_.valid(), depth_sigma(),
-                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0, is_pushed()});
+                   needle_.valid() ? needle_.estimate().tip_sigma : 0.0, is_pushed(), past_sigma()});
   if (was_free && contact_.state() == CellState::kContact && zone().is_shade) needle_.rest_on(apex(), apex_sigma());
   if (!may_be_pushed()) {
     drift_.learn(center_now());

@@ -177,6 +177,7 @@ class CellFollower {
   void learn_rest(const FrameInput& frame);
   double measure_membrane_depth() const;
   double depth_sigma() const;
+  double past_sigma() const;
   double local_score(const SnakeContour& snake) const;
   double local_score() const;
   double quality_now() const;

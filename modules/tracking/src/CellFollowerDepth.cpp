@@ -195,6 +195,13 @@ double CellFollower::depth_sigma() const {
   return std::hypot(std::min(membrane_sigma(), tip), rest_sigma());
 }
 
+// How well the tip's way past the resting membrane is known by edges that nothing doubts; 0: it isn't.
+double CellFollower::past_sigma() const {
+  const NeedleEstimate& n = needle_.estimate();
+  const bool is_by_edges = needle_.valid() && needle_.is_clear() && !needle_.is_read() && !n.is_disputed;
+  return is_by_edges && !is_read_ && !is_doubtful_ && rest_.seen_free ? std::hypot(n.tip_sigma, rest_sigma()) : 0.0;
+}
+
 double CellFollower::confidence() const {
   const NeedleEstimate& n = needle_.estimate();
   const bool is_tip_vague = needle_.valid() && (needle_.is_read() || n.is_disputed || n.tip_sigma > kVagueTip_px);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSectors = 16;        // of the outline: a tool or debris spoils some of them, not their median
 constexpr double kStep_px = 0.25;   // between samples along a normal
-constexpr int kIn = 24, kOut = 12;  // samples inwards and outwards: 6 and 3 px. Lines further apart are followed
+constexpr int kIn = 40, kOut = 12;  // samples inwards and outwards: 10 and 3 px. Lines further apart are followed
 constexpr int kCount = kIn + 1 + kOut;
 constexpr int kNear = 4;  // samples about the outline among which its own line lies
 constexpr double kNeedleMargin_px = 6.0;
