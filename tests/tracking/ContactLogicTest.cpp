@@ -112,6 +112,27 @@ TEST(ContactLogic, ASlowApproachIsNoticedWithinTwoPixels) {
   }
 }
 
+// A dent of a pixel isn't told from none: the tip's own place says that it pushes.
+TEST(ContactLogic, ATipSurelyJustPastTheMembranePushesIt) {
+  const auto frame = [](double tip_px, double past_sigma_px, double membrane_px = 0.2) {
+    return ContactLogic::Depths{.tip_px = tip_px,
+                                .membrane_px = membrane_px,
+                                .needle_seen = true,
+                                .tip_sigma_px = 0.3,
+                                .past_sigma_px = past_sigma_px};
+  };
+  EXPECT_EQ(fresh().update(frame(0.9, 0.3)), CellState::kContact);
+  EXPECT_EQ(fresh().update(frame(0.9, 0.5)), CellState::kFree) << "not sure enough";
+  EXPECT_EQ(fresh().update(frame(0.9, 0.0)), CellState::kFree) << "not known";
+  EXPECT_EQ(fresh().update(frame(0.4, 0.1)), CellState::kFree) << "too little";
+  // It stays a contact while it is so shallow; a needle above the cell goes on over an outline that stays where it was.
+  ContactLogic logic = fresh();
+  for (const double tip_px : {0.9, 1.1, 1.3, 1.5, 1.8})
+    EXPECT_EQ(logic.update(frame(tip_px, 0.3)), CellState::kContact);
+  EXPECT_EQ(logic.update(frame(2.4, 0.3)), CellState::kContact);
+  for (const double tip_px : {3.0, 3.6, 4.2}) EXPECT_EQ(logic.update(frame(tip_px, 0.3)), CellState::kFree) << tip_px;
+}
+
 TEST(ContactLogic, AMembraneThatMovesFarFromTheTipIsNoContact) {
   ContactLogic logic = fresh();
   for (int k = 0; k < 20; ++k) EXPECT_EQ(logic.update({-8.0, 5.0, true}), CellState::kFree);

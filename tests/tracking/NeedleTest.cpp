@@ -87,6 +87,42 @@ TEST(NeedleTracker, AnEndCutOffStraightIsWhereItIsAndAsWideAsItIs) {
   }
 }
 
+// Two lines blurred into each other are read nearer together than they are; that is undone.
+TEST(NeedleTracker, ATipNarrowerThanItsLinesIsAsWideAsItIs) {
+  for (const double tip_radius_px : {0.45, 0.7, 1.0, 1.5, 2.5}) {
+    Drawing d = with(0.4, 0.9, false, 0.01);
+    d.tip_radius = tip_radius_px;
+    const Picture picture = draw(d);
+    const FrameSampler image(picture.view());
+    NeedleTracker needle;
+    ASSERT_TRUE(needle.start(image, tool_of(d), noise_level(image)));
+    EXPECT_NEAR(needle.estimate().tip_radius / tip_radius_px, 1.0, 0.15) << tip_radius_px;
+  }
+}
+
+TEST(NeedleLook, LinesAreEvenWhereBothTheirSidesAndBothSidesOfTheNeedleAreAlike) {
+  // Of a line's value at a distance from the outline, as the needle's sides have it.
+  const auto unevenness = [](const auto& left, const auto& right) {
+    NeedleLook look;
+    look.resize(0.25, 4.0, 5.0);
+    for (double d = -4.0; d <= 5.0; d += 0.25) {
+      look.add_sample(0, d, static_cast<float>(left(d)), 1.0F);
+      look.add_sample(1, d, static_cast<float>(right(d)), 1.0F);
+    }
+    look.finish(0.0);
+    return look.unevenness();
+  };
+  const auto line = [](double d) { return -0.4 * std::exp(-0.5 * d * d); };
+  const auto weak = [&](double d) { return 0.5 * line(d); };
+  const auto darker_inside = [&](double d) { return d < 0.0 ? std::min(line(d), -0.2) : line(d); };
+  EXPECT_LT(unevenness(line, line), 0.02);
+  EXPECT_NEAR(unevenness(line, weak), 1.0 / 3.0, 0.02);
+  EXPECT_GT(unevenness(darker_inside, darker_inside), 0.15);
+  NeedleLook wedge;
+  wedge.set_line(false);
+  EXPECT_EQ(wedge.unevenness(), 1.0);
+}
+
 // Follows a needle that goes forward by `step` px a frame, `clear` frames in the clear, then up to a membrane that it
 // pushes before it.
 std::vector<NeedleError> push(Drawing d, double step, int clear_frames, int contact_frames, NeedleTracker& needle,
