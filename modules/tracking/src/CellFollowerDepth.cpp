@@ -195,11 +195,11 @@ double CellFollower::depth_sigma() const {
   return std::hypot(std::min(membrane_sigma(), tip), rest_sigma());
 }
 
-// How well the tip's way past the resting membrane is known by edges that nothing doubts; 0: it isn't.
+// How well the tip's way past the resting membrane is known; 0: not at all.
 double CellFollower::past_sigma() const {
   const NeedleEstimate& n = needle_.estimate();
-  const bool is_by_edges = needle_.valid() && needle_.is_clear() && !needle_.is_read() && !n.is_disputed;
-  return is_by_edges && !is_read_ && !is_doubtful_ && rest_.seen_free ? std::hypot(n.tip_sigma, rest_sigma()) : 0.0;
+  const bool is_known = needle_.valid() && needle_.is_clear() && !n.is_disputed && rest_.seen_free;
+  return is_known ? std::hypot(n.tip_sigma, rest_sigma()) : 0.0;
 }
 
 double CellFollower::confidence() const {

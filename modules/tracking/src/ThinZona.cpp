@@ -14,7 +14,9 @@ namespace {
 
 constexpr int kSectors = 16;        // of the outline: a tool or debris spoils some of them, not their median
 constexpr double kStep_px = 0.25;   // between samples along a normal
-constexpr int kIn = 40, kOut = 12;  // samples inwards and outwards: 10 and 3 px. Lines further apart are followed
+constexpr int kIn = 40, kOut = 12;  // samples inwards and outwards: 10 and 3 px
+// How far in a second line is looked for: lines further apart are followed, unless they are as blurred as this.
+constexpr double kFarthest_px = 6.0, kFarthest_widths = 4.5;
 constexpr int kCount = kIn + 1 + kOut;
 constexpr int kNear = 4;  // samples about the outline among which its own line lies
 constexpr double kNeedleMargin_px = 6.0;
@@ -46,10 +48,10 @@ int lowest(const Profile& profile, int from, int to) {
 }
 
 // The outer line and the one next to it inwards, with what lies between them; nothing where there is no second one.
-Pair pair_in(const Profile& profile, double least_valley, double least_depth) {
+Pair pair_in(const Profile& profile, int innermost, double least_valley, double least_depth) {
   const int outer = lowest(profile, kIn - kNear, kIn + kNear);
   int crest = outer;
-  for (int k = outer - 1; k >= 1; --k) {
+  for (int k = outer - 1; k >= innermost; --k) {
     const double here = profile[static_cast<std::size_t>(k)];
     if (here > profile[static_cast<std::size_t>(crest)]) crest = k;
     const bool is_line = here <= profile[static_cast<std::size_t>(k - 1)] &&
@@ -109,12 +111,14 @@ ThinZona ThinZona::read(const FrameSampler& image, const Eigen::Matrix2Xd& outli
   if (kSurely * noise > kInner_ratio * contrast) return seen;
   seen.limit_px = kApart_widths * line_width_px;
   const double valley = std::max(kValley_ratio * contrast, kSurely * noise);
-  const Pair pair = pair_in(middle, valley, kInner_ratio * contrast);
+  const double farthest_px = std::max(kFarthest_px, kFarthest_widths * line_width_px);
+  const int innermost = std::max(1, kIn + 1 - static_cast<int>(farthest_px / kStep_px));
+  const Pair pair = pair_in(middle, innermost, valley, kInner_ratio * contrast);
   if (pair.apart_px <= 0.0) return seen;
   seen.thickness_px = pair.apart_px;
   values.clear();
   for (const std::size_t s : full) {
-    const Pair one = pair_in(sectors[s], 0.25 * valley, 0.0);
+    const Pair one = pair_in(sectors[s], innermost, 0.25 * valley, 0.0);
     if (one.apart_px > 0.0) values.push_back(std::abs(one.apart_px - pair.apart_px));
   }
   const auto alike = static_cast<double>(values.size());
