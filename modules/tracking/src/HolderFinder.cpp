@@ -118,6 +118,7 @@ std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vecto
       if (half_width > least_ratio * cell.radius &&
           std::abs(half_width - tool.half_width()) < 0.4 * tool.half_width()) {
         holder.half_width = half_width;
+        holder.unevenness = guess->model.look.unevenness();
         sure = 1.0;
       }
     }

@@ -15,6 +15,7 @@ struct HolderFit {
   double offset = 0.0;                                   ///< its axis beside the centre, across `direction`
   double half_width = 0.0;                               ///< to the outlines of its outer edges
   double half_width_sigma = 0.0;                         ///< standard deviation of its logarithm; 0: as edges show it
+  double unevenness = 1.0;                               ///< `NeedleLook::unevenness` of the edges that show it
   Eigen::Vector2d mouth = Eigen::Vector2d::Zero();       ///< on its axis, where the glass ends
   bool mouth_seen = false;  ///< false: the glass fades into something else, and the mouth is where the cell's circle is
   double confidence = 0.0;  ///< 0..1
