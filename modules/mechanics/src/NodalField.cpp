@@ -10,8 +10,9 @@ namespace pellucida {
 namespace {
 
 /// How a tool's force is spread over its patch depends on the bond and on the wall beneath it: single nodes differ from
-/// those of a solid by about this share of their root mean square (docs/method.md, 4.5).
-constexpr double kToolSpread_ratio = 1.0;
+/// those of a solid by about this share of their root mean square, under the needle and at the holder
+/// (docs/method.md, 4.5).
+constexpr double kNeedleSpread_ratio = 1.5, kHolderSpread_ratio = 1.0;
 
 /// The tool's force on the membrane's nodes.
 Eigen::Matrix3Xd load_of(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_um) {
@@ -21,16 +22,17 @@ Eigen::Matrix3Xd load_of(const AttachmentTerm& tool, const Eigen::Matrix3Xd& x_u
 }
 
 /// Adds to the variance of the nodes under a tool what its distribution leaves open.
-void add_spread(const AttachmentTerm& tool, const Eigen::Matrix3Xd& load_uN, Eigen::VectorXd& variance_uN2) {
+void add_spread(const AttachmentTerm& tool, const Eigen::Matrix3Xd& load_uN, double spread_ratio,
+                Eigen::VectorXd& variance_uN2) {
   if (tool.nodes().empty()) return;
   const double mean_square_uN2 = load_uN.squaredNorm() / static_cast<double>(tool.nodes().size());
-  for (const int node : tool.nodes()) variance_uN2[node] += std::pow(kToolSpread_ratio, 2) * mean_square_uN2;
+  for (const int node : tool.nodes()) variance_uN2[node] += spread_ratio * spread_ratio * mean_square_uN2;
 }
 
 /// What the springs' tension lacks of a solid's, over the root mean square of their own in a zone, and over the node's
 /// own on the free wall (docs/method.md, 4.5). The zones are those of section 4.5: under and about the tip, the
 /// dimple's flank, the holder's ring and a node's distance about it.
-constexpr double kTipTension_ratio = 2.0, kFlankTension_ratio = 0.85, kHolderTension_ratio = 1.6,
+constexpr double kTipTension_ratio = 4.5, kFlankTension_ratio = 1.5, kHolderTension_ratio = 4.0,
                  kFreeTension_ratio = 0.12;
 constexpr double kFlank_rad = 1.0, kBesideHolder_rad = 0.18;
 
@@ -96,8 +98,8 @@ void fill_nodes(const Indenter& indenter, double scale, double of_liquid_ratio, 
   if (contact) {
     variance_uN2 += std::pow(of_tools * estimate.depth_sigma_um, 2) *
                     indenter.elastic_slope_uN_per_um().colwise().squaredNorm().transpose();
-    add_spread(model.tip(), needle, variance_uN2);
-    add_spread(model.holder(), holder, variance_uN2);
+    add_spread(model.tip(), needle, kNeedleSpread_ratio, variance_uN2);
+    add_spread(model.holder(), holder, kHolderSpread_ratio, variance_uN2);
   }
   estimate.force_sigma_uN = variance_uN2.array().sqrt().matrix();
   const Eigen::VectorXd areas_um2 = node_areas_um2(x, model.rest().triangles);
