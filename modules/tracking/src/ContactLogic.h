@@ -99,10 +99,10 @@ class ContactLogic {
   // In standard deviations: what a frame must exceed to count, what decides, the most that one frame may add; by how
   // much a tip must have passed the membrane.
   static constexpr double kAllowance = 1.5, kDecision = 4.0, kMostOfOneFrame = 3.2, kSure = 3.0;
-  // Likewise of a tip that alone says it: of 3,000 frames in which the needle was near and hadn't touched (plain
+  // Likewise of a tip that alone says it: of 4,500 frames in which the needle was near and hadn't touched (plain
   // drawings 80001 to 81455 of validation, tuning 306001 to 306044, wide 307001 to 307044) none had it so far past. Up
   // to so many `contact_px` a dent is shallow.
-  static constexpr double kPast = 2.0, kShallow = 4.0;
+  static constexpr double kPast = 1.75, kShallow = 4.0;
   static constexpr int kReleaseFrames = 2;
   // Of the way that counts as apart, what counts as together again; frames in a row of it.
   static constexpr double kTogether = 0.5;
