@@ -18,23 +18,27 @@ constexpr int kSide_px = 160;
 constexpr double kOutline_px = 40.0, kLine_px = 0.7;  // px
 const Eigen::Vector2d kMiddle_px(81.3, 78.6);
 
-// One or two dark lines of `kLine_px`, `apart_px` from each other; `shade` brightens the picture from left to right.
-std::vector<std::uint8_t> two_lines(double apart_px, double inner_depth, double noise, double shade = 0.0) {
+// One or two dark lines of `line_px`, `apart_px` from each other; `shade` brightens the picture from left to right,
+// `body` darkens what lies 8 px and more within.
+std::vector<std::uint8_t> two_lines(double apart_px, double inner_depth, double noise, double shade = 0.0,
+                                    double line_px = kLine_px, double body = 0.0) {
   std::vector<std::uint8_t> pixels;
   std::mt19937 dice(11);
   std::normal_distribution<double> normal(0.0, 1.0);
-  const auto line = [](double d) { return std::exp(-0.5 * d * d / (kLine_px * kLine_px)); };
+  const auto line = [&](double d) { return std::exp(-0.5 * d * d / (line_px * line_px)); };
   for (int y = 0; y < kSide_px; ++y)
     for (int x = 0; x < kSide_px; ++x) {
       const double r = (Eigen::Vector2d(x, y) - kMiddle_px).norm();
-      const double value = 150.0 - 50.0 * line(r - kOutline_px) - inner_depth * line(r - kOutline_px + apart_px);
+      const double value = 150.0 - 50.0 * line(r - kOutline_px) - inner_depth * line(r - kOutline_px + apart_px) -
+                           body / (1.0 + std::exp(r - kOutline_px + 8.0));
       pixels.push_back(
           static_cast<std::uint8_t>(std::lround(value + shade * (x - kMiddle_px.x()) + noise * normal(dice))));
     }
   return pixels;
 }
 
-ThinZona read_zona(const std::vector<std::uint8_t>& pixels, EdgeKind kind = {}, const NeedleZone* needle = nullptr) {
+ThinZona read_zona(const std::vector<std::uint8_t>& pixels, EdgeKind kind = {}, const NeedleZone* needle = nullptr,
+                   double line_px = kLine_px) {
   ImageView view;
   view.data = pixels.data();
   view.width_px = view.height_px = kSide_px;
@@ -44,7 +48,7 @@ ThinZona read_zona(const std::vector<std::uint8_t>& pixels, EdgeKind kind = {}, 
     const double angle = 2.0 * std::numbers::pi * i / 192;
     outline.col(i) = kMiddle_px + kOutline_px * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   }
-  return ThinZona::read(FrameSampler(view), outline, kind, kLine_px, needle);
+  return ThinZona::read(FrameSampler(view), outline, kind, line_px, needle);
 }
 
 TEST(ThinZona, IsMeasuredFromTwoPixelsOn) {
@@ -54,6 +58,14 @@ TEST(ThinZona, IsMeasuredFromTwoPixelsOn) {
     EXPECT_LT(std::abs(seen.thickness_px - apart_px), 3.0 * seen.sigma_px) << apart_px;
     EXPECT_LT(seen.sigma_px, 0.3);
   }
+}
+
+TEST(ThinZona, BlurredLinesMayBeFurtherApart) {
+  const double blurred_px = 2.2;
+  EXPECT_NEAR(read_zona(two_lines(7.5, 45.0, 2.0, 0.0, blurred_px), {}, nullptr, blurred_px).thickness_px, 7.5, 0.3);
+  // What gets darker and stays so is no line, and sharp lines so far apart would have been followed.
+  EXPECT_EQ(read_zona(two_lines(0.0, 0.0, 2.0, 0.0, blurred_px, 30.0), {}, nullptr, blurred_px).thickness_px, 0.0);
+  EXPECT_EQ(read_zona(two_lines(7.5, 45.0, 2.0)).thickness_px, 0.0);
 }
 
 TEST(ThinZona, OneLineBoundsIt) {
