@@ -52,6 +52,12 @@ double kernel(double difference, double width) {
   return std::exp(-0.5 * z * z);
 }
 
+// A size that the picture shows well: its edges say more of it than the contours of a cell that is never just the
+// solid.
+bool is_open(const ParametersPrior& prior, int parameter) {
+  return prior.sigma[parameter] > ContourSizes::kOpen;
+}
+
 /// Outward normals of a half-section.
 Eigen::Matrix2Xd normals_of(const Eigen::Matrix2Xd& section) {
   const Eigen::Index n = section.cols();
@@ -278,7 +284,7 @@ void ContourSizes::give_up() noexcept {
 void ContourSizes::step(ParametersPrior prior) {
   if (is_settled_) return;
   bool has_open = false;
-  for (int p = 0; p < kParameters; ++p) has_open = has_open || is_open(p, prior.sigma[p]);
+  for (int p = 0; p < kParameters; ++p) has_open = has_open || is_open(prior, p);
   if (!has_open) return give_up();
   prior.mean[kElongation] = elongation_;
   prior.sigma[kElongation] = kElongation_sigma;
@@ -305,7 +311,7 @@ void ContourSizes::step(ParametersPrior prior) {
   }
   Parameters found{next, information.inverse()};
   for (int p = 0; p < kParameters; ++p) {
-    if (is_open(p, prior.sigma[p])) continue;
+    if (is_open(prior, p)) continue;
     found.mean[p] = prior.mean[p];
     found.covariance.row(p).setZero();
     found.covariance.col(p).setZero();

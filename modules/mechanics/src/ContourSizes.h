@@ -52,11 +52,8 @@ class ContourSizes {
   /// As the last step left it, settled or not. Parameters that the prior knows well are as there. Nothing where it
   /// knows all of them, where too little was seen in contact, or where no parameters explain it.
   const std::optional<Parameters>& estimate() const noexcept { return estimate_; }
-  /// Whether contours have anything to say of a parameter: one that the picture shows well its edges say better than
-  /// the contours of a cell that is never just the solid. A tip that was seen at all is such: a dimple's width is
-  /// hardly that of the tip in it.
-  static constexpr double kOpen = 0.2, kOpenTip = 0.5;
-  static bool is_open(int parameter, double sigma) noexcept { return sigma > (parameter == 1 ? kOpenTip : kOpen); }
+  /// A standard deviation up to this one is known well.
+  static constexpr double kOpen = 0.2;
 
   /// How force and pressure of a cell of parameters `to` compare with those of `from`, by the solid: ln ratios, and
   /// the force's derivatives by the depth over the radius and by `to`.

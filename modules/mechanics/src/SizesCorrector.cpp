@@ -58,8 +58,7 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
   if (!contours_.is_settled()) {
     LogSizes sigmas = cell.geometry().log_sigmas();
     if (scale.has_geometry) sigmas = sigmas.cwiseMin(ContourSizes::kOpen);
-    has_open_size_ = false;
-    for (int p = 0; p < sigmas.size(); ++p) has_open_size_ = has_open_size_ || ContourSizes::is_open(p, sigmas[p]);
+    has_open_size_ = (sigmas.array() > ContourSizes::kOpen).any();
     contours_.step({from, (SolidParameters() << sigmas, kStiffening_sigma, 0.0).finished()});
   }
   const auto& seen = contours_.estimate();
