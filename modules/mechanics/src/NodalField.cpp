@@ -9,9 +9,8 @@
 namespace pellucida {
 namespace {
 
-/// How a tool's force is spread over its patch depends on the bond and on the wall beneath it: single nodes differ from
-/// those of a solid by about this share of their root mean square, under the needle and at the holder
-/// (docs/method.md, 4.5).
+/// How a tool's force is spread over its patch depends on bond and wall: single nodes differ from a solid's by about
+/// this share of their root mean square (docs/method.md, 4.5).
 constexpr double kNeedleSpread_ratio = 1.5, kHolderSpread_ratio = 1.0;
 
 /// The tool's force on the membrane's nodes.
