@@ -67,8 +67,8 @@ FrameSight sight_of(const Observation& seen, const Observation& truth, const For
   const SizesByContour unsaid{.stiffening_effect = ForceEstimate::kNotMeasured,
                               .stiffening_effect_sigma = ForceEstimate::kNotMeasured};
   const SizesByContour said = estimate.sizes_by_contour.value_or(unsaid);
-  sight.stiffening = said.stiffening_effect;
-  sight.stiffening_sigma = said.stiffening_effect_sigma;
+  sight.stiffening_effect = said.stiffening_effect;
+  sight.stiffening_effect_sigma = said.stiffening_effect_sigma;
   sight.sizes_ratio = said.force_ratio;
   return sight;
 }

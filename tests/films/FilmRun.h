@@ -32,10 +32,10 @@ struct FrameSight {
   double flank_um = 0.0;                       ///< of the dimple, as `flank_depth_um` has it
   double side_um = 0.0, rest_radius_um = 0.0;  ///< how far the sides bulge, 0: not seen; of the resting outline
   double residual_um = 0.0, dimple_residual_um = 0.0, noise_um = 0.0;  ///< of `ShapeAudit`; NaN: not measured
-  double force_uN = 0.0, lower_uN = 0.0, upper_uN = 0.0;  ///< by what was seen, with the picture's interval
-  double expected_uN = 0.0, true_uN = 0.0;                ///< by the true contours and tip; the cell's own
-  double stiffening = 0.0, stiffening_sigma = 0.0;        ///< `stiffening_effect` by the contours; NaN: none said it
-  double sizes_ratio = 1.0;                               ///< on the force, by what the contours said
+  double force_uN = 0.0, lower_uN = 0.0, upper_uN = 0.0;          ///< by what was seen, with the picture's interval
+  double expected_uN = 0.0, true_uN = 0.0;                        ///< by the true contours and tip; the cell's own
+  double stiffening_effect = 0.0, stiffening_effect_sigma = 0.0;  ///< by the contours; NaN: not measured
+  double sizes_ratio = 1.0;                                       ///< on the force, by what the contours said
 };
 
 /// Pictures of one film side by side.

@@ -112,14 +112,11 @@ TEST(ContactLogic, ASlowApproachIsNoticedWithinTwoPixels) {
   }
 }
 
-// A dent of a pixel isn't told from none: the tip's own place says that it pushes.
+// A dent of one pixel can't be distinguished from none: the tip's own place decides.
 TEST(ContactLogic, ATipSurelyJustPastTheMembranePushesIt) {
-  const auto frame = [](double tip_px, double past_sigma_px, double membrane_px = 0.2) {
-    return ContactLogic::Depths{.tip_px = tip_px,
-                                .membrane_px = membrane_px,
-                                .needle_seen = true,
-                                .tip_sigma_px = 0.3,
-                                .past_sigma_px = past_sigma_px};
+  const auto frame = [](double tip_px, double past_sigma_px) {
+    return ContactLogic::Depths{
+        .tip_px = tip_px, .membrane_px = 0.2, .needle_seen = true, .tip_sigma_px = 0.3, .past_sigma_px = past_sigma_px};
   };
   EXPECT_EQ(fresh().update(frame(0.9, 0.3)), CellState::kContact);
   EXPECT_EQ(fresh().update(frame(0.9, 0.6)), CellState::kFree) << "not sure enough";

@@ -29,9 +29,7 @@ constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 // A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
 // logarithms are; one of its walls alone, when they are so far apart; how well the scene shows a width, likewise.
 constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kOneWall = -0.6, kSceneWidthSigma = 0.35;
-// Edges more even than this are the holder's. On first sights of tuning and wide (308001 to 308360): by such edges 5 %
-// of the widths were below 0.84 to 0.95 of the true ones, plain or not, by the scene below 0.58 to 0.74; by more uneven
-// ones below 0.13 and 0.72.
+// Edges more even than this are the holder's (docs/method.md, 1.3).
 constexpr double kEvenHolder = 0.4;
 // Of the cell's radius: half the width of the narrowest pipette that holds it.
 constexpr double kNarrowestFacing_ratio = 0.12;

@@ -25,11 +25,11 @@ class ContactLogic {
   /// The state after this frame.
   /// Contact: a cumulative sum test (Page 1954) on the membrane's depth in units of its sigma; a depth below
   /// `contact_px` counts for nothing, and a single frame decides only where the tip is seen to have passed the resting
-  /// membrane too. A tip just past it, by more than it may be wrong, pushes it: so shallow a dent isn't told from none.
-  /// Release: two frames in a row with the membrane back, the tip no more just past it, or the tip away. Puncture: the
-  /// membrane leaves the tip behind by `puncture_drop_ratio` of its depth, and the dimple beside it is not pushed any
-  /// more; it ends when the tip has left the cell, or three frames in a row show the tip on the membrane again or that
-  /// dimple pushed.
+  /// membrane too. A tip just past it, by more than its error, is in contact: so shallow a dent can't be distinguished
+  /// from none. Release: two frames in a row with the membrane back, the tip no more just past it, or the tip away.
+  /// Puncture: the membrane leaves the tip behind by `puncture_drop_ratio` of its depth, and the dimple beside it is
+  /// not pushed any more; it ends when the tip has left the cell, or three frames in a row show the tip on the membrane
+  /// again or that dimple pushed.
   CellState update(const Depths& now) {
     const double floor_px = kShallow * options_.contact_px;
     if (state_ == CellState::kPunctured) {

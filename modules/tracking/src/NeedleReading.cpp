@@ -197,8 +197,9 @@ void NeedleTracker::take_width() {
   if (width_readings_ == 0) return;
   const double log_px = width_log_sum_ / width_information_, sigma = std::sqrt(width_readings_ / width_information_);
   const double apart = std::abs(std::log(by_lines_px) - log_px);
-  const bool are_even = model_.look.unevenness() < kEvenLines;
-  const bool agree = !is_read() && apart < std::max(kSameWidth, are_even ? kEvenLinesSigmas * sigma : sigma);
+  const auto are_even = [this] { return model_.look.unevenness() < kEvenLines; };
+  const bool agree =
+      !is_read() && (apart < std::max(kSameWidth, sigma) || (apart < kEvenLinesSigmas * sigma && are_even()));
   if (agree) return;
   now_.tip_radius = std::exp(log_px);
   now_.tip_radius_sigma = sigma;

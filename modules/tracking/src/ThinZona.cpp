@@ -16,7 +16,7 @@ constexpr int kSectors = 16;        // of the outline: a tool or debris spoils s
 constexpr double kStep_px = 0.25;   // between samples along a normal
 constexpr int kIn = 40, kOut = 12;  // samples inwards and outwards: 10 and 3 px
 // How far in a second line is looked for: lines further apart are followed, unless they are as blurred as this. So far
-// in a minimum may be all kinds of things: behind a line it gets bright again within this.
+// in a minimum may be all kinds of things: behind a line it gets bright again within so many samples, 3 px.
 constexpr double kFarthest_px = 6.0, kFarthest_widths = 4.5;
 constexpr int kBehindLine = 12;
 constexpr int kCount = kIn + 1 + kOut, kFar = kIn - static_cast<int>(kFarthest_px / kStep_px);
@@ -65,8 +65,10 @@ Pair pair_in(const Profile& profile, int innermost, double least_valley, double 
     double out = own;
     for (int j = outer; j < kCount; ++j) out = std::max(out, profile[static_cast<std::size_t>(j)]);
     if (out - here < least_depth) return {};
-    const auto brightest = std::max_element(profile.begin() + std::max(0, k - kBehindLine), profile.begin() + k);
-    if (k < kFar && *brightest - here < least_valley) return {};
+    if (k < kFar) {
+      const auto brightest = std::max_element(profile.begin() + std::max(0, k - kBehindLine), profile.begin() + k);
+      if (*brightest - here < least_valley) return {};
+    }
     return {kStep_px * (peak_at(profile, outer) - peak_at(profile, k)), std::min(top - own, top - here)};
   }
   return {};
