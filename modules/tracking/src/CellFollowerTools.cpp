@@ -294,13 +294,25 @@ contour::Circle CellFollower::reach_of_cell() const {
   return circle;
 }
 
-void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
+NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift) {
+  const NeedleEstimate& n = needle_.estimate();
+  const double clear_px = kClear_px + kClearBlurs * std::max(0.0, n.edge_blur - kSharp_px);
+  NeedleCue cue;
+  cue.in_the_clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
+  cue.command = frame.command;
+  cue.scene_jump_px = jump;
+  if (zone().is_shade) cue.body = reach_of_cell();
+  if (cue.in_the_clear || cue.body) return cue;
+  snakes_.show_behind(n.tip, shift, touching_ ? wrapped_px(n.tip_half_width) : 0.0, backdrop_);
+  cue.depth_px = tip_depth();
+  if (!backdrop_.is_empty()) cue.membrane = &backdrop_;
+  return cue;
+}
+
+void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift) {
   const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
-    const double clear_px = kClear_px + kClearBlurs * std::max(0.0, needle_.estimate().edge_blur - kSharp_px);
-    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
-    NeedleCue cue{34.0, clear, frame.command, jump, std::nullopt};
-    if (zone().is_shade) cue.body = reach_of_cell();
+    const NeedleCue cue = needle_cue(frame, jump, shift);
     const Eigen::Vector2d before = needle_.motion();
     bool seen = needle_.is_read() ? needle_.follow_read(frame.networks->tips(), frame.image, cue)
                                   : needle_.track(frame.image, frame.noise, cue);
@@ -308,7 +320,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool is_free = contact_.state() == CellState::kFree;
     const bool is_leap = (needle_.motion() - before).norm() > kCheckedLeap_px + 0.5 * before.norm();
     const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle || (is_free && is_leap);
-    const bool is_asked = frame.networks && (is_read_ || is_doubtful_ || is_poor);
+    const bool is_asked = frame.networks && (is_read_ || is_needle_doubtful_ || is_poor);
     if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
     if (!is_before(needle_.estimate(), center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();

@@ -229,6 +229,15 @@ EdgeTemplate::Match EdgeTemplate::match(const float* profile, int reach, int dir
   return match;
 }
 
+float EdgeTemplate::relative(float away_px, float step_px, int direction) const noexcept {
+  const Look& look = looks_[static_cast<std::size_t>(direction)];
+  const float k = std::clamp(away_px / step_px + kHalf + look.center, 0.0F, kTaps - 1.0F);
+  const int i = std::min(static_cast<int>(k), kTaps - 2);
+  const float t = k - static_cast<float>(i);
+  const auto at = static_cast<std::size_t>(i);
+  return (1.0F + (1.0F - t) * look.shape[at] + t * look.shape[at + 1]) / (1.0F + look.shape[kTaps - 1]);
+}
+
 double EdgeTemplate::asymmetry() const noexcept {
   double odd = 0.0, even = 0.0;
   for (const Look& look : looks_) {
