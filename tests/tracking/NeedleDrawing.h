@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "ToolFinder.h"
 #include "tracking/PixelView.h"
 
 namespace pellucida::test {
@@ -73,6 +74,18 @@ inline NeedlePicture draw(const NeedleDrawing& d) {
     }
   }
   return picture;
+}
+
+/// The tool as voting would give it: a degree and two pixels off.
+inline FoundTool tool_of(const NeedleDrawing& d) {
+  FoundTool tool;
+  tool.origin = d.tip + Eigen::Vector2d(-20.0, 5.0);
+  const double angle = d.angle_rad + 0.015;
+  tool.direction = {std::cos(angle), std::sin(angle)};
+  const double offset = (d.tip - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x())) + 1.5;
+  tool.offset_from = offset - 10.0 - d.tip_radius - d.blur;
+  tool.offset_to = offset + 10.0 + d.tip_radius + d.blur;
+  return tool;
 }
 
 }  // namespace pellucida::test

@@ -19,18 +19,7 @@ namespace {
 
 using Drawing = test::NeedleDrawing;
 using Picture = test::NeedlePicture;
-
-// The tool as voting would give it: a degree and two pixels off.
-FoundTool tool_of(const Drawing& d) {
-  FoundTool tool;
-  tool.origin = d.tip + Eigen::Vector2d(-20.0, 5.0);
-  const double angle = d.angle_rad + 0.015;
-  tool.direction = {std::cos(angle), std::sin(angle)};
-  const double offset = (d.tip - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x())) + 1.5;
-  tool.offset_from = offset - 10.0 - d.tip_radius - d.blur;
-  tool.offset_to = offset + 10.0 + d.tip_radius + d.blur;
-  return tool;
-}
+using test::tool_of;
 
 struct NeedleError {
   double along = 0.0, across = 0.0;
@@ -163,48 +152,6 @@ TEST(NeedleTracker, FollowsIntoAMembraneThatHidesItsEnd) {
   }
   EXPECT_TRUE(needle.estimate().evidence & kKnownCone);
   EXPECT_GE(within_sigma, 12);
-}
-
-// A cell's outline bends away from the tip that touches it, and its line hides the end's: taken for part of the end, it
-// moves the tip; known where it is and what it looks like, it doesn't.
-TEST(NeedleTracker, AgainstAMembraneThatIsKnownTheTipIsWhereItIsInPlainMedium) {
-  constexpr double kRadius_px = 40.0, kSample_px = 0.5;
-  constexpr Eigen::Index kPoints = 120;
-  Eigen::Matrix2Xd normals(2, kPoints);
-  std::vector<float> profiles;
-  for (Eigen::Index i = 0; i < kPoints; ++i) {
-    const double t = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(kPoints);
-    normals.col(i) << std::cos(t), std::sin(t);
-    for (int k = -EdgeTemplate::kHalf; k <= EdgeTemplate::kHalf; ++k)
-      profiles.push_back(static_cast<float>(Drawing::membrane_light(k * kSample_px)));
-  }
-  EdgeTemplate edge;
-  ASSERT_TRUE(edge.learn(profiles.data(), normals, Eigen::VectorXd::Ones(kPoints), {}, 1.0));
-
-  Drawing d = with(0.4, 1.0, false, 0.01);
-  NeedleTracker needle;
-  const Picture before = draw(d);
-  ASSERT_TRUE(needle.start(FrameSampler(before.view()), tool_of(d), 0.01));
-  const double in_medium = error_of(needle, d).along;
-  for (const double ahead : {1.0, 0.5, 0.0}) {
-    d.membrane_ahead = ahead;
-    d.membrane_radius = kRadius_px;
-    const Picture picture = draw(d);
-    const FrameSampler image(picture.view());
-    const Eigen::Vector2d center = d.tip + (ahead + kRadius_px) * d.direction();
-    const auto off_with = [&](MembraneBackdrop* membrane) {
-      NeedleTracker tried = needle;
-      NeedleCue cue;
-      cue.membrane = membrane;
-      EXPECT_TRUE(tried.track(image, 0.01, cue));
-      return std::abs(error_of(tried, d).along - in_medium);
-    };
-    MembraneBackdrop membrane;
-    membrane.set((kRadius_px * normals).colwise() + center, edge, kSample_px, d.tip, Eigen::Vector2d::Zero(), 0.0);
-    const double known = off_with(&membrane);
-    EXPECT_LT(known, 0.06) << ahead;
-    EXPECT_LT(known, off_with(nullptr)) << ahead;
-  }
 }
 
 // Frame `k` of a needle that touches something from the seventh on: followed, to a pixel.

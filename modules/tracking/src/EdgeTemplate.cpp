@@ -157,6 +157,7 @@ void EdgeTemplate::build(EdgeKind kind) {
     }
     for (int k = 0; k < kTaps; ++k)
       columns.row(k) << 1.0, shape[k] - weighted / sum, slope[static_cast<std::size_t>(k)];
+    look.level = static_cast<float>(1.0 + weighted / sum);
     const Eigen::Matrix3d normal = columns.transpose() * window.asDiagonal() * columns;
     const Eigen::Matrix3d inverse =
         (normal + 1e-12 * Eigen::Matrix3d::Identity()).ldlt().solve(Eigen::Matrix3d::Identity());
@@ -235,7 +236,7 @@ float EdgeTemplate::relative(float away_px, float step_px, int direction) const 
   const int i = std::min(static_cast<int>(k), kTaps - 2);
   const float t = k - static_cast<float>(i);
   const auto at = static_cast<std::size_t>(i);
-  return (1.0F + (1.0F - t) * look.shape[at] + t * look.shape[at + 1]) / (1.0F + look.shape[kTaps - 1]);
+  return (look.level + (1.0F - t) * look.shape[at] + t * look.shape[at + 1]) / (look.level + look.shape[kTaps - 1]);
 }
 
 double EdgeTemplate::asymmetry() const noexcept {

@@ -72,8 +72,9 @@ class EdgeTemplate {
  private:
   using Taps = std::array<float, kTaps>;
   struct Look {
-    Taps shape{};  // T, its mean taken away
-    Taps slope{};  // dT/dk
+    Taps shape{};        // T, its mean taken away
+    float level = 1.0F;  // that mean, and the profile's own, which is 1
+    Taps slope{};        // dT/dk
     Taps gain{}, shift{};
     float center = 0.0F, center_deviation = 0.0F;
     double variance = 1.0, gain_deviation = 1.0, energy = 0.0;

@@ -263,8 +263,9 @@ class MembraneTracker::Impl {
     if (has_started) {
       const LinesVerdict again = judge_lines(cell_, scene_, frame.image, reader_);
       if (again.is_same() && again.is_same_needle && cell_.needle().valid()) {
-        // The scene is no witness to what it gave itself, and the cell stays in doubt; even lines that end there are.
-        first.is_same_needle = cell_.needle().is_even();
+        // The scene is no witness to what it gave itself, and the cell stays in doubt; even lines are, where those
+        // before were of another kind, as along one wall, and not the same with another end.
+        first.is_same_needle = cell_.needle().is_even() && !lines.needle().is_even();
         return first;
       }
     }
