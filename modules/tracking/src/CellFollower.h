@@ -117,8 +117,8 @@ class CellFollower {
   double membranes_confidence() const;
   /// Until the next start, or until it is taken back: no more confidence than in what one way of seeing alone has
   /// shown.
-  /// `is_needle`: the needle too, whose tip the networks are then asked for in each frame; of a cell whose zona does
-  /// not show the needle may be plain to both.
+  /// `is_needle`: the needle too, whose tip the networks are then asked for in contact as well; of a cell whose zona
+  /// does not show the needle may be plain to both.
   void doubt(bool is_doubtful, bool is_needle) noexcept {
     is_doubtful_ = is_doubtful;
     is_needle_doubtful_ = is_needle;

@@ -302,7 +302,8 @@ NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2
   cue.command = frame.command;
   cue.scene_jump_px = jump;
   if (zone().is_shade) cue.body = reach_of_cell();
-  if (cue.in_the_clear || cue.body) return cue;
+  // Through the membrane, its line crosses the shaft and says nothing about the end.
+  if (cue.in_the_clear || cue.body || contact_.state() == CellState::kPunctured) return cue;
   snakes_.show_behind(n.tip, shift, touching_ ? wrapped_px(n.tip_half_width) : 0.0, backdrop_);
   cue.depth_px = tip_depth();
   if (!backdrop_.is_empty()) cue.membrane = &backdrop_;
@@ -320,7 +321,9 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool is_free = contact_.state() == CellState::kFree;
     const bool is_leap = (needle_.motion() - before).norm() > kCheckedLeap_px + 0.5 * before.norm();
     const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle || (is_free && is_leap);
-    const bool is_asked = frame.networks && (is_read_ || is_needle_doubtful_ || is_poor);
+    const bool is_pushing = contact_.state() == CellState::kContact;
+    const bool is_doubtful = is_needle_doubtful_ || (is_doubtful_ && !is_pushing);
+    const bool is_asked = frame.networks && (is_read_ || is_doubtful || is_poor);
     if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
     if (!is_before(needle_.estimate(), center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
@@ -331,7 +334,6 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
       if (is_free) {
         needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
       } else {
-        const bool is_pushing = contact_.state() == CellState::kContact;
         needle_.read_tip_in_contact(frame.networks->tips(), frame.image, is_pushing ? frame.command : nullptr);
       }
     }

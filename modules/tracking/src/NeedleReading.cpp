@@ -47,10 +47,6 @@ constexpr double kSurestWidth = 0.08, kSameWidth = 0.12;
 // standard deviations away it may read the width. Of plain drawings of tuning (seeds 302001 to 302240) 92 of 100 are as
 // even, their lines right to 0.05; of looks of the optical model 5, with the lumen's lines 1 to 2 away from the width.
 constexpr double kEvenLines = 0.15, kEvenLinesSigmas = 3.0;
-// Up to the second of these they may be: the standard deviation of their width's logarithm is then taken to be so many
-// times their unevenness. Of 354 plain drawings (302001 to 302240, 305001 to 305160) 19 lie between, within 0.07; of
-// 224 optical looks (306001 to 306104, 304001 to 304110, 308301 to 308360) 51, off by 1.3 in one of five.
-constexpr double kNearlyEvenLines = 0.3, kLinesSigma = 1.5;
 // Two lines blurred into each other are read nearer together than they are: a narrow tip's half width, px, is the
 // hypotenuse of what is read and of this (the same drawings).
 constexpr double kLinesBlur_px = 0.35;
@@ -206,14 +202,9 @@ void NeedleTracker::take_width() {
   const double log_px = width_log_sum_ / width_information_, sigma = std::sqrt(width_readings_ / width_information_);
   const double apart = std::abs(std::log(by_lines_px) - log_px);
   if (!is_read() && apart < std::max(kSameWidth, sigma)) return;
-  const double uneven = is_read() ? 1.0 : model_.look.unevenness();
-  if (uneven < kEvenLines && apart < kEvenLinesSigmas * sigma) return;
-  // Both have their say by their variances, where the lines are nearly even.
-  const double lines_sigma = kLinesSigma * uneven, total = lines_sigma * lines_sigma + sigma * sigma;
-  const bool is_nearly_even = uneven < kNearlyEvenLines && apart * apart < kEvenLinesSigmas * kEvenLinesSigmas * total;
-  const double share = is_nearly_even ? sigma * sigma / total : 0.0;
-  now_.tip_radius = std::exp((1.0 - share) * log_px + share * std::log(by_lines_px));
-  now_.tip_radius_sigma = sigma * std::sqrt(1.0 - share);
+  if (is_even() && apart < kEvenLinesSigmas * sigma) return;
+  now_.tip_radius = std::exp(log_px);
+  now_.tip_radius_sigma = sigma;
 }
 
 bool NeedleTracker::start_read(TipNetwork& network, const FrameSampler& image, const NeedleAxis& axis,
