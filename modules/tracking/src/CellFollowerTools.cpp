@@ -99,6 +99,11 @@ void check_width(HolderFit& holder, const SceneReading& scene, bool by_lines) {
   }
 }
 
+// px past the resting membrane: up to this depth the needle's end is seen against the membrane's line. In deeper
+// dimples its walls run beside the needle, and the outline of the last frame is not known well enough to take the line
+// away.
+constexpr double kShallow_px = 8.0;
+
 }  // namespace
 
 NeedleZone CellFollower::zone() const {
@@ -303,7 +308,8 @@ NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2
   cue.scene_jump_px = jump;
   if (zone().is_shade) cue.body = reach_of_cell();
   // Through the membrane, its line crosses the shaft and says nothing about the end.
-  if (cue.in_the_clear || cue.body || contact_.state() == CellState::kPunctured) return cue;
+  const bool is_seen_against_it = contact_.state() != CellState::kPunctured && tip_depth() < kShallow_px;
+  if (cue.in_the_clear || cue.body || !is_seen_against_it) return cue;
   snakes_.show_behind(n.tip, shift, touching_ ? wrapped_px(n.tip_half_width) : 0.0, backdrop_);
   cue.depth_px = tip_depth();
   if (!backdrop_.is_empty()) cue.membrane = &backdrop_;

@@ -9,6 +9,9 @@ namespace {
 
 constexpr int kHalf = EdgeTemplate::kHalf, kTaps = EdgeTemplate::kTaps;
 
+// Of a profile's mean: no place is taken to be darker, whatever the harmonics have it where no profile was seen.
+constexpr float kLeastLight = 0.05F;
+
 // The window's weight of sample k: full in the middle, fading over its ends.
 double taper(int k) {
   const double x = std::abs(k) / (kHalf + 1.0);
@@ -236,7 +239,8 @@ float EdgeTemplate::relative(float away_px, float step_px, int direction) const 
   const int i = std::min(static_cast<int>(k), kTaps - 2);
   const float t = k - static_cast<float>(i);
   const auto at = static_cast<std::size_t>(i);
-  return (look.level + (1.0F - t) * look.shape[at] + t * look.shape[at + 1]) / (look.level + look.shape[kTaps - 1]);
+  const float here = look.level + (1.0F - t) * look.shape[at] + t * look.shape[at + 1];
+  return std::max(here, kLeastLight) / std::max(look.level + look.shape[kTaps - 1], kLeastLight);
 }
 
 double EdgeTemplate::asymmetry() const noexcept {

@@ -14,12 +14,11 @@ constexpr int kLearnFrames = 40;
 // Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
-// Of the end against a membrane that is known: at its resting place, and more for each unit past it, where the
-// dimple's walls run steeply beside the needle. In 1,400 frames of plain drawings of tuning (seeds 302001 to 302150,
-// 305001 to 305160) its errors have a standard deviation of 0.1 up to the membrane, 0.16 at 5 to 8 units and 0.3 at 8
-// to 15. Taken for plain medium it is 0.2 too short at the membrane and 0.3 too long at 15.
+// Of the end against a membrane that is known: at its resting place, and more for each unit past it. In 1,400 frames of
+// plain drawings of tuning (seeds 302001 to 302150, 305001 to 305160) its errors have a standard deviation of 0.1 up to
+// the membrane and 0.16 at 5 to 8 units. Taken for plain medium it is 0.2 too short at the membrane, 0.2 too long at 8.
 constexpr double kEndAgainst = 0.12, kEndAgainstDepth = 0.02;
-// In units: by no more does such a membrane move the end (in 95 of 100 of these frames up to 15 units past it).
+// In units: by no more does such a membrane move the end (in 95 of 100 of these frames).
 constexpr double kMostByMembrane = 0.6;
 
 // Apart by so much, px, end and cone leave the tip in doubt, whichever counts.
