@@ -102,7 +102,7 @@ void check_width(HolderFit& holder, const SceneReading& scene, bool by_lines) {
 // px past the resting membrane: up to this depth the needle's end is seen against the membrane's line. In deeper
 // dimples its walls run beside the needle, and the outline of the last frame is not known well enough to take the line
 // away.
-constexpr double kShallow_px = 8.0;
+constexpr double kShallow_px = 25.0;
 
 }  // namespace
 
