@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "FrameSampler.h"
-#include "MembraneBackdrop.h"
 #include "NeedleModel.h"
 
 namespace pellucida {
@@ -27,10 +26,9 @@ class TipFinder {
   void prepare(const NeedleModel& model);
 
   /// `gain` and `medium`: of this frame, from the shaft; `reach_px`: how far ahead and back the tip may be;
-  /// `clear_px`: what lies further ahead of the axis's tip is not looked at; `backdrop`: seen behind it, null for plain
-  /// medium.
+  /// `clear_px`: what lies further ahead of the axis's tip is not looked at.
   TipResult find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                 double reach_px, double clear_px, const MembraneBackdrop* backdrop = nullptr);
+                 double reach_px, double clear_px);
 
  private:
   double cost(double ahead) const;
