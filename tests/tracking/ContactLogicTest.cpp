@@ -121,7 +121,8 @@ TEST(ContactLogic, ATipSurelyJustPastTheMembranePushesIt) {
   EXPECT_EQ(fresh().update(frame(0.9, 0.3)), CellState::kContact);
   EXPECT_EQ(fresh().update(frame(0.9, 0.6)), CellState::kFree) << "not sure enough";
   EXPECT_EQ(fresh().update(frame(0.9, 0.0)), CellState::kFree) << "not known";
-  EXPECT_EQ(fresh().update(frame(0.4, 0.1)), CellState::kFree) << "too little";
+  EXPECT_EQ(fresh().update(frame(0.4, 0.1)), CellState::kContact);
+  EXPECT_EQ(fresh().update(frame(0.25, 0.1)), CellState::kFree) << "too little";
   // It stays a contact while it is so shallow; a needle above the cell goes on over an outline that stays where it was.
   ContactLogic logic = fresh();
   for (const double tip_px : {0.9, 1.1, 1.3, 1.5, 1.8})

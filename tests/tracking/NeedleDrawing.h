@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "ToolFinder.h"
 #include "tracking/PixelView.h"
 
 namespace pellucida::test {
@@ -19,11 +20,15 @@ struct NeedleDrawing {
   double tip_radius = 2.0, slope = 0.045, blur = 1.0, depth = 0.45, noise = 0.01;
   bool wedge = false, straight = false;
   double tapered_px = 1e9;  // so far behind the tip it is as wide as it gets
-  // A dark line straight across, this far ahead of the tip: a membrane. Negative: none.
-  double membrane_ahead = -1.0;
+  // A dark line across, this far ahead of the tip: a membrane, straight or with its centre so far behind the line.
+  // Negative: none.
+  double membrane_ahead = -1.0, membrane_radius = 0.0;
   // A dark disc on the shaft, its centre so far behind the tip. Negative: none.
   double disc_behind_px = -1.0, disc_radius_px = 11.0;
   unsigned seed = 1;
+
+  /// Light through a membrane's line, `away` px from its middle.
+  static double membrane_light(double away) { return 1.0 - 0.4 * std::exp(-0.5 * away * away / (1.2 * 1.2)); }
 
   Eigen::Vector2d direction() const { return {-std::cos(angle_rad), -std::sin(angle_rad)}; }
 };
@@ -58,8 +63,9 @@ inline NeedlePicture draw(const NeedleDrawing& d) {
       light *= d.wedge ? 1.0 - 0.4 * 0.5 * std::erfc(distance / (d.blur * std::sqrt(2.0)))
                        : 1.0 - d.depth * std::exp(-0.5 * distance * distance / (d.blur * d.blur));
       if (d.membrane_ahead >= 0.0) {
-        const double off = (s + d.membrane_ahead) / 1.2;
-        light *= 1.0 - 0.4 * std::exp(-0.5 * off * off);
+        const double radius = d.membrane_radius;
+        const double away = radius > 0.0 ? std::hypot(s + d.membrane_ahead + radius, v) - radius : s + d.membrane_ahead;
+        light *= NeedleDrawing::membrane_light(away);
       }
       if (d.disc_behind_px >= 0.0)
         light *= 1.0 - 0.6 / (1.0 + std::exp(2.0 * (std::hypot(s - d.disc_behind_px, v) - d.disc_radius_px)));
@@ -68,6 +74,18 @@ inline NeedlePicture draw(const NeedleDrawing& d) {
     }
   }
   return picture;
+}
+
+/// The tool as voting would give it: a degree and two pixels off.
+inline FoundTool tool_of(const NeedleDrawing& d) {
+  FoundTool tool;
+  tool.origin = d.tip + Eigen::Vector2d(-20.0, 5.0);
+  const double angle = d.angle_rad + 0.015;
+  tool.direction = {std::cos(angle), std::sin(angle)};
+  const double offset = (d.tip - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x())) + 1.5;
+  tool.offset_from = offset - 10.0 - d.tip_radius - d.blur;
+  tool.offset_to = offset + 10.0 + d.tip_radius + d.blur;
+  return tool;
 }
 
 }  // namespace pellucida::test

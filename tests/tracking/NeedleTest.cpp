@@ -19,18 +19,7 @@ namespace {
 
 using Drawing = test::NeedleDrawing;
 using Picture = test::NeedlePicture;
-
-// The tool as voting would give it: a degree and two pixels off.
-FoundTool tool_of(const Drawing& d) {
-  FoundTool tool;
-  tool.origin = d.tip + Eigen::Vector2d(-20.0, 5.0);
-  const double angle = d.angle_rad + 0.015;
-  tool.direction = {std::cos(angle), std::sin(angle)};
-  const double offset = (d.tip - tool.origin).dot(Eigen::Vector2d(-tool.direction.y(), tool.direction.x())) + 1.5;
-  tool.offset_from = offset - 10.0 - d.tip_radius - d.blur;
-  tool.offset_to = offset + 10.0 + d.tip_radius + d.blur;
-  return tool;
-}
+using test::tool_of;
 
 struct NeedleError {
   double along = 0.0, across = 0.0;

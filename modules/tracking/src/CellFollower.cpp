@@ -154,7 +154,8 @@ bool CellFollower::follow(const FrameInput& frame) {
   drift_.advance(jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
   if (frame.command) frame.command->move_scene(center_now() - center_before);
   // The holder's fit says better than the picture as a whole how far a jump went.
-  follow_needle(frame, jump ? Eigen::Vector2d(center_now() - center_before) : Eigen::Vector2d::Zero());
+  const Eigen::Vector2d shift = center_now() - center_before;
+  follow_needle(frame, jump ? shift : Eigen::Vector2d::Zero(), shift);
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;

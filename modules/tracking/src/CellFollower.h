@@ -117,7 +117,12 @@ class CellFollower {
   double membranes_confidence() const;
   /// Until the next start, or until it is taken back: no more confidence than in what one way of seeing alone has
   /// shown.
-  void doubt(bool is_doubtful = true) noexcept { is_doubtful_ = is_doubtful; }
+  /// `is_needle`: the needle too, whose tip the networks are then asked for in contact as well; of a cell whose zona
+  /// does not show the needle may be plain to both.
+  void doubt(bool is_doubtful, bool is_needle) noexcept {
+    is_doubtful_ = is_doubtful;
+    is_needle_doubtful_ = is_needle;
+  }
   bool is_doubtful() const noexcept { return is_doubtful_; }
 
  private:
@@ -146,7 +151,8 @@ class CellFollower {
   void read_tip_width(const FrameInput& frame, bool is_clear);
   void begin_command(const FrameInput& frame);
   void compare_with_command(const FrameInput& frame, bool is_seen);
-  void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump);
+  NeedleCue needle_cue(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift);
+  void follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift);
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
   void read_where_it_was(const FrameInput& frame, const NeedleZone* needle);
@@ -203,6 +209,7 @@ class CellFollower {
   MembraneSnakes snakes_;
   SoftZona zona_;
   NeedleTracker needle_;
+  MembraneBackdrop backdrop_;                  // of the needle's tip, made anew for each frame
   std::optional<Eigen::Vector2d> needle_way_;  // the direction of the needle that was followed last
   GlobalShiftEstimator scene_;
   RigidMotion rigid_;
@@ -224,7 +231,7 @@ class CellFollower {
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   double dent_noise_ratio_ = 0.0;  // of an undented cell without a needle: from frame to frame, of late
   bool touching_ = false;
-  bool is_doubtful_ = false;
+  bool is_doubtful_ = false, is_needle_doubtful_ = false;
   bool walls_slide_ = false;  // the holder's, along themselves
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, times_astray_ = 0, frames_followed_ = 0;

@@ -57,7 +57,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   const NeedleZone needle_zone = zone();
   const NeedleZone* known = needle_.valid() ? &needle_zone : nullptr;
   is_read_ = frame.reader != nullptr;
-  is_doubtful_ = false;
+  is_doubtful_ = is_needle_doubtful_ = false;
   const bool is_judged = frame.networks != nullptr && !frame.is_vouched;
   if (is_read_) {
     const double least = is_judged ? std::min(frame.least_score, kLeastOfSureCell) : frame.least_score;

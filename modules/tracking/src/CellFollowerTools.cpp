@@ -99,6 +99,11 @@ void check_width(HolderFit& holder, const SceneReading& scene, bool by_lines) {
   }
 }
 
+// px past the resting membrane: up to this depth the needle's end is seen against the membrane's line. In deeper
+// dimples its walls run beside the needle, and the outline of the last frame is not known well enough to take the line
+// away.
+constexpr double kShallow_px = 25.0;
+
 }  // namespace
 
 NeedleZone CellFollower::zone() const {
@@ -294,13 +299,27 @@ contour::Circle CellFollower::reach_of_cell() const {
   return circle;
 }
 
-void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump) {
+NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift) {
+  const NeedleEstimate& n = needle_.estimate();
+  const double clear_px = kClear_px + kClearBlurs * std::max(0.0, n.edge_blur - kSharp_px);
+  NeedleCue cue;
+  cue.in_the_clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
+  cue.command = frame.command;
+  cue.scene_jump_px = jump;
+  if (zone().is_shade) cue.body = reach_of_cell();
+  // Through the membrane, its line crosses the shaft and says nothing about the end.
+  const bool is_seen_against_it = contact_.state() != CellState::kPunctured && tip_depth() < kShallow_px;
+  if (cue.in_the_clear || cue.body || !is_seen_against_it) return cue;
+  snakes_.show_behind(n.tip, shift, touching_ ? wrapped_px(n.tip_half_width) : 0.0, backdrop_);
+  cue.depth_px = tip_depth();
+  if (!backdrop_.is_empty()) cue.membrane = &backdrop_;
+  return cue;
+}
+
+void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift) {
   const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
-    const double clear_px = kClear_px + kClearBlurs * std::max(0.0, needle_.estimate().edge_blur - kSharp_px);
-    const bool clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
-    NeedleCue cue{34.0, clear, frame.command, jump, std::nullopt};
-    if (zone().is_shade) cue.body = reach_of_cell();
+    const NeedleCue cue = needle_cue(frame, jump, shift);
     const Eigen::Vector2d before = needle_.motion();
     bool seen = needle_.is_read() ? needle_.follow_read(frame.networks->tips(), frame.image, cue)
                                   : needle_.track(frame.image, frame.noise, cue);
@@ -308,7 +327,9 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool is_free = contact_.state() == CellState::kFree;
     const bool is_leap = (needle_.motion() - before).norm() > kCheckedLeap_px + 0.5 * before.norm();
     const bool is_poor = !seen || needle_.estimate().confidence < kPoorNeedle || (is_free && is_leap);
-    const bool is_asked = frame.networks && (is_read_ || is_doubtful_ || is_poor);
+    const bool is_pushing = contact_.state() == CellState::kContact;
+    const bool is_doubtful = is_needle_doubtful_ || (is_doubtful_ && !is_pushing);
+    const bool is_asked = frame.networks && (is_read_ || is_doubtful || is_poor);
     if (!seen && is_asked) seen = needle_.go_on_read(frame.networks->tips(), frame.image);
     if (!is_before(needle_.estimate(), center_now(), kThrough_ratio * rest_.outer_radius)) needle_.reset();
     if (!seen && needle_.estimate().confidence < 0.1) needle_.reset();
@@ -319,7 +340,6 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
       if (is_free) {
         needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
       } else {
-        const bool is_pushing = contact_.state() == CellState::kContact;
         needle_.read_tip_in_contact(frame.networks->tips(), frame.image, is_pushing ? frame.command : nullptr);
       }
     }

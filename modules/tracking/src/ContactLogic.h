@@ -78,7 +78,7 @@ class ContactLogic {
  private:
   bool is_just_past(const Depths& now) const {
     return now.needle_seen && now.past_sigma_px > 0.0 && now.tip_px < kShallow * options_.contact_px &&
-           now.tip_px > std::max(options_.contact_px, kPast * now.past_sigma_px);
+           now.tip_px > std::max(kLeastPast * options_.contact_px, kPast * now.past_sigma_px);
   }
 
   double apart_px(const Depths& now) const {
@@ -99,10 +99,12 @@ class ContactLogic {
   // In standard deviations: what a frame must exceed to count, what decides, the most that one frame may add; by how
   // much a tip must have passed the membrane.
   static constexpr double kAllowance = 1.5, kDecision = 4.0, kMostOfOneFrame = 3.2, kSure = 3.0;
-  // Likewise of a tip that alone says it: of 4,500 frames in which the needle was near and hadn't touched (plain
-  // drawings 80001 to 81455 of validation, tuning 306001 to 306044, wide 307001 to 307044) none had it so far past. Up
-  // to so many `contact_px` a dent is shallow.
-  static constexpr double kPast = 1.75, kShallow = 4.0;
+  // Likewise of a tip that alone says it, and of `contact_px` its least way past. With 0.5 px instead of 0.3, none of
+  // 4,500 frames in which the needle was near and hadn't touched (plain drawings 80001 to 81455 of validation, tuning
+  // 306001 to 306044, wide 307001 to 307044) had it so far past; with 0.3 px one of 709 (80001 to 81455, the end seen
+  // against the membrane's line), 0.08 px before its contact, and 100 of 1,700 frames of shallow contact more are
+  // called so. Up to so many `contact_px` a dent is shallow.
+  static constexpr double kPast = 1.75, kLeastPast = 0.6, kShallow = 4.0;
   static constexpr int kReleaseFrames = 2;
   // Of the way that counts as apart, what counts as together again; frames in a row of it.
   static constexpr double kTogether = 0.5;

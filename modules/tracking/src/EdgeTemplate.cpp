@@ -9,6 +9,9 @@ namespace {
 
 constexpr int kHalf = EdgeTemplate::kHalf, kTaps = EdgeTemplate::kTaps;
 
+// Of a profile's mean: no place is taken to be darker, whatever the harmonics have it where no profile was seen.
+constexpr float kLeastLight = 0.05F;
+
 // The window's weight of sample k: full in the middle, fading over its ends.
 double taper(int k) {
   const double x = std::abs(k) / (kHalf + 1.0);
@@ -157,6 +160,7 @@ void EdgeTemplate::build(EdgeKind kind) {
     }
     for (int k = 0; k < kTaps; ++k)
       columns.row(k) << 1.0, shape[k] - weighted / sum, slope[static_cast<std::size_t>(k)];
+    look.level = static_cast<float>(1.0 + weighted / sum);
     const Eigen::Matrix3d normal = columns.transpose() * window.asDiagonal() * columns;
     const Eigen::Matrix3d inverse =
         (normal + 1e-12 * Eigen::Matrix3d::Identity()).ldlt().solve(Eigen::Matrix3d::Identity());
@@ -227,6 +231,16 @@ EdgeTemplate::Match EdgeTemplate::match(const float* profile, int reach, int dir
   for (int k = 0; k < kTaps; ++k) squares += (left[k] - offset) * (left[k] - offset);
   match.residual = squares / (kTaps - 3);
   return match;
+}
+
+float EdgeTemplate::relative(float away_px, float step_px, int direction) const noexcept {
+  const Look& look = looks_[static_cast<std::size_t>(direction)];
+  const float k = std::clamp(away_px / step_px + kHalf + look.center, 0.0F, kTaps - 1.0F);
+  const int i = std::min(static_cast<int>(k), kTaps - 2);
+  const float t = k - static_cast<float>(i);
+  const auto at = static_cast<std::size_t>(i);
+  const float here = look.level + (1.0F - t) * look.shape[at] + t * look.shape[at + 1];
+  return std::max(here, kLeastLight) / std::max(look.level + look.shape[kTaps - 1], kLeastLight);
 }
 
 double EdgeTemplate::asymmetry() const noexcept {

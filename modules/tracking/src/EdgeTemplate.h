@@ -63,14 +63,18 @@ class EdgeTemplate {
   /// How unlike its mirror image about its centre the look is: RMS of the odd part over that of the even, all
   /// directions together. 0: a line with the same on both sides.
   double asymmetry() const noexcept;
+  /// Brightness `away_px` outside the edge's centre, over that of the window's outer end, which is what it is beyond
+  /// it; `step_px`: of a sample. Further in than the window, that of its inner end.
+  float relative(float away_px, float step_px, int direction) const noexcept;
   /// Energy of the look: mean square over the window, brightness 1.
   double energy(int direction) const noexcept { return looks_[static_cast<std::size_t>(direction)].energy; }
 
  private:
   using Taps = std::array<float, kTaps>;
   struct Look {
-    Taps shape{};  // T, its mean taken away
-    Taps slope{};  // dT/dk
+    Taps shape{};        // T, its mean taken away
+    float level = 1.0F;  // that mean, and the profile's own, which is 1
+    Taps slope{};        // dT/dk
     Taps gain{}, shift{};
     float center = 0.0F, center_deviation = 0.0F;
     double variance = 1.0, gain_deviation = 1.0, energy = 0.0;

@@ -288,7 +288,7 @@ void MembraneSnakes::predict(const Eigen::Vector2d& shift, const Eigen::Vector2d
     for (Eigen::Index i = 0; i < snake->points.cols(); ++i) {
       Eigen::Vector2d move = shift;
       if (needle && needle->touching) {
-        const double reach = 3.0 * needle->tip_half_width + 8.0;
+        const double reach = wrapped_px(needle->tip_half_width);
         const double t = (snake->points.col(i) + push - needle->tip).norm() / reach;
         if (t < 5.0) move += std::exp(-0.5 * t * t) * (push - shift);
       }

@@ -8,6 +8,7 @@
 #include "CellDetector.h"
 #include "EdgeTemplate.h"
 #include "FrameSampler.h"
+#include "MembraneBackdrop.h"
 #include "NormalStrip.h"
 #include "Snake.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -20,6 +21,11 @@ inline constexpr double kSoftRigidity = 20.0;
 inline constexpr double kShapeShare = 0.1;
 /// px: half width of the needle's own dark edge, with its halo.
 inline constexpr double kNeedleMargin = 2.5;
+
+/// px beside a pushing tip over which the membrane goes with it: standard deviation of a bell.
+inline double wrapped_px(double tip_half_width_px) noexcept {
+  return 3.0 * tip_half_width_px + 8.0;
+}
 
 /// What the snakes need to know of the needle: where its own dark edges would be taken for a membrane.
 struct NeedleZone {
@@ -98,6 +104,12 @@ class MembraneSnakes {
   /// Half width of the outer membrane's line as learnt; 0 before.
   double line_width_px() const noexcept {
     return outer_look_.edge.valid() ? outer_look_.edge.width() * outer_look_.step_px : 0.0;
+  }
+
+  /// The outer membrane's line about `tip`, as MembraneBackdrop::set has it; empty before that is learnt.
+  void show_behind(const Eigen::Vector2d& tip, const Eigen::Vector2d& shift, double wrapped_px,
+                   MembraneBackdrop& backdrop) const {
+    backdrop.set(outer_.points, outer_look_.edge, outer_look_.step_px, tip, shift, wrapped_px);
   }
 
   /// As EdgeTemplate::asymmetry, of the outer membrane's line; 1 before it is learnt.

@@ -244,7 +244,7 @@ class MembraneTracker::Impl {
 
   bool follow_lines(const LinesVerdict& verdict) {
     is_start_confirmed_ = verdict.is_confirmed();
-    cell_.doubt(!is_start_confirmed_);
+    cell_.doubt(!is_start_confirmed_, !verdict.is_same_needle);
     needle_confirmed_ = cell_.needle().valid();
     disagreements_ = 0;
     return true;
@@ -254,7 +254,7 @@ class MembraneTracker::Impl {
   // alone miss or take for another is looked for where the scene has one.
   template <class ByLines>
   LinesVerdict judge_with_needle(FrameInput& frame, const ByLines& by_lines) {
-    const LinesVerdict first = judge_lines(cell_, scene_, frame.image, reader_);
+    LinesVerdict first = judge_lines(cell_, scene_, frame.image, reader_);
     if (!first.is_same() || first.is_same_needle || scene_.needles.empty()) return first;
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
     frame.scene = &scene_;
@@ -262,8 +262,12 @@ class MembraneTracker::Impl {
     frame.scene = nullptr;
     if (has_started) {
       const LinesVerdict again = judge_lines(cell_, scene_, frame.image, reader_);
-      // The scene is no witness to what it gave itself: `first` stays, and the cell in doubt.
-      if (again.is_same() && again.is_same_needle && cell_.needle().valid()) return first;
+      if (again.is_same() && again.is_same_needle && cell_.needle().valid()) {
+        // The scene is no witness to what it gave itself, and the cell stays in doubt; even lines are, where those
+        // before were of another kind, as along one wall, and not the same with another end.
+        first.is_same_needle = cell_.needle().is_even() && !lines.needle().is_even();
+        return first;
+      }
     }
     cell_ = std::move(lines);
     return first;
@@ -283,7 +287,7 @@ class MembraneTracker::Impl {
       const bool is_same =
           read->is_same_outline && (read->is_same_needle || cell_.take_bevel(frame.image, reader_.tips()));
       disagreements_ = is_same ? 0 : disagreements_ + 1;
-      cell_.doubt(disagreements_ >= kDisagreements);
+      cell_.doubt(disagreements_ >= kDisagreements, disagreements_ >= kDisagreements);
     }
     if (frames_since_detection_ % kReread_frames == 0) rereading_.ask(frame.view, cell_);
     return !(cell_.is_doubtful() && cell_.state() == CellState::kFree);

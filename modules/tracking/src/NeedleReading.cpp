@@ -53,6 +53,10 @@ constexpr double kLinesBlur_px = 0.35;
 
 }  // namespace
 
+bool NeedleTracker::is_even() const {
+  return !is_read() && model_.look.unevenness() < kEvenLines;
+}
+
 double NeedleTracker::width_behind(const FrameSampler& image) const {
   const double by_lines_px = model_.cone.half_width(kWidthBehind * std::max(image.width, image.height));
   if (!(scene_half_width_ > 0.0)) return by_lines_px;
@@ -197,10 +201,8 @@ void NeedleTracker::take_width() {
   if (width_readings_ == 0) return;
   const double log_px = width_log_sum_ / width_information_, sigma = std::sqrt(width_readings_ / width_information_);
   const double apart = std::abs(std::log(by_lines_px) - log_px);
-  const auto are_even = [this] { return model_.look.unevenness() < kEvenLines; };
-  const bool agree =
-      !is_read() && (apart < std::max(kSameWidth, sigma) || (apart < kEvenLinesSigmas * sigma && are_even()));
-  if (agree) return;
+  if (!is_read() && apart < std::max(kSameWidth, sigma)) return;
+  if (is_even() && apart < kEvenLinesSigmas * sigma) return;
   now_.tip_radius = std::exp(log_px);
   now_.tip_radius_sigma = sigma;
 }

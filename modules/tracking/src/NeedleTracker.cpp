@@ -14,6 +14,12 @@ constexpr int kLearnFrames = 40;
 // Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
 // about; of the cone's place when the needle was first seen in contact.
 constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
+// Of the end against a membrane that is known: at its resting place, and more for each unit past it. In 1,400 frames of
+// plain drawings of tuning (seeds 302001 to 302150, 305001 to 305160) its errors have a standard deviation of 0.1 up to
+// the membrane and 0.16 at 5 to 8 units. Taken for plain medium it is 0.2 too short at the membrane, 0.2 too long at 8.
+constexpr double kEndAgainst = 0.12, kEndAgainstDepth = 0.02;
+// In units: by no more does such a membrane move the end (in 95 of 100 of these frames).
+constexpr double kMostByMembrane = 0.6;
 
 // Apart by so much, px, end and cone leave the tip in doubt, whichever counts.
 constexpr double kDisputed_px = 3.0;
@@ -288,9 +294,23 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
                                              double reach_px, const NeedleCue& cue) {
   const double clear_px = cue.body ? way_to(*cue.body, axis_) : std::numeric_limits<double>::infinity();
   if (clear_px < kEndBlurs * shaft_.blur_px()) return {};
-  const TipResult tip = tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, clear_px);
+  const auto look = [&](const MembraneBackdrop* membrane) {
+    return tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, clear_px, membrane);
+  };
+  TipResult tip = look(nullptr);
+  double floor = cue.in_the_clear ? kEndFloor : kEndHidden;
+  if (cue.membrane) {
+    cue.membrane->push(axis_.tip + (tip.found ? tip.ahead : 0.0) * axis_.direction - axis_before_.tip);
+    const TipResult against = look(cue.membrane);
+    const bool is_near =
+        tip.found && against.found && std::abs(against.ahead - tip.ahead) < kMostByMembrane * model_.unit_px;
+    // A membrane that is elsewhere by now, as one that has given way, explains nothing.
+    if (is_near || (against.found && (!tip.found || against.unexplained < tip.unexplained))) tip = against;
+    if (is_near)
+      floor = std::min(kEndHidden, kEndAgainst + kEndAgainstDepth * std::max(0.0, cue.depth_px / model_.unit_px));
+  }
   if (!tip.found) return {};
-  const double floor = (cue.in_the_clear ? kEndFloor : kEndHidden) * model_.unit_px;
+  floor *= model_.unit_px;
   const double noisy = tip.ahead_sigma * std::max(1.0, tip.disagreement);
   const double blurred = shaft_.blur_px() * std::max(0.0, kSameContrast / shaft.gain - 1.0);
   return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor + blurred * blurred};

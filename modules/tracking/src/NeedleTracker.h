@@ -42,6 +42,8 @@ struct NeedleCue {
   /// A body ahead that must not be confused with a needle far out of focus: where that ends is looked for in front of
   /// the body, and not at all where little room is left.
   std::optional<contour::Circle> body;
+  MembraneBackdrop* membrane = nullptr;  ///< what the tip is seen against; null: plain medium
+  double depth_px = 0.0;                 ///< how far the tip was past the resting membrane
 };
 
 /// Follows the injection needle. Across, by the learnt look of the shaft (ShaftFit). Along, by a Kalman filter of place
@@ -118,6 +120,9 @@ class NeedleTracker {
   bool is_read() const noexcept { return read_half_width_ > 0.0; }
 
   const NeedleEstimate& estimate() const noexcept { return now_; }
+  /// Its lines are alike on both their sides and on both sides of it: drawn where its edges are, not what optics make
+  /// of them.
+  bool is_even() const;
   /// Seen well: one lifted out of focus fades, and lets a membrane go slowly.
   bool is_clear() const noexcept { return now_.confidence >= 0.5; }
   bool valid() const noexcept { return valid_; }

@@ -38,8 +38,9 @@ constexpr double kSameInner_ratio = 0.25, kLeastInner_px = 1.2, kSureInner = 0.7
 // followed rightly, it was up to 0.07 above; where a network was right alone (wide 179112 to 179134) 0.15 and more.
 constexpr double kSurerThanLines = 0.1, kLeastDisputed = 0.63;
 // What lines follow is one wall of a needle where, half its length behind the tip, it is thinner than this share of its
-// mean width.
-constexpr double kWall_ratio = 0.4;
+// mean width. The map's own pixels widen what it shows, to each side by this share of one: a needle whose whole tapered
+// end is as narrow as that would be taken for a wall (half widths of 3.3 px by the map and 1.2 px by right lines).
+constexpr double kWall_ratio = 0.4, kWidened_pitches = 0.4;
 // Lines are held against a network whose mean confidence is above these. Set on 112 pictures of tuning, wide and plain
 // drawings and 60 of another renderer (docs/method.md, 1.6); with 0.04 less of each a picture in 172 is seen better.
 // The lines' score is 0.999 for bubbles.
@@ -106,7 +107,8 @@ bool is_outline_read(const Eigen::Matrix2Xd& outline, const FrameSampler& image,
 }
 
 bool is_one_wall(const NeedleEstimate& lines, const SceneTool& needle) {
-  return lines.tip_half_width + 0.5 * needle.length_px * lines.widening < kWall_ratio * needle.half_width_px;
+  const double half_width_px = needle.half_width_px - kWidened_pitches * needle.pitch_px;
+  return lines.tip_half_width + 0.5 * needle.length_px * lines.widening < kWall_ratio * half_width_px;
 }
 
 bool is_needle_confirmed(const CellFollower& by_lines, const SceneReading& scene) {

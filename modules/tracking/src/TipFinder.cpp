@@ -68,7 +68,7 @@ void TipFinder::sample_rows(const FrameSampler& image, const Eigen::Vector2d& fr
 }
 
 TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                          double reach_px, double clear_px) {
+                          double reach_px, double clear_px, const MembraneBackdrop* backdrop) {
   TipResult result;
   const int reach = std::max(2, static_cast<int>(std::ceil(reach_px / unit_)));
   first_ = -reach - static_cast<int>(kAheadUnits);
@@ -84,6 +84,10 @@ TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, dou
     float* values = values_.col(k).data();
     inside += image.inside(axis.at((first_ + k) * unit_, 0.0), 1.0) ? 1 : 0;
     sample_rows(image, axis.at((first_ + k) * unit_, -half_across_), step, axis.direction, values);
+    if (backdrop) {
+      for (int j = 0; j < columns_; ++j)
+        values[j] /= backdrop->at(axis.at((first_ + k) * unit_, j * step_ - half_across_));
+    }
     float mean = 0.0F;
     for (int j = 0; j < columns_; ++j) mean += values[j];
     mean /= static_cast<float>(columns_);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "FrameSampler.h"
+#include "MembraneBackdrop.h"
 #include "NeedleModel.h"
 
 namespace pellucida {
@@ -26,9 +27,10 @@ class TipFinder {
   void prepare(const NeedleModel& model);
 
   /// `gain` and `medium`: of this frame, from the shaft; `reach_px`: how far ahead and back the tip may be;
-  /// `clear_px`: what lies further ahead of the axis's tip is not looked at.
+  /// `clear_px`: what lies further ahead of the axis's tip is not looked at; `backdrop`: seen behind it, null for plain
+  /// medium.
   TipResult find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                 double reach_px, double clear_px);
+                 double reach_px, double clear_px, const MembraneBackdrop* backdrop = nullptr);
 
  private:
   double cost(double ahead) const;
