@@ -20,6 +20,7 @@ namespace {
 constexpr double kShift_px = 0.4;
 // The largest found is 0.07.
 constexpr double kSameDepth_um = 0.14;
+constexpr double kBare_px = 0.5;
 
 struct Change {
   const char* name;
@@ -105,16 +106,28 @@ bool is_whole(const Observation& seen) {
   return seen.state != CellState::kPunctured;
 }
 
+// The frame that catches the tip as it touches, or within half a pixel of that: noise decides whether it is called a
+// contact, as it would for any limit.
+bool is_bare_touch(const Observation& one, const Observation& other, double pixel_size_um) {
+  const auto is_bare = [&](const Observation& seen) {
+    return seen.state == CellState::kFree ||
+           (seen.state == CellState::kContact && seen.indentation_um < kBare_px * pixel_size_um);
+  };
+  return is_bare(one) && is_bare(other);
+}
+
 // What two versions of a film say differently; the depth while the membrane is whole.
 struct Difference {
-  int states = 0;
+  int states = 0, bare_touches = 0;
   double rms_um = 0.0;
 };
-Difference difference(const std::vector<Observation>& one, const std::vector<Observation>& other) {
+Difference difference(const std::vector<Observation>& one, const std::vector<Observation>& other,
+                      double pixel_size_um) {
   Difference found;
   double squares = 0.0;
   for (std::size_t k = 0; k < one.size(); ++k) {
-    found.states += other[k].state != one[k].state;
+    if (other[k].state != one[k].state)
+      ++(is_bare_touch(one[k], other[k], pixel_size_um) ? found.bare_touches : found.states);
     if (is_whole(one[k]) && is_whole(other[k])) squares += std::pow(other[k].indentation_um - one[k].indentation_um, 2);
   }
   found.rms_um = std::sqrt(squares / static_cast<double>(one.size()));
@@ -131,10 +144,10 @@ class InvarianceTest : public ::testing::TestWithParam<const char*> {
     const std::vector<Observation> as_it_is = track(film, pixel_size_um, nullptr);
     for (const Change& change : kChanges) {
       SCOPED_TRACE(change.name);
-      const Difference found = difference(as_it_is, track(film, pixel_size_um, change.image));
+      const Difference found = difference(as_it_is, track(film, pixel_size_um, change.image), pixel_size_um);
       check(change, found);
-      std::printf("%s %s: %d of %zu states differ, indentation %.3f um RMS\n", GetParam(), change.name, found.states,
-                  film.size(), found.rms_um);
+      std::printf("%s %s: %d of %zu states differ, and %d of bare touches; indentation %.3f um RMS\n", GetParam(),
+                  change.name, found.states, film.size(), found.bare_touches, found.rms_um);
     }
   }
 };
@@ -145,6 +158,7 @@ TEST_P(InvarianceTest, WhatIsDecidedStaysTheSame) {
     // In the frame that caught the membrane half-way back another picture may see it a frame later.
     const bool may_be_late = !change.is_laid_back && std::string(GetParam()) == "puncture";
     EXPECT_LE(found.states, may_be_late ? 1 : 0);
+    EXPECT_LE(found.bare_touches, change.is_laid_back ? 0 : 1);
     EXPECT_LE(found.rms_um, change.is_laid_back ? 0.0 : kSameDepth_um);
   });
 }
@@ -158,7 +172,7 @@ using InvarianceInOtherLooksTest = InvarianceTest;
 TEST_P(InvarianceInOtherLooksTest, NothingDependsOnHowThePictureLies) {
   compare([](const Change& change, const Difference& found) {
     if (!change.is_laid_back) return;
-    EXPECT_EQ(found.states, 0);
+    EXPECT_EQ(found.states + found.bare_touches, 0);
     EXPECT_EQ(found.rms_um, 0.0);
   });
 }

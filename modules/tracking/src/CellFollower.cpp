@@ -97,7 +97,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     read_boundaries(frame, known, shift);
     return;
   }
-  snakes_.track(frame.image, frame.noise, shift, needle_.motion(), known, options_.search_px);
+  snakes_.track(frame.image, frame.noise, shift, tip_way(), known, options_.search_px);
   quality_ = quality_now();
   if (contact_.state() == CellState::kPunctured || (touching_ && are_flanks_back()))
     follow_unpushed(frame, known ? &loose : nullptr);
@@ -108,7 +108,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     snakes_.restore(outer_before_, inner_before_);
     if (from_rest)
       snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
-    snakes_.track(frame.image, frame.noise, from_rest ? Eigen::Vector2d::Zero() : shift, needle_.motion(), with, reach);
+    snakes_.track(frame.image, frame.noise, from_rest ? Eigen::Vector2d::Zero() : shift, tip_way(), with, reach);
     const double now = quality_now();
     if (now > quality_ + 0.05 && keeps_area() && !(touching_ && cuts_dimple())) {
       quality_ = now;
@@ -136,7 +136,7 @@ void CellFollower::follow_unpushed(const FrameInput& frame, const NeedleZone* ne
   if (new_dent_ratio() < kUnpushedDent_ratio || measure_membrane_depth() < kOnTip_ratio * tip_depth()) return;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
   snakes_.restore(at_rest(outer_before_, rest_.outer_radius), at_rest(inner_before_, rest_.inner_radius));
-  snakes_.track(frame.image, frame.noise, Eigen::Vector2d::Zero(), needle_.motion(), needle,
+  snakes_.track(frame.image, frame.noise, Eigen::Vector2d::Zero(), tip_way(), needle,
                 kAtRest_ratio * options_.search_px);
   const double at_rest_quality = quality_now();
   if (at_rest_quality > kAsWell_ratio * quality_) {
@@ -155,7 +155,8 @@ bool CellFollower::follow(const FrameInput& frame) {
   if (frame.command) frame.command->move_scene(center_now() - center_before);
   // The holder's fit says better than the picture as a whole how far a jump went.
   const Eigen::Vector2d shift = center_now() - center_before;
-  follow_needle(frame, jump ? shift : Eigen::Vector2d::Zero(), shift);
+  scene_jump_ = jump ? shift : Eigen::Vector2d::Zero();
+  follow_needle(frame, shift);
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;

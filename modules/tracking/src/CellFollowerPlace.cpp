@@ -138,7 +138,7 @@ void CellFollower::check_holder_by_outline(const FrameInput& frame) {
 void CellFollower::check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way,
                                        const Eigen::Vector2d& holder_way, const Eigen::Vector2d& jump) {
   // What the needle pushed, it pushed by its way against the cell.
-  const double push = needle_.valid() ? (needle_.motion() - seat_way).norm() : 0.0;
+  const double push = needle_.valid() ? (tip_way() - seat_way).norm() : 0.0;
   if ((seat_way - holder_way).norm() > std::max(kLeastJump_px, kJump_ratio * rest_.outer_radius) + 0.5 * push) {
     // One of the two has jumped, and the picture as a whole has not.
     if (!rigid_.correct(frame.image, rigid_.motion().shift + seat_way - holder_way) &&

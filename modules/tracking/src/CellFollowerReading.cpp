@@ -46,7 +46,7 @@ constexpr double kTrusted_ratio = 0.06;
 void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift) {
   BoundaryNetwork& network = frame.reader->boundaries();
   const int rounds = options_.quality == TrackerOptions::Quality::kHigh ? kRoundsHigh : kRoundsLive;
-  snakes_.predict(shift, needle_.motion(), needle);
+  snakes_.predict(shift, tip_way(), needle);
   snakes_.read(frame.image, network, needle, rounds);
   quality_ = quality_now();
   if (needle && touching_ && needle_.is_clear()) read_sprung_back(frame, *needle);

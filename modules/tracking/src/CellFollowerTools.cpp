@@ -99,11 +99,6 @@ void check_width(HolderFit& holder, const SceneReading& scene, bool by_lines) {
   }
 }
 
-// px past the resting membrane: up to this depth the needle's end is seen against the membrane's line. In deeper
-// dimples its walls run beside the needle, and the outline of the last frame is not known well enough to take the line
-// away.
-constexpr double kShallow_px = 25.0;
-
 }  // namespace
 
 NeedleZone CellFollower::zone() const {
@@ -299,27 +294,26 @@ contour::Circle CellFollower::reach_of_cell() const {
   return circle;
 }
 
-NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift) {
+NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2d& shift) {
   const NeedleEstimate& n = needle_.estimate();
   const double clear_px = kClear_px + kClearBlurs * std::max(0.0, n.edge_blur - kSharp_px);
   NeedleCue cue;
   cue.in_the_clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
   cue.command = frame.command;
-  cue.scene_jump_px = jump;
+  cue.scene_jump_px = scene_jump_;
   if (zone().is_shade) cue.body = reach_of_cell();
   // Through the membrane, its line crosses the shaft and says nothing about the end.
-  const bool is_seen_against_it = contact_.state() != CellState::kPunctured && tip_depth() < kShallow_px;
-  if (cue.in_the_clear || cue.body || !is_seen_against_it) return cue;
-  snakes_.show_behind(n.tip, shift, touching_ ? wrapped_px(n.tip_half_width) : 0.0, backdrop_);
+  if (cue.in_the_clear || cue.body || contact_.state() == CellState::kPunctured) return cue;
+  snakes_.show_behind(n.tip + scene_jump_, shift, touching_ ? wrapped_px(n.tip_half_width) : 0.0, backdrop_);
   cue.depth_px = tip_depth();
   if (!backdrop_.is_empty()) cue.membrane = &backdrop_;
   return cue;
 }
 
-void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& jump, const Eigen::Vector2d& shift) {
+void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d& shift) {
   const PartTimer timer(frame.timings->needle_us);
   if (needle_.valid()) {
-    const NeedleCue cue = needle_cue(frame, jump, shift);
+    const NeedleCue cue = needle_cue(frame, shift);
     const Eigen::Vector2d before = needle_.motion();
     bool seen = needle_.is_read() ? needle_.follow_read(frame.networks->tips(), frame.image, cue)
                                   : needle_.track(frame.image, frame.noise, cue);

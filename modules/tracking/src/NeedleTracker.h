@@ -127,7 +127,7 @@ class NeedleTracker {
   bool is_clear() const noexcept { return now_.confidence >= 0.5; }
   bool valid() const noexcept { return valid_; }
   void reset() noexcept { *this = NeedleTracker(); }
-  /// How far the tip moved with the last frame.
+  /// How far the tip moved with the last frame, beyond a jump of the whole scene.
   Eigen::Vector2d motion() const noexcept { return motion_; }
 
  private:
