@@ -11,40 +11,11 @@ namespace {
 
 constexpr double kBehind = 85.0, kMostBehind = 170.0;  // units, and px at most, of the shaft looked at behind the tip
 constexpr int kLearnFrames = 40;
-// Errors along the needle that noise does not explain, in units: of the end in the clear, and where the membrane is
-// about; of the cone's place when the needle was first seen in contact.
-constexpr double kEndFloor = 0.08, kEndHidden = 0.45, kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
-// Of the end against a membrane that is known: at its resting place, and more for each unit past it. In 1,400 frames of
-// plain drawings of tuning (seeds 302001 to 302150, 305001 to 305160) its errors have a standard deviation of 0.1 up to
-// the membrane and 0.16 at 5 to 8 units. Taken for plain medium it is 0.2 too short at the membrane, 0.2 too long at 8.
-constexpr double kEndAgainst = 0.12, kEndAgainstDepth = 0.02;
-// In units: so far past the resting membrane the reading against it counts half, because in deep dimples the last
-// outline is not known well enough to take its line away; so far from the reading in plain medium it counts half,
-// because a membrane that is elsewhere by now, as one that has given way, explains nothing (95 of 100 of these frames
-// differ by less than 0.6).
-constexpr double kHalfDepth = 10.0, kHalfApart = 0.9;
-
+// Errors along the needle that noise does not explain, in units: of the cone's place when the needle was first seen in
+// contact.
+constexpr double kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 // Apart by so much, px, end and cone leave the tip in doubt, whichever counts.
 constexpr double kDisputed_px = 3.0;
-// Of the contrast learnt: a shaft with less is out of focus, and blurred by as much more.
-constexpr double kSameContrast = 0.9;
-// So many blurs ahead of the tip must be free of other bodies for a blurred end to be located.
-constexpr double kEndBlurs = 2.5;
-
-// How far ahead of the tip the axis enters a circle; without end when it passes beside it.
-double way_to(const contour::Circle& body, const NeedleAxis& axis) {
-  const Eigen::Vector2d from = axis.tip - body.center;
-  const double along = from.dot(axis.direction), across = from.dot(axis.across());
-  const double inside = body.radius * body.radius - across * across;
-  return inside > 0.0 ? -along - std::sqrt(inside) : std::numeric_limits<double>::infinity();
-}
-
-// Of the end as read against the membrane, in what end is taken: both in units, fading, so that no decision hangs on
-// which of the two readings was taken.
-double share_against(double depth, double apart) {
-  const double deep = depth / kHalfDepth, astray = apart / kHalfApart;
-  return 1.0 / ((1.0 + deep * deep) * (1.0 + astray * astray * astray * astray));
-}
 
 // A shaft that is far out of focus where it comes in may be in focus near its tip: looks at it anew from further in.
 NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise, const ExpectedTip* expected) {
@@ -298,37 +269,6 @@ ShaftResult NeedleTracker::align(const FrameSampler& image, double noise, int ro
     if (std::abs(shaft.offset) < 0.1 * blur && std::abs(shaft.slope) * shaft_.behind_px() < 0.2 * blur) break;
   }
   return shaft;
-}
-
-NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double noise, const ShaftResult& shaft,
-                                             double reach_px, const NeedleCue& cue) {
-  const double clear_px = cue.body ? way_to(*cue.body, axis_) : std::numeric_limits<double>::infinity();
-  if (clear_px < kEndBlurs * shaft_.blur_px()) return {};
-  const auto look = [&](const MembraneBackdrop* membrane) {
-    return tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, clear_px, membrane);
-  };
-  TipResult tip = look(nullptr);
-  double floor = cue.in_the_clear ? kEndFloor : kEndHidden;
-  if (cue.membrane) {
-    cue.membrane->push(axis_.tip + (tip.found ? tip.ahead : 0.0) * axis_.direction - axis_before_.tip);
-    const TipResult against = look(cue.membrane);
-    if (against.found && !tip.found) {
-      tip = against;
-    } else if (against.found) {
-      const double depth = std::max(0.0, cue.depth_px / model_.unit_px);
-      const double apart = (against.ahead - tip.ahead) / model_.unit_px;
-      const double share = share_against(depth, apart);
-      tip.ahead += share * (against.ahead - tip.ahead);
-      tip.ahead_sigma += share * (against.ahead_sigma - tip.ahead_sigma);
-      tip.disagreement += share * (against.disagreement - tip.disagreement);
-      floor += share * (std::min(kEndHidden, kEndAgainst + kEndAgainstDepth * depth) - floor);
-    }
-  }
-  if (!tip.found) return {};
-  floor *= model_.unit_px;
-  const double noisy = tip.ahead_sigma * std::max(1.0, tip.disagreement);
-  const double blurred = shaft_.blur_px() * std::max(0.0, kSameContrast / shaft.gain - 1.0);
-  return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor + blurred * blurred};
 }
 
 bool NeedleTracker::fuse(const Along& end, const Along& cone, bool clear, bool is_sent, NeedleEvidence& evidence) {

@@ -132,6 +132,7 @@ class NeedleTracker {
 
  private:
   static constexpr std::size_t kEnds = 3;
+  static constexpr double kEndFloor = 0.08;  // units: error of the end's place in the clear that noise does not explain
   // A measurement of how much further ahead the tip is, px.
   struct Along {
     bool valid = false;
