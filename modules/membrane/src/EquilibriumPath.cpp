@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "pellucida/core/Background.h"
+
 namespace pellucida {
 namespace {
 
@@ -98,6 +100,7 @@ class EquilibriumPath::Impl {
 
  private:
   void run(const std::stop_token& stop) {
+    work_in_background();
     try {
       Indenter indenter(kind_, geometry_, push_, holder_);
       while (wait_for_wish(stop) && add_node(indenter)) {

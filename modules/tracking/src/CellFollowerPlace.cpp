@@ -26,6 +26,7 @@ constexpr double kSlips_px = 0.5, kSlipPace = 0.3;
 // it has to do. Rounds of the fit; its scale at first and last.
 constexpr double kSeatCosine = 0.85, kFarCosine = 0.5;
 constexpr int kSeatRounds = 12;
+constexpr double kSeatSettled_px = 1e-5;
 constexpr double kSeatReach_px = 8.0, kSeatScale_px = 2.0;
 // Standard deviations of the seat where no holder's walls show the motion: px, by the whole outline and in contact, and
 // of the needle's depth, which dents the one and, without a holder in view, bulges the far side of the other; how far
@@ -219,7 +220,9 @@ Eigen::Vector2d CellFollower::seat_center() const {
       normal += w * n * n.transpose();
       right += w * off * n;
     }
-    center += normal.inverse() * right;
+    const Eigen::Vector2d way = normal.inverse() * right;
+    center += way;
+    if (scale_px == kSeatScale_px && way.norm() < kSeatSettled_px) break;
   }
   return pushed && holder_ ? Eigen::Vector2d(center - seat_way() * seat) : center;
 }

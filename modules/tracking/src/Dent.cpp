@@ -13,7 +13,8 @@ using Harmonics = Eigen::Matrix<double, 5, 1>;  // circle, shift, ellipse
 
 constexpr double kBesideHolder = 0.5;  // cosine of 60 degrees
 constexpr double kUsual_ratio = 0.02;  // of the radius: how far a membrane lies off its ellipse without a needle
-constexpr int kRounds = 8;             // of weighing what lies off less
+constexpr int kRounds = 8;             // of weighing what lies off less, and until nothing changes by more than that
+constexpr double kSettled_ratio = 1e-7;
 
 // A point of the outline as seen from the centre: its distance, as a share of the radius, and its direction's
 // harmonics.
@@ -50,7 +51,9 @@ double dent_ratio(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center
       normal += weight * point.shape * point.shape.transpose();
       right += weight * point.distance_ratio * point.shape;
     }
+    const Harmonics before = fitted;
     fitted = normal.ldlt().solve(right);
+    if ((fitted - before).cwiseAbs().maxCoeff() < kSettled_ratio) break;
   }
 
   const Eigen::Index half = std::max<Eigen::Index>(1, n / 60);

@@ -33,6 +33,8 @@ constexpr double kLeastScoreRatio = 0.85;  // of the usual score: below, the con
 constexpr double kLooseRatio = 0.08;       // share of edges not found within reach: above, the same
 constexpr double kPoorConfidence = 0.5;    // a run of points below, longer by kPoorRun than usual: the same
 constexpr int kPoorRun = 3;
+// So many frames such a run is borne when a search found it no better: something hides the membrane there.
+constexpr int kVainFrames = 4;
 constexpr long kFreshFrames = 3;    // first frames, in which a hasty start is mended
 constexpr long kLearnInterval = 8;  // frames between lessons of the looks
 
@@ -243,9 +245,13 @@ double MembraneSnakes::fine_round(const FrameSampler& image, double noise, bool 
   return largest;
 }
 
+bool MembraneSnakes::hides(const Look& look) {
+  return look.poor_run > look.usual_poor_run + kPoorRun;
+}
+
 bool MembraneSnakes::trustworthy(const SnakeContour& snake, const Look& look) const {
   if (snake.score < kLeastScoreRatio * look.usual_score || look.loose_ratio > kLooseRatio) return false;
-  if (look.poor_run > look.usual_poor_run + kPoorRun) return false;
+  if (hides(look) && vain_frames_ == 0) return false;
   // A contour that folds back on itself.
   const Eigen::Index n = snake.points.cols();
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -313,12 +319,17 @@ double MembraneSnakes::track(const FrameSampler& image, double noise, const Eige
       inner_.points = inner_kept_;
     }
   }
-  if (!good) {
+  if (good) {
+    vain_frames_ = std::max(0, vain_frames_ - 1);
+  } else {
+    vain_frames_ = 0;
     search(image, needle, search_px);
     good = follow(image, noise, needle, false);
+    if (near && !good) vain_frames_ = kVainFrames;
   }
   ++frames_;
-  if (!good && !fresh) return outer_.score;
+  const bool is_hidden = hides(outer_look_) || (has_inner() && hides(inner_look_));
+  if ((!good || is_hidden) && !fresh) return outer_.score;
 
   // Lessons, slowly: light and focus change.
   const double share = fresh ? 0.5 : 0.05;

@@ -150,6 +150,7 @@ class MembraneSnakes {
   void use_needle(SnakeContour& snake, bool is_outer, const NeedleZone& needle);
   void relax_on(const BoundaryPlaces& places, bool is_outer, double radius_px, const NeedleZone* needle,
                 SnakeContour& snake);
+  static bool hides(const Look& look);
   bool trustworthy(const SnakeContour& snake, const Look& look) const;
   bool learn_look(const FrameSampler& image, const SnakeContour& snake, Look& look, const NeedleZone* needle,
                   double share);
@@ -163,6 +164,7 @@ class MembraneSnakes {
   double thickness_ = 0.0;        ///< median distance between the two, px
   double thickness_sigma_ = 0.0;  ///< how far single places differ from it, px
   long frames_ = 0;
+  int vain_frames_ = 0;  // left, of those after a search in vain
 
   // Scratch, kept from frame to frame.
   Snake snake_;

@@ -1,11 +1,19 @@
 #include "Rereading.h"
 
+#include <chrono>
 #include <cstring>
 #include <utility>
 
 #include "SceneVerdict.h"
+#include "pellucida/core/Background.h"
 
 namespace pellucida {
+namespace {
+
+// What follows tracking in the frame that asked takes a third of that.
+constexpr std::chrono::milliseconds kHeadStart{3};
+
+}  // namespace
 
 void Rereading::ask(const ImageView& image, const CellFollower& by_lines) {
   const std::size_t row_bytes =
@@ -24,11 +32,14 @@ void Rereading::ask(const ImageView& image, const CellFollower& by_lines) {
   {
     const std::scoped_lock lock(mutex_);
     stage_ = Stage::kAsked;
+    is_awaited_ = false;
   }
   changed_.notify_all();
 }
 
 void Rereading::wait_for_answer(std::unique_lock<std::mutex>& lock) {
+  is_awaited_ = true;
+  changed_.notify_all();
   changed_.wait(lock, [this] { return stage_ != Stage::kAsked; });
 }
 
@@ -49,10 +60,13 @@ void Rereading::drop() {
 }
 
 void Rereading::run(const std::stop_token& stop) {
+  work_in_background();
   for (;;) {
     {
       std::unique_lock lock(mutex_);
       if (!changed_.wait(lock, stop, [this] { return stage_ == Stage::kAsked; })) return;
+      changed_.wait_for(lock, stop, kHeadStart, [this] { return is_awaited_; });
+      if (stop.stop_requested()) return;
     }
     try {
       const FrameSampler image(image_);

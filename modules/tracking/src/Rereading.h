@@ -15,7 +15,8 @@ namespace pellucida {
 /// Asks the networks, in frames between two looks at the whole image, whether they read a cell and a needle that lines
 /// follow in the same place. That takes them as long as several frames of following: it is asked in one frame, worked
 /// out on a thread of its own, and answered in the next, so that no frame waits for it and the answer does not depend
-/// on how fast the computer is.
+/// on how fast the computer is. Networks take all cores: they begin when the frame has its force, or the next one is
+/// there.
 class Rereading {
  public:
   struct Answer {
@@ -46,6 +47,7 @@ class Rereading {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   Stage stage_ = Stage::kIdle;
+  bool is_awaited_ = false;
   std::jthread thread_;  // begins with the first question; last: it uses all of the above
 };
 
