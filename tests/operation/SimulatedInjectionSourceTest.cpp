@@ -44,18 +44,17 @@ TEST(SimulatedInjectionSource, AGuidedInjectionGoesFromEndToEnd) {
   EXPECT_NEAR(measured_uN, ran.outcome.puncture_force_uN, 0.055 * ran.outcome.puncture_force_uN);
   EXPECT_LT(ran.measured.peak->measurement.time_s, ran.outcome.puncture_s + 1e-9);
 
-  // The manipulator's reports are in the rows and lie within its play and step of the tip that was seen. In one of a
-  // hundred frames, at rest in the cell and as the needle begins to move aside, the tip is misread by up to 4 um, with
-  // a standard deviation of as much.
+  // The manipulator's reports are in the rows and lie within its play and step of the tip that was seen; the tip is
+  // misread by 2 um for a frame as the needle begins to move aside.
   int reported = 0, near = 0;
   for (const Measurement& row : ran.measured.rows) {
     if (!std::isfinite(row.manipulator_x_um) || !std::isfinite(row.tip_x_um)) continue;
-    EXPECT_NEAR(row.manipulator_x_um, row.tip_x_um, 4.5) << row.frame;
+    EXPECT_NEAR(row.manipulator_x_um, row.tip_x_um, 3.0) << row.frame;
     near += std::abs(row.manipulator_x_um - row.tip_x_um) < 1.5 ? 1 : 0;
     ++reported;
   }
   EXPECT_GT(reported, 100);
-  EXPECT_GE(near, reported - reported / 100);
+  EXPECT_GE(near, reported - 2);
 
   // In the end the needle is out again and the hand feels nothing.
   EXPECT_EQ(ran.measured.rows.back().state, CellState::kFree);

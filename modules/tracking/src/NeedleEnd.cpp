@@ -29,7 +29,7 @@ constexpr double kEndAgainst = 0.12, kEndAgainstDepth = 0.02;
 // outline is not known well enough to take its line away; so far from the reading in plain medium it counts half,
 // because a membrane that is elsewhere by now, as one that has given way, explains nothing (95 of 100 of these frames
 // differ by less than 0.6).
-constexpr double kHalfDepth = 25.0, kHalfApart = 1.0;
+constexpr double kHalfDepth = 15.0, kHalfApart = 1.0;
 // Of the contrast learnt: a shaft with less is out of focus, and blurred by as much more.
 constexpr double kSameContrast = 0.9;
 // So many blurs ahead of the tip must be free of other bodies for a blurred end to be located.
@@ -41,12 +41,6 @@ double way_to(const contour::Circle& body, const NeedleAxis& axis) {
   const double along = from.dot(axis.direction), across = from.dot(axis.across());
   const double inside = body.radius * body.radius - across * across;
   return inside > 0.0 ? -along - std::sqrt(inside) : std::numeric_limits<double>::infinity();
-}
-
-// How far a round end recedes when it is blurred, px: an edge's own blur over twice its radius of curvature, which is
-// never seen smaller than some blurs. One cut off straight stays where it is.
-double receded_px(double blur_px, const NeedleCone& cone) {
-  return cone.roundness() * blur_px * blur_px / (2.0 * std::hypot(cone.tip_radius(), 2.0 * blur_px));
 }
 
 // Of the end as read against the membrane, in what end is taken: both in units, fading, so that no decision hangs on
@@ -85,8 +79,7 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
   floor *= model_.unit_px;
   const double noisy = tip.ahead_sigma * std::max(1.0, tip.disagreement);
   const double blurred = shaft_.blur_px() * std::max(0.0, kSameContrast / shaft.gain - 1.0);
-  return {true, tip.ahead + receded_px(shaft_.blur_px(), model_.cone) + end_bias_,
-          noisy * noisy + floor * floor + blurred * blurred};
+  return {true, tip.ahead + end_bias_, noisy * noisy + floor * floor + blurred * blurred};
 }
 
 // Tries ends from a half ball to one cut off straight. Where another one fits better, the tip lies elsewhere by as much
