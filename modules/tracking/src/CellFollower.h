@@ -153,7 +153,7 @@ class CellFollower {
   void compare_with_command(const FrameInput& frame, bool is_seen);
   NeedleCue needle_cue(const FrameInput& frame, const Eigen::Vector2d& shift);
   void follow_needle(const FrameInput& frame, const Eigen::Vector2d& shift);
-  Eigen::Vector2d tip_way() const { return needle_.motion() + scene_jump_; }  // with the last frame
+  Eigen::Vector2d tip_way() const { return needle_.motion() + scene_jump_; }  // px, with the last frame
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
   void read_where_it_was(const FrameInput& frame, const NeedleZone* needle);
@@ -213,7 +213,7 @@ class CellFollower {
   MembraneBackdrop backdrop_;                  // of the needle's tip, made anew for each frame
   std::optional<Eigen::Vector2d> needle_way_;  // the direction of the needle that was followed last
   GlobalShiftEstimator scene_;
-  Eigen::Vector2d scene_jump_ = Eigen::Vector2d::Zero();  // of the picture as a whole, with the last frame
+  Eigen::Vector2d scene_jump_ = Eigen::Vector2d::Zero();  // px: of the picture as a whole, with the last frame
   RigidMotion rigid_;
   RigidMove motion_;
   SteadyDrift drift_;

@@ -23,7 +23,7 @@ constexpr int kAstrayFrames = 3, kMostAstray = 1;
 // is; how that mean follows, per frame.
 constexpr double kSlips_px = 0.5, kSlipPace = 0.3;
 // Within so much (cosine) of the holder's direction the membrane stays on its mouth; where no holder is known, more of
-// it has to do. Rounds of the fit; its scale at first and last.
+// it has to do. Rounds of the fit, at most, and the step that ends them; its scale at first and last.
 constexpr double kSeatCosine = 0.85, kFarCosine = 0.5;
 constexpr int kSeatRounds = 12;
 constexpr double kSeatSettled_px = 1e-5;

@@ -11,10 +11,10 @@ namespace {
 
 using Harmonics = Eigen::Matrix<double, 5, 1>;  // circle, shift, ellipse
 
-constexpr double kBesideHolder = 0.5;  // cosine of 60 degrees
-constexpr double kUsual_ratio = 0.02;  // of the radius: how far a membrane lies off its ellipse without a needle
-constexpr int kRounds = 8;             // of weighing what lies off less, and until nothing changes by more than that
-constexpr double kSettled_ratio = 1e-7;
+constexpr double kBesideHolder = 0.5;    // cosine of 60 degrees
+constexpr double kUsual_ratio = 0.02;    // of the radius: how far a membrane lies off its ellipse without a needle
+constexpr int kRounds = 8;               // of weighing what lies off less, at most
+constexpr double kSettled_ratio = 1e-7;  // of the radius: a change below ends them
 
 // A point of the outline as seen from the centre: its distance, as a share of the radius, and its direction's
 // harmonics.

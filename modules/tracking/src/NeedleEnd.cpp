@@ -28,7 +28,8 @@ constexpr double kEndAgainst = 0.12, kEndAgainstDepth = 0.02;
 // In units: so far past the resting membrane the reading against it counts half, because in deep dimples the last
 // outline is not known well enough to take its line away; so far from the reading in plain medium it counts half,
 // because a membrane that is elsewhere by now, as one that has given way, explains nothing (95 of 100 of these frames
-// differ by less than 0.6).
+// differ by less than 0.6). The depth was set on validation films 80001 to 81455: 25 made three frames of
+// 80056 a puncture, and 10 lost half of the gain in shallow pushes.
 constexpr double kHalfDepth = 15.0, kHalfApart = 1.0;
 // Of the contrast learnt: a shaft with less is out of focus, and blurred by as much more.
 constexpr double kSameContrast = 0.9;
@@ -43,8 +44,8 @@ double way_to(const contour::Circle& body, const NeedleAxis& axis) {
   return inside > 0.0 ? -along - std::sqrt(inside) : std::numeric_limits<double>::infinity();
 }
 
-// Of the end as read against the membrane, in what end is taken: both in units, fading, so that no decision hangs on
-// which of the two readings was taken.
+// Share of the reading against the membrane in the end that counts; `depth` and `apart` in units. It fades, so that no
+// decision hangs on which of the two was taken.
 double share_against(double depth, double apart) {
   return 1.0 / ((1.0 + std::pow(depth / kHalfDepth, 4)) * (1.0 + std::pow(apart / kHalfApart, 4)));
 }
