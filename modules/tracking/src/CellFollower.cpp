@@ -77,11 +77,14 @@ double CellFollower::local_score() const {
   return snakes_.has_inner() ? std::min(outer, local_score(snakes_.inner())) : outer;
 }
 
+// Either contour as a whole, the weaker one.
+double CellFollower::whole_score() const {
+  return snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;
+}
+
 // The weakest of what was seen: either contour as a whole, and on the needle's side.
 double CellFollower::quality_now() const {
-  const double both =
-      snakes_.has_inner() ? std::min(snakes_.outer().score, snakes_.inner().score) : snakes_.outer().score;
-  return std::min(both, local_score());
+  return std::min(whole_score(), local_score());
 }
 
 // The narrow band first; where that fails, wider, and with the membrane sprung back.
@@ -101,7 +104,10 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   quality_ = quality_now();
   if (contact_.state() == CellState::kPunctured || (touching_ && are_flanks_back()))
     follow_unpushed(frame, known ? &loose : nullptr);
-  if (quality_ >= std::max(0.6, 0.88 * usual_quality_)) return;
+  const double usual = std::max(0.6, 0.88 * usual_quality_);
+  if (quality_ >= usual) return;
+  // At rest, and seen as ever but beside a needle that does not touch yet: its tip is what hides the membrane there.
+  if (known && !touching_ && whole_score() >= usual && lies_at_rest(snakes_.outer())) return;
 
   SnakeContour best_outer = snakes_.outer(), best_inner = snakes_.inner();
   const auto attempt = [&](const NeedleZone* with, bool from_rest, double reach) {
@@ -123,7 +129,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
     attempt(&loose, true, kAtRest_ratio * options_.search_px);
     attempt(&loose, true, 2.0 * options_.search_px);
     attempt(&loose, true, options_.wide_search_px);
-  } else {
+  } else if (!lies_at_rest(best_outer)) {
     attempt(known, true, options_.wide_search_px);
   }
   snakes_.restore(best_outer, best_inner);
@@ -202,6 +208,17 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) c
     result.points.col(i) = center_now() + (radius_px + rest_.shape.at(outward, motion_.angle_rad)) * outward;
   }
   return result;
+}
+
+// Nowhere further from the outline at rest than what is searched about that first.
+bool CellFollower::lies_at_rest(const SnakeContour& outer) const {
+  for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
+    const Eigen::Vector2d from_center = outer.points.col(i) - center_now();
+    const double distance = from_center.norm();
+    const double beyond = distance - rest_.outer_radius - rest_.shape.at(from_center / distance, motion_.angle_rad);
+    if (!(std::abs(beyond) < kAtRest_ratio * options_.search_px)) return false;
+  }
+  return true;
 }
 
 // From one frame to the next a cell is not dented so deep that its outline loses a tenth of its area: the contour would

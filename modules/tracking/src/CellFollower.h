@@ -187,10 +187,12 @@ class CellFollower {
   double past_sigma() const;
   double local_score(const SnakeContour& snake) const;
   double local_score() const;
+  double whole_score() const;
   double quality_now() const;
   bool keeps_area() const;
   bool plausible() const;
   SnakeContour at_rest(const SnakeContour& like, double radius_px) const;
+  bool lies_at_rest(const SnakeContour& outer) const;
   Eigen::Vector2d seat_center() const;
   double seat_way() const;
   double seat_way_sigma() const;

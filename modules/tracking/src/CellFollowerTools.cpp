@@ -44,8 +44,8 @@ constexpr double kFiner_ratio = 0.5;
 // Of the holder's half width: a tool half as wide as this that runs so near to its middle is one of its walls (wide
 // 700138, 708381, 711183).
 constexpr double kWallOfHolder_ratio = 0.4, kBesideHolder = 1.5;
-// Frames between two readings of the tip's width.
-constexpr int kWidth_frames = 8;
+// Frames between two readings of the tip's width, and which one of them: not one in which the contours' look is learnt.
+constexpr int kWidth_frames = 8, kWidthFrame = 6;
 
 // The whole image in floating point: for searches, not for following.
 GrayImage gray(const ImageView& view) {
@@ -369,7 +369,7 @@ void CellFollower::begin_command(const FrameInput& frame) {
 // Where the membrane does not lie about the tip; in contact only if it was never read before.
 void CellFollower::read_tip_width(const FrameInput& frame, bool is_clear) {
   const bool is_first = needle_.valid() && !needle_.is_width_read();
-  if (frame.networks != nullptr && (is_first || (is_clear && frames_followed_ % kWidth_frames == 0)))
+  if (frame.networks != nullptr && (is_first || (is_clear && frames_followed_ % kWidth_frames == kWidthFrame)))
     needle_.read_width(frame.networks->tip_widths(), frame.image);
 }
 

@@ -197,6 +197,13 @@ inline bool contains(const Eigen::Matrix2Xd& points, const Eigen::Vector2d& poin
   return inside;
 }
 
+/// Whether the boxes of the edges from `a` to `b` and from `c` to `d` meet; edges whose boxes don't can't cross.
+inline bool do_boxes_meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                          const Eigen::Vector2d& d) noexcept {
+  return std::max(a.x(), b.x()) >= std::min(c.x(), d.x()) && std::max(c.x(), d.x()) >= std::min(a.x(), b.x()) &&
+         std::max(a.y(), b.y()) >= std::min(c.y(), d.y()) && std::max(c.y(), d.y()) >= std::min(a.y(), b.y());
+}
+
 /// Whether two of the contour's edges that are no neighbours cross. Cost O(n^2), no allocation.
 inline bool self_intersects(const Eigen::Matrix2Xd& points) noexcept {
   const Eigen::Index n = points.cols();
@@ -208,9 +215,7 @@ inline bool self_intersects(const Eigen::Matrix2Xd& points) noexcept {
     for (Eigen::Index j = i + 2; j < n; ++j) {
       if (i == 0 && j == n - 1) continue;
       const Eigen::Vector2d c = points.col(j), d = points.col(j + 1 == n ? 0 : j + 1);
-      // Far-apart boxes can't cross: most pairs end here.
-      if (std::max(a.x(), b.x()) < std::min(c.x(), d.x()) || std::max(c.x(), d.x()) < std::min(a.x(), b.x())) continue;
-      if (std::max(a.y(), b.y()) < std::min(c.y(), d.y()) || std::max(c.y(), d.y()) < std::min(a.y(), b.y())) continue;
+      if (!do_boxes_meet(a, b, c, d)) continue;
       if (side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0) return true;
     }
   }
@@ -225,8 +230,10 @@ inline int untie(Eigen::Matrix2Xd& points) noexcept {
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index k = 2; k <= n / 2; ++k) {
       const Eigen::Index j = wrap(i + k, n);
-      const Eigen::Vector2d a = points.col(i), c = points.col(j);
-      const Eigen::Vector2d e = points.col(wrap(i + 1, n)) - a, f = points.col(wrap(j + 1, n)) - c;
+      const Eigen::Vector2d a = points.col(i), b = points.col(wrap(i + 1, n));
+      const Eigen::Vector2d c = points.col(j), d = points.col(wrap(j + 1, n));
+      if (!do_boxes_meet(a, b, c, d)) continue;
+      const Eigen::Vector2d e = b - a, f = d - c;
       const double cross = e.x() * f.y() - e.y() * f.x();
       if (cross == 0.0) continue;
       const double s = ((c - a).x() * f.y() - (c - a).y() * f.x()) / cross;

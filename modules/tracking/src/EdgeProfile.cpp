@@ -45,17 +45,20 @@ EdgeFilter::EdgeFilter(double sigma_px, double step_px, EdgeKind kind) : kind_(k
 
 void EdgeFilter::apply(const float* profile, int count, float* feature) const {
   const int taps = 2 * half_ + 1;
-  for (int j = 0; j < count; ++j) {
+  const auto at_end = [&](int j) {
     float sum = 0.0F;
-    if (j >= half_ && j + half_ < count) {
-      const float* p = profile + j - half_;
-      for (int k = 0; k < taps; ++k) sum += kernel_[static_cast<std::size_t>(k)] * p[k];
-    } else {
-      for (int k = 0; k < taps; ++k) {
-        sum += kernel_[static_cast<std::size_t>(k)] * profile[std::clamp(j + k - half_, 0, count - 1)];
-      }
-    }
-    feature[j] = sum;
+    for (int k = 0; k < taps; ++k)
+      sum += kernel_[static_cast<std::size_t>(k)] * profile[std::clamp(j + k - half_, 0, count - 1)];
+    return sum;
+  };
+  const int from = std::min(half_, count), to = std::max(from, count - half_);
+  for (int j = 0; j < from; ++j) feature[j] = at_end(j);
+  for (int j = to; j < count; ++j) feature[j] = at_end(j);
+  // Tap by tap: the compiler takes many places at once.
+  std::fill(feature + from, feature + to, 0.0F);
+  for (int k = 0; k < taps; ++k) {
+    const float tap = kernel_[static_cast<std::size_t>(k)];
+    for (int j = from; j < to; ++j) feature[j] += tap * profile[j + k - half_];
   }
 }
 

@@ -90,8 +90,12 @@ void MembraneSnakes::search(const FrameSampler& image, const NeedleZone* needle,
   // The needle's own edges say nothing about a membrane; the tip itself does, once it touches.
   if (needle) {
     for (int i = 0; i < strip_.rows(); ++i) {
+      const auto place = [&](int j) -> Eigen::Vector2d {
+        return outer_.points.col(i) + strip_.offset_of(j) * normals_.col(i);
+      };
+      if (needle->is_beside(place(0), place(strip_.columns() - 1), kNeedleMargin)) continue;
       for (int j = 0; j < strip_.columns(); ++j) {
-        const Eigen::Vector2d p = outer_.points.col(i) + strip_.offset_of(j) * normals_.col(i);
+        const Eigen::Vector2d p = place(j);
         if (!needle->covers(p, kNeedleMargin)) continue;
         const Eigen::Vector2d d = p - needle->tip;
         const double ahead = d.dot(needle->direction);

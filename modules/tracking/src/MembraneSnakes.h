@@ -48,6 +48,15 @@ struct NeedleZone {
     const double across = std::abs(direction.x() * d.y() - direction.y() * d.x());
     return across < tip_half_width + widening * std::max(behind, 0.0) + margin;
   }
+  /// Whether it covers nothing on the whole way from `p` to `q`, as far as one of its sides shows it.
+  bool is_beside(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double margin) const noexcept {
+    const Eigen::Vector2d across(-direction.y(), direction.x());
+    const auto beyond = [&](const Eigen::Vector2d& point, double side) {
+      const Eigen::Vector2d d = point - tip;
+      return side * d.dot(across) > tip_half_width + widening * std::max(-d.dot(direction), 0.0) + margin;
+    };
+    return (beyond(p, 1.0) && beyond(q, 1.0)) || (beyond(p, -1.0) && beyond(q, -1.0));
+  }
 };
 
 /// One snake: contour, what its edge looks like, and how well it was seen.

@@ -56,14 +56,12 @@ NeedleTracker::Along NeedleTracker::find_end(const FrameSampler& image, double n
                                              double reach_px, const NeedleCue& cue) {
   const double clear_px = cue.body ? way_to(*cue.body, axis_) : std::numeric_limits<double>::infinity();
   if (clear_px < kEndBlurs * shaft_.blur_px()) return {};
-  const auto look = [&](const MembraneBackdrop* membrane) {
-    return tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, clear_px, membrane);
-  };
-  TipResult tip = look(nullptr);
+  if (!tip_.sample(image, axis_, reach_px, clear_px)) return {};
+  TipResult tip = tip_.find(shaft.gain, shaft.medium, noise);
   double floor = cue.in_the_clear ? kEndFloor : kEndHidden;
   if (cue.membrane) {
     cue.membrane->push(axis_.tip + (tip.found ? tip.ahead : 0.0) * axis_.direction - axis_before_.tip);
-    const TipResult against = look(cue.membrane);
+    const TipResult against = tip_.find(shaft.gain, shaft.medium, noise, cue.membrane);
     if (against.found && !tip.found) {
       tip = against;
     } else if (against.found) {
@@ -91,13 +89,15 @@ void NeedleTracker::learn_end(const FrameSampler& image, double noise, const Sha
   static_assert(kRoundness.size() == kEnds);
   std::array<TipResult, kEnds> ends;
   bool all = true;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    NeedleModel tried = model_;
-    tried.cone.set_roundness(kRoundness[k]);
-    tip_.prepare(tried);
-    ends[k] = tip_.find(image, axis_, shaft.gain, shaft.medium, noise, reach_px, kNothingAhead);
+  const double roundness = model_.cone.roundness();
+  for (std::size_t k = 0; all && k < ends.size(); ++k) {
+    model_.cone.set_roundness(kRoundness[k]);
+    tip_.prepare(model_);
+    all = k > 0 || tip_.sample(image, axis_, reach_px, kNothingAhead);
+    if (all) ends[k] = tip_.find(shaft.gain, shaft.medium, noise);
     all = all && ends[k].found && ends[k].unexplained > 0.0;
   }
+  model_.cone.set_roundness(roundness);
   if (all) {
     const bool is_first = end_frames_ == 0;
     end_frames_ = std::min(end_frames_ + 1, kEndFrames);

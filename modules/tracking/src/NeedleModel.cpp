@@ -28,17 +28,6 @@ void NeedleLook::reshape(double step, double inside, double outside) {
   }
 }
 
-float NeedleLook::value(int side, double d) const noexcept {
-  const std::vector<float>& table = tables_[static_cast<std::size_t>(side)];
-  const double x = d / step_ + zero_;
-  const int last = static_cast<int>(table.size()) - 1;
-  if (x >= last) return 0.0F;
-  if (x <= 0.0) return table.front();
-  const int i = static_cast<int>(x);
-  const float t = static_cast<float>(x - i);
-  return table[static_cast<std::size_t>(i)] * (1.0F - t) + table[static_cast<std::size_t>(i) + 1] * t;
-}
-
 float NeedleLook::slope(int side, double d) const noexcept {
   const float h = static_cast<float>(step_);
   return (value(side, d + step_) - value(side, d - step_)) / (2.0F * h);
@@ -222,21 +211,23 @@ double NeedleCone::fitted_tip_radius() const noexcept {
 }
 
 // The distance from a rectangle whose corners are rounded off.
-float NeedleModel::value(double behind, double beside) const noexcept {
+void NeedleModel::line(double behind, double beside, double step, int count, float* values) const noexcept {
   const double r = cone.tip_radius(), corner = cone.roundness() * r;
-  const double side = std::abs(beside) - (behind < corner ? r : cone.half_width(behind)) + corner;
-  const double ahead = corner - behind;
-  double d = 0.0, part = 0.0;
-  if (ahead > 0.0 && side > 0.0) {
-    const double distance = std::hypot(ahead, side);
-    d = distance - corner;
-    part = std::copysign(side / distance, beside);
-  } else {
-    d = std::max(ahead, side) - corner;
-    part = ahead > side ? 0.0 : beside;
+  const double half_width = behind < corner ? r : cone.half_width(behind), ahead = corner - behind;
+  for (int j = 0; j < count; ++j) {
+    const double v = beside + j * step, side = std::abs(v) - half_width + corner;
+    double d = 0.0, part = 0.0;
+    if (ahead > 0.0 && side > 0.0) {
+      const double distance = std::hypot(ahead, side);
+      d = distance - corner;
+      part = std::copysign(side / distance, v);
+    } else {
+      d = std::max(ahead, side) - corner;
+      part = ahead > side ? 0.0 : v;
+    }
+    const float right = static_cast<float>(std::clamp(0.5 + 0.5 * part, 0.0, 1.0));
+    values[j] = (1.0F - right) * look.value(0, d) + right * look.value(1, d);
   }
-  const float right = static_cast<float>(std::clamp(0.5 + 0.5 * part, 0.0, 1.0));
-  return (1.0F - right) * look.value(0, d) + right * look.value(1, d);
 }
 
 }  // namespace pellucida

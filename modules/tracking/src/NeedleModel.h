@@ -34,7 +34,16 @@ class NeedleLook {
 
   /// Value and slope (per px) at distance d on side 0 (where the coordinate across is negative) or 1. Further out than
   /// the table 0, further in the innermost value.
-  float value(int side, double d) const noexcept;
+  float value(int side, double d) const noexcept {
+    const std::vector<float>& table = tables_[static_cast<std::size_t>(side)];
+    const double x = d / step_ + zero_;
+    const int last = static_cast<int>(table.size()) - 1;
+    if (x >= last) return 0.0F;
+    if (x <= 0.0) return table.front();
+    const int i = static_cast<int>(x);
+    const float t = static_cast<float>(x - i);
+    return table[static_cast<std::size_t>(i)] * (1.0F - t) + table[static_cast<std::size_t>(i) + 1] * t;
+  }
   float slope(int side, double d) const noexcept;
 
   /// One more sample of weight `weight`; `finish` makes means of all since `clear`, mixed with a share `keep` of what
@@ -105,8 +114,9 @@ struct NeedleModel {
   double unit_px = 1.0;  ///< spacing of stations along the shaft: grows with the blur, so that the cost does not
   int frames = 0;        ///< frames it was learnt from
 
-  /// Relative grey value at a place, the end included.
-  float value(double behind, double beside) const noexcept;
+  /// Relative grey values, the end included, of a line across the axis `behind` its tip: `count` of them `step` px
+  /// apart, the first `beside` the axis.
+  void line(double behind, double beside, double step, int count, float* values) const noexcept;
 };
 
 }  // namespace pellucida

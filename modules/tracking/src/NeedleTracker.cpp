@@ -315,6 +315,7 @@ void NeedleTracker::update(double ahead, double variance) {
   covariance_ = 0.5 * (covariance_ + covariance_.transpose().eval());
 }
 
+// Shaft and end are to be prepared anew after it.
 void NeedleTracker::learn(double end_ahead) {
   frames_since_learning_ = 0;
   const bool first_clear = model_.frames > 0 && !clear_seen_;
@@ -325,7 +326,6 @@ void NeedleTracker::learn(double end_ahead) {
     axis_.tip += end_ahead * axis_.direction;
   } else {
     anchor_sigma_ = model_.unit_px * std::hypot(kEndFloor, kClearAnchor / std::sqrt(double(model_.frames)));
-    prepare();
   }
 }
 

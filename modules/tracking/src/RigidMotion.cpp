@@ -16,6 +16,7 @@ constexpr double kLeastContrast = 0.4;  // of the reference's, for a fit to be o
 constexpr double kBeside_px = 1.5;
 constexpr int kStartsBeside = 2, kFirstFrames = 4;
 constexpr double kUnusual_ratio = 1.2, kBetter_ratio = 0.7;
+constexpr double kSame_px = 0.1;  // a fit that comes so near to another one will end there
 // A fit that leaves so many times what is usual is none; the longer there is none, the more may be left.
 constexpr double kNone_ratio = 2.5, kMissed_ratio = 1.2;
 // How the usual residual and the steady motion follow, per frame.
@@ -100,7 +101,7 @@ double RigidMotion::sigma_px(const Eigen::Vector2d& direction) const noexcept {
   return valid() ? std::sqrt(std::max(0.0, direction.dot(shift_covariance_ * direction))) : 0.0;
 }
 
-RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move) const {
+RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move, const RigidMove* known) const {
   Fit fit;
   // A lamp turned up or down must not make every pixel an outlier: begin with the brightness as it is now.
   double then = 0.0, now = 0.0;
@@ -151,6 +152,7 @@ RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move) 
     move.angle_rad += std::clamp(step[2], -0.05, 0.05);
     gain = step[3];
     offset = step[4];
+    if (known && (move.shift - known->shift).norm() < kSame_px) return fit;
     if (way.norm() < 0.004 && std::abs(step[2]) < 1e-4 && round > 3) break;
   }
   fit.move = move;
@@ -168,7 +170,7 @@ bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen:
   const auto attempt = [&](const Eigen::Vector2d& way, double better_ratio) {
     RigidMove start = motion_;
     start.shift += way;
-    const Fit fit = refine(image, start);
+    const Fit fit = refine(image, start, found && better_ratio < 1.0 ? &best : nullptr);
     const bool is_near = (fit.move.shift - motion_.shift).norm() <= reach_px;
     if (!fit.good || !is_near || fit.residual >= (found ? better_ratio : 1.0) * least) return;
     best = fit.move;

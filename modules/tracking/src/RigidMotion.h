@@ -68,7 +68,8 @@ class RigidMotion {
     double residual = 0.0;
     bool good = false;
   };
-  Fit refine(const FrameSampler& image, RigidMove start) const;
+  /// From `start`; given up, and not good, as soon as it comes near to `known`.
+  Fit refine(const FrameSampler& image, RigidMove start, const RigidMove* known = nullptr) const;
   void average_in(const FrameSampler& image);
 
   std::vector<Pixel> pixels_;

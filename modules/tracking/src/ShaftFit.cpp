@@ -51,14 +51,14 @@ void ShaftFit::prepare(const NeedleModel& model, double behind_px) {
     const double core = station.half_width - model.look.inside();
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     float* basis = solve_.col(k).data();
+    float* looks = profile_.col(k).data();
+    model.line(station.s, station.first * step_ - half_across_, step_, station.count, looks + station.first);
     for (int j = station.first; j < station.first + station.count; ++j) {
       const double v = j * step_ - half_across_, d = std::abs(v) - station.half_width;
       const int side = v < 0.0 ? 0 : 1;
-      const float look = model.value(station.s, v);
-      profile_(j, k) = look;
       if (std::abs(v) < core) continue;
       const float slope = model.look.slope(side, d);
-      const Eigen::Vector4d row(1.0, look, v < 0.0 ? slope : -slope, -slope);
+      const Eigen::Vector4d row(1.0, looks[j], v < 0.0 ? slope : -slope, -slope);
       normal += row * row.transpose();
       for (int i = 0; i < 4; ++i) basis[4 * j + i] = static_cast<float>(row[i]);
     }

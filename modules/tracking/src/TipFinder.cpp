@@ -10,6 +10,7 @@ constexpr double kOutlier = 0.7;       // of the needle's contrast: more counts 
 constexpr double kBehindUnits = 16.0;  // how far behind the tip the end is looked at
 constexpr double kAheadUnits = 8.0;
 constexpr double kBesideBlurs = 2.5;
+constexpr int kFewestRows = 8;
 
 }  // namespace
 
@@ -26,7 +27,7 @@ void TipFinder::prepare(const NeedleModel& model) {
   half_across_ = step_ * (columns_ / 2);
   model_.resize(columns_, model_rows_);
   for (int i = 0; i < model_rows_; ++i) {
-    for (int j = 0; j < columns_; ++j) model_(j, i) = model.value(i * 0.5 * unit_ - before_, j * step_ - half_across_);
+    model.line(i * 0.5 * unit_ - before_, -half_across_, step_, columns_, model_.col(i).data());
     const float mean = model_.col(i).mean();
     model_.col(i).array() -= mean;
   }
@@ -55,8 +56,8 @@ double TipFinder::cost(double ahead) const {
 }
 
 // One row of the image: the mean of lines spread over a unit.
-void TipFinder::sample_rows(const FrameSampler& image, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
-                            const Eigen::Vector2d& direction, float* row) {
+void TipFinder::sample_row(const FrameSampler& image, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
+                           const Eigen::Vector2d& direction, float* row) {
   image.sample_line(from - 0.5 * (lines_ - 1) / lines_ * unit_ * direction, step, columns_, row);
   if (lines_ < 2) return;
   line_.resize(static_cast<std::size_t>(columns_));
@@ -67,41 +68,48 @@ void TipFinder::sample_rows(const FrameSampler& image, const Eigen::Vector2d& fr
   for (int j = 0; j < columns_; ++j) row[j] /= static_cast<float>(lines_);
 }
 
-TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                          double reach_px, double clear_px, const MembraneBackdrop* backdrop) {
-  TipResult result;
-  const int reach = std::max(2, static_cast<int>(std::ceil(reach_px / unit_)));
-  first_ = -reach - static_cast<int>(kAheadUnits);
-  const int most = std::min(reach, static_cast<int>(kBehindUnits)) + static_cast<int>(kAheadUnits);
+bool TipFinder::sample(const FrameSampler& image, const NeedleAxis& axis, double reach_px, double clear_px) {
+  axis_ = axis;
+  reach_ = std::max(2, static_cast<int>(std::ceil(reach_px / unit_)));
+  first_ = -reach_ - static_cast<int>(kAheadUnits);
+  const int most = std::min(reach_, static_cast<int>(kBehindUnits)) + static_cast<int>(kAheadUnits);
   const int last = clear_px < most * unit_ ? static_cast<int>(std::floor(clear_px / unit_)) : most;
   rows_ = last - first_ + 1;
-  if (rows_ < 8) return result;
-  if (values_.rows() != columns_ || values_.cols() < rows_) values_.resize(columns_, rows_);
+  if (rows_ < kFewestRows) return false;
+  for (Eigen::MatrixXf* rows : {&samples_, &values_})
+    if (rows->rows() != columns_ || rows->cols() < rows_) rows->resize(columns_, rows_);
   const Eigen::Vector2d step = step_ * axis.across();
-  const float scale = static_cast<float>(1.0 / std::max(medium * gain, 1e-6));
   int inside = 0;
   for (int k = 0; k < rows_; ++k) {
-    float* values = values_.col(k).data();
     inside += image.inside(axis.at((first_ + k) * unit_, 0.0), 1.0) ? 1 : 0;
-    sample_rows(image, axis.at((first_ + k) * unit_, -half_across_), step, axis.direction, values);
-    if (backdrop) {
-      for (int j = 0; j < columns_; ++j)
-        values[j] /= backdrop->at(axis.at((first_ + k) * unit_, j * step_ - half_across_));
-    }
+    sample_row(image, axis.at((first_ + k) * unit_, -half_across_), step, axis.direction, samples_.col(k).data());
+  }
+  return inside >= kFewestRows;
+}
+
+TipResult TipFinder::find(double gain, double medium, double noise, const MembraneBackdrop* backdrop) {
+  TipResult result;
+  const float scale = static_cast<float>(1.0 / std::max(medium * gain, 1e-6));
+  for (int k = 0; k < rows_; ++k) {
+    const float* samples = samples_.col(k).data();
+    float* values = values_.col(k).data();
     float mean = 0.0F;
-    for (int j = 0; j < columns_; ++j) mean += values[j];
+    for (int j = 0; j < columns_; ++j) {
+      values[j] = samples[j];
+      if (backdrop) values[j] /= backdrop->at(axis_.at((first_ + k) * unit_, j * step_ - half_across_));
+      mean += values[j];
+    }
     mean /= static_cast<float>(columns_);
     for (int j = 0; j < columns_; ++j) values[j] = scale * (values[j] - mean);
   }
-  if (inside < 8) return result;
   const double relative_noise = noise * scale / std::sqrt(double(lines_));
   limit_ = static_cast<float>(std::pow(kOutlier * depth_ + 2.0 * relative_noise, 2));
 
-  const int candidates = 4 * reach + 1;
+  const int candidates = 4 * reach_ + 1;
   costs_.resize(static_cast<std::size_t>(candidates));
   int best = 0;
   for (int c = 0; c < candidates; ++c) {
-    costs_[static_cast<std::size_t>(c)] = cost((c - 2 * reach) * 0.5 * unit_);
+    costs_[static_cast<std::size_t>(c)] = cost((c - 2 * reach_) * 0.5 * unit_);
     if (costs_[static_cast<std::size_t>(c)] < costs_[static_cast<std::size_t>(best)]) best = c;
   }
   if (best < 2 || best > candidates - 3) return result;
@@ -112,7 +120,7 @@ TipResult TipFinder::find(const FrameSampler& image, const NeedleAxis& axis, dou
   if (!(curvature > 0.0)) return result;
   const double half = 0.5 * unit_;
   result.found = true;
-  result.ahead = half * (best - 2 * reach + std::clamp(-slope / curvature, -1.0, 1.0));
+  result.ahead = half * (best - 2 * reach_ + std::clamp(-slope / curvature, -1.0, 1.0));
   // cost = sum of squares: its second derivative is twice the information over the variance. Samples closer than a
   // pixel share its noise.
   const double shared = std::max(1.0, 1.0 / step_);

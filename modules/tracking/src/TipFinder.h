@@ -26,24 +26,27 @@ class TipFinder {
  public:
   void prepare(const NeedleModel& model);
 
-  /// `gain` and `medium`: of this frame, from the shaft; `reach_px`: how far ahead and back the tip may be;
-  /// `clear_px`: what lies further ahead of the axis's tip is not looked at; `backdrop`: seen behind it, null for plain
-  /// medium.
-  TipResult find(const FrameSampler& image, const NeedleAxis& axis, double gain, double medium, double noise,
-                 double reach_px, double clear_px, const MembraneBackdrop* backdrop = nullptr);
+  /// Takes the image's rows about the tip of `axis`. `reach_px`: how far ahead and back the tip may be; what lies
+  /// further ahead of the axis's tip than `clear_px` is not looked at. False where too little is in view.
+  bool sample(const FrameSampler& image, const NeedleAxis& axis, double reach_px, double clear_px);
+
+  /// The end in the rows sampled last, as often as asked: another end may be prepared meanwhile, of the same look and
+  /// cone. `gain` and `medium`: of this frame, from the shaft; `backdrop`: seen behind it, null for plain medium.
+  TipResult find(double gain, double medium, double noise, const MembraneBackdrop* backdrop = nullptr);
 
  private:
   double cost(double ahead) const;
-  void sample_rows(const FrameSampler& image, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
-                   const Eigen::Vector2d& direction, float* row);
+  void sample_row(const FrameSampler& image, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
+                  const Eigen::Vector2d& direction, float* row);
 
-  Eigen::MatrixXf model_;   // (columns x rows): the look, half a unit from row to row
-  Eigen::MatrixXf values_;  // (columns x rows): the image, relative to the medium, one unit from row to row
+  Eigen::MatrixXf model_;             // (columns x rows): the look, half a unit from row to row
+  Eigen::MatrixXf samples_, values_;  // (columns x rows): the image, and relative to the medium; one unit apart
+  NeedleAxis axis_;                   // they were sampled on
   std::vector<double> costs_;
   std::vector<float> line_;
   double unit_ = 1.0, step_ = 0.5, before_ = 0.0, half_across_ = 0.0, depth_ = 0.1;
   float limit_ = 1.0F;
-  int columns_ = 0, model_rows_ = 0, first_ = 0, rows_ = 0, lines_ = 1;
+  int columns_ = 0, model_rows_ = 0, first_ = 0, rows_ = 0, reach_ = 2, lines_ = 1;
 };
 
 }  // namespace pellucida
