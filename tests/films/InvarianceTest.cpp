@@ -101,9 +101,11 @@ std::vector<Observation> track(const std::vector<cv::Mat>& film, double pixel_si
   return seen;
 }
 
-// The depth of a membrane on its way back from a puncture says how fast it is.
-bool is_whole(const Observation& seen) {
-  return seen.state != CellState::kPunctured;
+// The depth of a membrane on its way back from a puncture says how fast it is; the first frame on that way may still be
+// called a contact.
+bool is_whole(const std::vector<Observation>& seen, std::size_t k) {
+  const auto is_punctured = [&](std::size_t frame) { return seen[frame].state == CellState::kPunctured; };
+  return !is_punctured(k) && !(k + 1 < seen.size() && is_punctured(k + 1));
 }
 
 // The frame that catches the tip as it touches, or within half a pixel of that: noise decides whether it is called a
@@ -128,7 +130,7 @@ Difference difference(const std::vector<Observation>& one, const std::vector<Obs
   for (std::size_t k = 0; k < one.size(); ++k) {
     if (other[k].state != one[k].state)
       ++(is_bare_touch(one[k], other[k], pixel_size_um) ? found.bare_touches : found.states);
-    if (is_whole(one[k]) && is_whole(other[k])) squares += std::pow(other[k].indentation_um - one[k].indentation_um, 2);
+    if (is_whole(one, k) && is_whole(other, k)) squares += std::pow(other[k].indentation_um - one[k].indentation_um, 2);
   }
   found.rms_um = std::sqrt(squares / static_cast<double>(one.size()));
   return found;

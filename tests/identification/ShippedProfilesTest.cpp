@@ -6,6 +6,7 @@
 #include "TestCells.h"
 #include "pellucida/core/Resources.h"
 #include "pellucida/core/Table.h"
+#include "pellucida/fem/SolidReference.h"
 
 namespace pellucida {
 namespace {
@@ -61,6 +62,16 @@ TEST(ShippedOocyte, MeetsTheFiniteElementsInAllFourConfigurations) {
     }
     EXPECT_TRUE(claimed) << "configuration " << curve.configuration;
   }
+}
+
+// The record gives a modulus by way of the solid (docs/method.md, 3.7), and the solid the force that anchors the
+// profile.
+TEST(ShippedAfmOocyte, CarriesTheForceOfTheSolidOfItsModulus) {
+  const CellProfile profile = load_profile("oocyte-afm");
+  const SolidCurve curve =
+      SolidReference({.young_modulus_kPa = profile.young_modulus_kPa}, {}).run(profile.puncture_indentation_um, 2.0);
+  ASSERT_EQ(curve.outcome, CurveOutcome::kComplete);
+  EXPECT_NEAR(profile.puncture_force_uN, curve.steps.back().force_uN, 0.01 * profile.puncture_force_uN);
 }
 
 // An independent thin shell's.

@@ -63,6 +63,21 @@ TEST(ShippedProfiles, HoldTableOneAndTheirGeometry) {
   }
 }
 
+// One oocyte of unknown size gave 10 to 35 kPa (docs/method.md, 3.7), and was not punctured: the profile says all of
+// that.
+TEST(ShippedProfiles, TheOneOfARecordIsAsSoftAndAsUnsure) {
+  const CellProfile afm = load_profile("oocyte-afm"), oocyte = load_profile("mouse-oocyte");
+  EXPECT_GT(afm.young_modulus_kPa, 10.0);
+  EXPECT_LT(afm.young_modulus_kPa, 35.0);
+  EXPECT_GT(afm.effective_young_modulus_kPa, 10.0);
+  EXPECT_LT(afm.effective_young_modulus_kPa, 35.0);
+  EXPECT_NEAR(afm.puncture_force_uN / oocyte.puncture_force_uN,
+              afm.effective_young_modulus_kPa / oocyte.effective_young_modulus_kPa, 1e-3);
+  EXPECT_GE(afm.force_scale_relative_sigma, 0.5);
+  EXPECT_EQ(afm.relaxation_arms.size(), 2U);
+  EXPECT_NE(to_json(afm).find("not measured"), std::string::npos);
+}
+
 TEST(ShippedProfiles, AnUnknownNameIsAUsageErrorThatNamesTheKnown) {
   try {
     load_profile("mouse-ocyte");

@@ -18,7 +18,7 @@ class ShippedProfile : public testing::TestWithParam<const char*> {
   CellProfile profile_ = load_profile(GetParam());
   CellStrength strength_ = strength_of(profile_);
 };
-INSTANTIATE_TEST_SUITE_P(All, ShippedProfile, testing::Values("mouse-oocyte", "mouse-embryo"));
+INSTANTIATE_TEST_SUITE_P(All, ShippedProfile, testing::Values("mouse-oocyte", "mouse-embryo", "oocyte-afm"));
 
 // A cell as strong as its kind can be punctured, and nothing much stronger is pushed.
 TEST_P(ShippedProfile, TheLimitsLieJustAboveThePuncture) {
