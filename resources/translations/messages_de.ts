@@ -800,6 +800,10 @@
         <translation>kein Ordner</translation>
     </message>
     <message>
+        <source>Oocyte of an AFM record, softer, and its force relaxes</source>
+        <translation>Oozyte einer AFM-Aufzeichnung, weicher, und ihre Kraft lässt nach</translation>
+    </message>
+    <message>
         <source>Permission denied</source>
         <translation>keine Berechtigung</translation>
     </message>

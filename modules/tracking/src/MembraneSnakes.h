@@ -48,7 +48,7 @@ struct NeedleZone {
     const double across = std::abs(direction.x() * d.y() - direction.y() * d.x());
     return across < tip_half_width + widening * std::max(behind, 0.0) + margin;
   }
-  /// Whether it covers nothing on the whole way from `p` to `q`, as far as one of its sides shows it.
+  /// True only if nothing from `p` to `q` is covered: both lie beyond the same edge.
   bool is_beside(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double margin) const noexcept {
     const Eigen::Vector2d across(-direction.y(), direction.x());
     const auto beyond = [&](const Eigen::Vector2d& point, double side) {

@@ -315,7 +315,7 @@ void NeedleTracker::update(double ahead, double variance) {
   covariance_ = 0.5 * (covariance_ + covariance_.transpose().eval());
 }
 
-// Shaft and end are to be prepared anew after it.
+// The caller prepares shaft and end anew.
 void NeedleTracker::learn(double end_ahead) {
   frames_since_learning_ = 0;
   const bool first_clear = model_.frames > 0 && !clear_seen_;
