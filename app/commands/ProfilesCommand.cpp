@@ -35,9 +35,10 @@ void list_profiles() {
               number(p.effective_young_modulus_kPa, 1),
               number(p.puncture_force_uN, 1) + " uN at " + number(p.puncture_indentation_um, 0) + " um", p.description);
   }
-  std::cout << "R: middle of the zona. Table: Young modulus as published; effective: the scale that meets the puncture "
-               "point.\n"
-               "All of a profile, with its sources: pellucida profiles NAME\n";
+  std::cout
+      << "R: middle of the zona. Table: Young modulus as published or inferred; effective: the scale that meets the "
+         "puncture point,\n"
+         "which is measured or computed. All of a profile, with its sources: pellucida profiles NAME\n";
 }
 
 }  // namespace

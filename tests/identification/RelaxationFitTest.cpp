@@ -67,17 +67,14 @@ TEST(RelaxationFit, TellsARealOocyteWithTwoArmsNotWithOne) {
   expect_two_arms_needed(kShippedRecord);
 }
 
-// Its other numbers are the mouse oocyte's.
 TEST(RelaxationFit, TheProfileOfTheRecordHasItsArms) {
-  const CellProfile profile = load_profile("oocyte-afm"), oocyte = load_profile("mouse-oocyte");
+  const CellProfile profile = load_profile("oocyte-afm");
   const RelaxationFit fit = fit_relaxation(read_relaxation_record(kShippedRecord));
   ASSERT_EQ(profile.relaxation_arms.size(), fit.arms.size());
   for (std::size_t k = 0; k < fit.arms.size(); ++k) {
     EXPECT_NEAR(profile.relaxation_arms[k].fraction, fit.arms[k].fraction, 1e-3);
     EXPECT_NEAR(profile.relaxation_arms[k].time_s, fit.arms[k].time_s, 1e-3 * fit.arms[k].time_s);
   }
-  EXPECT_EQ(profile.mid_radius_um, oocyte.mid_radius_um);
-  EXPECT_EQ(profile.geometry_terms.size(), oocyte.geometry_terms.size());
 }
 
 TEST(RelaxationFit, TellsAllEightRecords) {

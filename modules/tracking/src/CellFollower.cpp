@@ -214,9 +214,9 @@ SnakeContour CellFollower::at_rest(const SnakeContour& like, double radius_px) c
 bool CellFollower::lies_at_rest(const SnakeContour& outer) const {
   for (Eigen::Index i = 0; i < outer.points.cols(); ++i) {
     const Eigen::Vector2d from_center = outer.points.col(i) - center_now();
-    const double distance = from_center.norm();
-    const double beyond = distance - rest_.outer_radius - rest_.shape.at(from_center / distance, motion_.angle_rad);
-    if (!(std::abs(beyond) < kAtRest_ratio * options_.search_px)) return false;
+    const double distance_px = from_center.norm();
+    const double rest_px = rest_.outer_radius + rest_.shape.at(from_center / distance_px, motion_.angle_rad);
+    if (!(std::abs(distance_px - rest_px) < kAtRest_ratio * options_.search_px)) return false;
   }
   return true;
 }

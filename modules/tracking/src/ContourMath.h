@@ -261,7 +261,7 @@ inline double distance_to(const Eigen::Matrix2Xd& points, const Eigen::Vector2d&
   return std::sqrt(best);
 }
 
-/// A circle.
+/// A circle. Lengths are in the unit of the points that it was fitted to, px in this module.
 struct Circle {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius = 0.0;
