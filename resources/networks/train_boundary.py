@@ -94,7 +94,7 @@ class StripFeed:
                 self.queue.put(anew(*shapes[random.integers(len(shapes))], random))
 
     def begin(self, device):
-        self.fine = Pictures(self.MOST if device.type == "cuda" else 2000, 480, 640, device)
+        self.fine = Pictures(self.MOST if device.type == "cuda" else 7000, 480, 640, device)
         self.coarse = Pictures(self.MOST_COARSE if device.type == "cuda" else 100, 1200, 1600, device)
         self.new = Pictures(self.MOST_ANEW if device.type == "cuda" else 500, 480, 640, device)
 

@@ -320,15 +320,16 @@ def arguments_of(text, minutes, flags=None):
     parser.add_argument("--start", help="weights to go on from (.pt, or a network as shipped, .onnx)")
     parser.add_argument("--rate", type=float, default=4e-3)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--workers", type=int, default=0, help="processes that draw, for a machine with a graphics processor")
     parser.add_argument("--batch", type=int, help="samples a step")
     for name, help_text in (flags or {}).items():
         parser.add_argument(f"--{name}", action="store_true", help=help_text)
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
-    torch.manual_seed(1)
+    torch.manual_seed(options.seed)
     cv2.setNumThreads(1)
-    cv2.setRNGSeed(1)
+    cv2.setRNGSeed(options.seed)
     return options
 
 
