@@ -233,8 +233,8 @@ def by_waves(scene):
                   for v in np.linspace(-sway, sway, 7)]
         grey, dark = random.uniform(0.3, 0.6), random.uniform(0, 0.25)
         pupil = pupil * np.where(ahead > at + half, 1, np.where(ahead > at - half, grey, dark)).astype(np.float32)
-        if scene.chance(0.5):
-            pupil = pupil[::-1, ::-1] if scene.chance(0.3) else pupil
+        if scene.chance(0.15):         # the modulator the other way round: mostly its dark part
+            pupil = pupil[::-1, ::-1]
     else:
         share = random.uniform(0.2, 0.85) * aperture
         r, t = share * np.sqrt((np.arange(10) + 0.5) / 10), np.arange(10) * 2.39996

@@ -73,6 +73,7 @@ class StripFeed:
     """Batches of strips of a folder's pictures, and of what is drawn anew from their outlines: by workers, or one a batch."""
     COARSE_EVERY = 8                  # batches, one of cells wider than the others, half as many
     MOST, MOST_COARSE, MOST_ANEW, OUTLINES = 50000, 3000, 20000, 400
+    MOST_ON_CPU = 7000
 
     def __init__(self, folders, count, workers):
         self.tables, self.count, self.drawn = Tables(folders), count, 0
@@ -94,7 +95,7 @@ class StripFeed:
                 self.queue.put(anew(*shapes[random.integers(len(shapes))], random))
 
     def begin(self, device):
-        self.fine = Pictures(self.MOST if device.type == "cuda" else 7000, 480, 640, device)
+        self.fine = Pictures(self.MOST if device.type == "cuda" else self.MOST_ON_CPU, 480, 640, device)
         self.coarse = Pictures(self.MOST_COARSE if device.type == "cuda" else 100, 1200, 1600, device)
         self.new = Pictures(self.MOST_ANEW if device.type == "cuda" else 500, 480, 640, device)
 
