@@ -24,7 +24,7 @@ from any_contrast import inside_of, moved, outlines_of
 
 REACH = 1.7                  # of the picture about the cell, in radii
 RADII_PX = (32, 130)         # of cells drawn
-WAVE_RADIUS_PX = 140         # of cells while they are light waves, which need fine pixels
+WAVE_RADIUS_PX = 140         # of cells while waves pass them, which takes fine pixels
 RADIUS_UM = (30.0, 60.0)
 SLICES, BLURS = 36, 6        # of half a cell; as many different blurs
 WAVELENGTH_UM = 0.55
