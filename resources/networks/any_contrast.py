@@ -27,6 +27,12 @@ def outlines_of(path):
     return found
 
 
+def area(points):
+    """Of a closed polygon (2, n); above 0 where it runs from x to y."""
+    x, y = points
+    return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
+
+
 def moved(outlines, a, b):
     """Points p of each outline (2, n) as a p + b."""
     return {key: a @ points + np.reshape(b, (2, 1)) for key, points in outlines.items()}

@@ -9,7 +9,7 @@ along the line of sight, each of which is blurred by how far it lies from the fo
 shown by its difference along a direction (relief), by what it is above its wide blur (phase contrast), or by its curvature
 (bright field), in which strong contrasts saturate; or by an objective with a condenser of finite aperture, in bright field, by
 Zernike's ring, Hoffman's modulator or two sheared images (Abbe's sum over points of the condenser; Goodman, Introduction to
-Fourier Optics, chapter 7). Needs Debian's python3-opencv, python3-numpy and python3-scipy.
+Fourier Optics, chapter 7). Needs Debian's python3-opencv, python3-numpy, python3-scipy and python3-torch.
 """
 import argparse
 import csv
@@ -20,7 +20,8 @@ import cv2
 import numpy as np
 from scipy import fft
 
-from any_contrast import inside_of, moved, outlines_of
+from any_contrast import area, inside_of, moved
+from training import Tables
 
 REACH = 1.7                  # of the picture about the cell, in radii
 RADII_PX = (32, 130)         # of cells drawn
@@ -37,18 +38,13 @@ def blurred(field, sigma):
     return cv2.GaussianBlur(field, (0, 0), max(float(sigma), 0.05))
 
 
-def area(points):
-    x, y = points
-    return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
-
-
 def away_from(points, size):
-    """Signed distance from a closed polygon (2, n), px, above 0 outside; to a hundredth of a pixel near it."""
-    over = 4
+    """Signed distance from a closed polygon (2, n), px, above 0 outside; to a tenth of a pixel near it."""
+    over = 4                     # fine pixels to a pixel; those that the polygon's line meets are filled, half a fine pixel too many
     mask = np.zeros((size[1] * over, size[0] * over), np.uint8)
     corners = np.round(np.clip((points.T + 0.5) * over - 0.5, -3e4, 3e4) * 32).astype(np.int32)
     cv2.fillPoly(mask, [corners], 1, cv2.LINE_8, 5)
-    return cv2.resize(inside_of(mask), size, interpolation=cv2.INTER_AREA) / over
+    return (cv2.resize(inside_of(mask), size, interpolation=cv2.INTER_AREA) + np.float32(0.5)) / over
 
 
 class Scene:
@@ -78,8 +74,8 @@ class Scene:
         z, rho = x * self.along[0] + y * self.along[1], x * across[0] + y * across[1]
         reach_px = 1.15 * self.radius_px
         edges_px = reach_px * np.linspace(0, 1, SLICES + 1) ** 1.3
-        focus_px = self.radius_px * self.random.normal(0, 0.06)
-        most_px = reach_px + abs(focus_px)
+        focus_px = self.radius_px * abs(self.random.normal(0, 0.06))
+        most_px = reach_px + focus_px
         sums = np.zeros((BLURS, h, w, 3), np.float32)
         side = np.where(rho < 0, np.float32(-1), np.float32(1))
         for low, high in zip(edges_px, edges_px[1:]):
@@ -89,7 +85,7 @@ class Scene:
             at_y = self.middle[1] + z * self.along[1] + lateral * across[1]
             inside = np.clip(0.5 - cv2.remap(fields, at_x.astype(np.float32), at_y.astype(np.float32), cv2.INTER_LINEAR,
                                              borderMode=cv2.BORDER_REPLICATE), 0, 1)
-            for off_px in (abs(depth_px - focus_px), depth_px + abs(focus_px)):
+            for off_px in (abs(depth_px - focus_px), depth_px + focus_px):
                 sums[min(BLURS - 1, int(BLURS * (off_px / most_px) ** 0.7))] += inside * np.float32(high - low)
         total = np.zeros((h, w, 3), np.float32)
         for k in range(BLURS):
@@ -289,19 +285,6 @@ def drawn(outlines, label, along, random):
     return np.clip(np.round(picture), 0, 255).astype(np.uint8), label, a, b, way
 
 
-def samples_in(folder):
-    """(row, outlines) of every picture with both boundaries."""
-    found = []
-    for name in sorted(os.listdir(folder)):
-        if not name.startswith("samples_"):
-            continue
-        outlines = outlines_of(os.path.join(folder, name.replace("samples", "contours")))
-        with open(os.path.join(folder, name)) as file:
-            found += [(row, outlines[row["file"]]) for row in csv.DictReader(file)
-                      if {"outer", "inner"} <= outlines.get(row["file"], {}).keys()]
-    return found
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("samples")
@@ -310,7 +293,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     cv2.setNumThreads(1)
-    known = samples_in(options.samples)
+    known = [one for one in Tables(options.samples).new() if {"outer", "inner"} <= one[2].keys()]
     if not known:
         parser.error(f"no picture of a cell in {options.samples}: draw some with film_samples")
     os.makedirs(options.out, exist_ok=True)
@@ -320,8 +303,8 @@ def main():
         table = csv.DictWriter(rows, FIELDS, lineterminator="\n")
         table.writeheader()
         for k in range(options.count):
-            row, outlines = known[random.integers(len(known))]
-            label = cv2.imread(os.path.join(options.samples, row["file"][:-4] + "_label.png"), cv2.IMREAD_UNCHANGED)
+            path, row, outlines = known[random.integers(len(known))]
+            label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
             along = np.array([float(row["direction_x"]), float(row["direction_y"])])
             picture, label, a, b, way = drawn(outlines, label, along, random)
             name = f"{options.seed + k}.png"

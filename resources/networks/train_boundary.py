@@ -20,7 +20,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from any_contrast import drawn_anew, moved
+from any_contrast import area, drawn_anew, moved
 from strips import COLUMNS, NORMALS, RADIUS_SAMPLES, WRAP, Pictures, drawn
 from training import Tables, UNetwork, arguments_of, export, train
 
@@ -38,11 +38,6 @@ def boundary_network(widths=(18, 36, 60, 84)):
     boundary's place on each normal."""
     stem = nn.Sequential(nn.Conv2d(4, widths[0], (3, 7), (1, 2), (1, 3), bias=False), nn.BatchNorm2d(widths[0]), nn.ReLU())
     return UNetwork(stem, widths, nn.ConvTranspose2d(widths[0], 2, (1, 4), (1, 2), (0, 1)))
-
-
-def area(points):
-    x, y = points
-    return 0.5 * np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)
 
 
 def pictures_in(tables):

@@ -320,7 +320,7 @@ def arguments_of(text, minutes, flags=None):
     parser.add_argument("--start", help="weights to go on from (.pt, or a network as shipped, .onnx)")
     parser.add_argument("--rate", type=float, default=4e-3)
     parser.add_argument("--threads", type=int, default=1)
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=1, help="of the weights at first and of what is drawn")
     parser.add_argument("--workers", type=int, default=0, help="processes that draw, for a machine with a graphics processor")
     parser.add_argument("--batch", type=int, help="samples a step")
     for name, help_text in (flags or {}).items():
