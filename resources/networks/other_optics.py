@@ -20,13 +20,14 @@ import cv2
 import numpy as np
 from scipy import fft
 
-from any_contrast import area, inside_of, moved
+from any_contrast import area, away_from, moved
 from training import Tables
 
 REACH = 1.7                  # of the picture about the cell, in radii
 RADII_PX = (32, 130)         # of cells drawn
 WAVE_RADIUS_PX = 140         # of cells while waves pass them, which takes fine pixels
 RADIUS_UM = (30.0, 60.0)
+FINER = 4                    # times, pixels on which distances from outlines are found
 SLICES, BLURS = 36, 6        # of half a cell; as many different blurs
 WAVELENGTH_UM = 0.55
 GLASS_RAD_PER_UM = 1.6       # 2 pi 0.14 / 0.55 um
@@ -38,15 +39,6 @@ def blurred(field, sigma):
     return cv2.GaussianBlur(field, (0, 0), max(float(sigma), 0.05))
 
 
-def away_from(points, size):
-    """Signed distance from a closed polygon (2, n), px, above 0 outside; to a tenth of a pixel near it."""
-    over = 4                     # fine pixels to a pixel; those that the polygon's line meets are filled, half a fine pixel too many
-    mask = np.zeros((size[1] * over, size[0] * over), np.uint8)
-    corners = np.round(np.clip((points.T + 0.5) * over - 0.5, -3e4, 3e4) * 32).astype(np.int32)
-    cv2.fillPoly(mask, [corners], 1, cv2.LINE_8, 5)
-    return (cv2.resize(inside_of(mask), size, interpolation=cv2.INTER_AREA) + np.float32(0.5)) / over
-
-
 class Scene:
     """Slices of a cell and the paths through its tools; lengths are um but for outlines, px."""
 
@@ -54,12 +46,12 @@ class Scene:
         self.size, self.random = size, random
         self.radius_um = random.uniform(*RADIUS_UM)
         self.pixel_um = self.radius_um / radius_px
-        self.outer = away_from(outlines["outer"], size)
-        self.inner = away_from(outlines["inner"], size)
+        self.outer = away_from(outlines["outer"], size, FINER)
+        self.inner = away_from(outlines["inner"], size, FINER)
         within_px = -float(self.inner.min())
         self.gap_px = within_px * random.uniform(0.01, 0.15) if self.chance(0.6) else 0.0
         self.along, self.middle, self.radius_px = along, middle, radius_px
-        self.tools = [away_from(outlines[name], size) for name in ("holder", "needle") if name in outlines]
+        self.tools = [away_from(outlines[name], size, FINER) for name in ("holder", "needle") if name in outlines]
 
     def chance(self, share):
         return self.random.random() < share

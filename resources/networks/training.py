@@ -25,6 +25,18 @@ class Block(nn.Sequential):
                          nn.ReLU())
 
 
+class Up(nn.Module):
+    """To the level above: what a convolution of the lower level, enlarged twice, and of the level's own adds up to. The former
+    is a transposed convolution, which takes less than half as long as to enlarge first."""
+
+    def __init__(self, below, own):
+        super().__init__()
+        self.enlarge, self.join = nn.ConvTranspose2d(below, own, 4, 2, 1), nn.Conv2d(own, own, 3, 1, 1, bias=False)
+
+    def forward(self, below, own):
+        return torch.relu(self.enlarge(below) + self.join(own))
+
+
 class UNetwork(nn.Module):
     """`stem`, a U of as many levels as there are `widths`, and `out`."""
 
@@ -34,7 +46,7 @@ class UNetwork(nn.Module):
         self.first = Block(widths[0], widths[0])
         self.down = nn.ModuleList(
             nn.Sequential(Block(a, b, stride=2), Block(b, b)) for a, b in zip(widths, widths[1:]))
-        self.up = nn.ModuleList(Block(a + b, a) for a, b in reversed(list(zip(widths, widths[1:]))))
+        self.up = nn.ModuleList(Up(b, a) for a, b in reversed(list(zip(widths, widths[1:]))))
 
     def forward(self, x):
         x = self.first(self.stem(x))
@@ -42,8 +54,8 @@ class UNetwork(nn.Module):
         for down in self.down:
             x = down(x)
             kept.append(x)
-        for up, skip in zip(self.up, kept[-2::-1]):
-            x = up(torch.cat([nn.functional.interpolate(x, scale_factor=2.0, mode="nearest"), skip], 1))
+        for up, own in zip(self.up, kept[-2::-1]):
+            x = up(x, own)
         return self.out(x)
 
 
@@ -323,6 +335,8 @@ def arguments_of(text, minutes, flags=None):
     parser.add_argument("--seed", type=int, default=1, help="of the weights at first and of what is drawn")
     parser.add_argument("--workers", type=int, default=0, help="processes that draw, for a machine with a graphics processor")
     parser.add_argument("--batch", type=int, help="samples a step")
+    parser.add_argument("--bfloat16", action="store_true",
+                        help="compute in bfloat16 as far as that is safe: twice as fast on processors with avx512_bf16")
     for name, help_text in (flags or {}).items():
         parser.add_argument(f"--{name}", action="store_true", help=help_text)
     options = parser.parse_args()
@@ -360,16 +374,17 @@ def go_on_from(network, path, inputs, batches=20):
         raise SystemExit(f"{path}: {len(shipped)} layers, {len(order)} wanted")
     means = {}
     with torch.no_grad():
-        for layer, (weight, bias) in zip(order, shipped):
+        for layer, (weight, *bias) in zip(order, shipped):
             layer.weight.copy_(weight)
             norm = norms.get(layer)
             if norm is None:
-                layer.bias.copy_(bias)
+                if bias:
+                    layer.bias.copy_(*bias)
                 continue
             norm.running_mean.zero_()
             norm.running_var.fill_(1 - norm.eps)
             norm.weight.fill_(1)
-            norm.bias.copy_(bias)
+            norm.bias.copy_(*bias)
             means[norm] = []
         hooks = [norm.register_forward_pre_hook(lambda one, x: means[one].append(
             torch.stack([x[0].mean((0, 2, 3)), (x[0] ** 2).mean((0, 2, 3))]))) for norm in means]
@@ -403,7 +418,9 @@ def train(network, options, samples, feed, loss_of):
         for group in optimiser.param_groups:
             group["lr"] = options.rate * min(1, (step + 1) / 50) * (0.5 + 0.5 * np.cos(np.pi * share)) + 1e-5
         inputs, *others = feed.next(device)
-        loss, figure = loss_of(network(inputs), *others)
+        with torch.autocast(device.type, torch.bfloat16, options.bfloat16):
+            answer = network(inputs)
+        loss, figure = loss_of(answer.float(), *others)
         optimiser.zero_grad()
         loss.backward()
         nn.utils.clip_grad_norm_(network.parameters(), 1.0)

@@ -13,6 +13,9 @@ namespace {
 // the outline's radius.
 constexpr int kNormals = 128, kWrap = 16, kRows = kNormals + 2 * kWrap, kColumns = 96, kZero = 58;
 constexpr double kRadiusSamples = 160.0;
+// Normals of a reading near a place, and the spread of the others' places, of the radius.
+constexpr int kNormalsNear = 32;
+constexpr double kUnreadSpread = 0.02;
 // Of the radius: the spread of a place that is half believed.
 constexpr double kHalfBelieved = 0.02;
 
@@ -24,35 +27,43 @@ Eigen::VectorXd confidence_of(const Eigen::VectorXd& sigma_px, double radius_px)
 
 class BoundaryNetwork::Impl {
  public:
-  Impl() : network_(read_network("boundary")), grey_(kRows, kColumns) {}
-
   BoundaryReading read(const FrameSampler& image, const Eigen::Matrix2Xd& outline) {
+    return read(image, outline, 0, whole_);
+  }
+
+  BoundaryReading read_near(const FrameSampler& image, const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& place) {
+    const Eigen::Matrix2Xd points = contour::resample(outline, kNormals);
+    Eigen::Index nearest = 0;
+    (points.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+    return read(image, outline, static_cast<int>(nearest) - kNormalsNear / 2, near_);
+  }
+
+ private:
+  // The network for strips of so many normals: OpenCV lays its memory out anew for each other size.
+  struct Strip {
+    explicit Strip(int count) : normals(count), grey(count + 2 * kWrap, kColumns), network(read_network("boundary")) {}
+
+    int normals;
+    cv::Mat1f grey;
+    cv::dnn::Net network;
+  };
+
+  BoundaryReading read(const FrameSampler& image, const Eigen::Matrix2Xd& outline, int first, Strip& strip) {
     BoundaryReading reading;
     reading.points = contour::resample(outline, kNormals);
     contour::outward_normals(reading.points, reading.normals);
-    const double spacing_px = std::sqrt(std::abs(contour::signed_area(outline)) / M_PI) / kRadiusSamples;
-    sample(image, reading, spacing_px);
-    const int sizes[] = {1, 4, kRows, kColumns};
-    cv::Mat strip(4, sizes, CV_32F);
-    normalise(grey_);
-    for (int plane = 0; plane < 4; ++plane) {
-      for (int row = 0; row < kRows; ++row) {
-        float* to = strip.ptr<float>(0, plane, row);
-        const Eigen::Vector2d normal = reading.normals.col((row + kNormals - kWrap) % kNormals);
-        if (plane == 0)
-          std::copy_n(grey_.ptr<float>(row), kColumns, to);
-        else
-          std::fill_n(to, kColumns, plane == 3 ? spacing_code(spacing_px) : static_cast<float>(normal[plane - 1]));
-      }
-    }
-    network_.setInput(strip);
-    const cv::Mat out = network_.forward();
+    const double radius_px = std::sqrt(std::abs(contour::signed_area(outline)) / M_PI);
+    const double spacing_px = radius_px / kRadiusSamples;
+    const auto normal_of = [&](int row) { return contour::wrap(first + row - kWrap, kNormals); };
+    strip.network.setInput(strip_of(image, reading, spacing_px, normal_of, strip.grey));
+    const cv::Mat out = strip.network.forward();
     const auto places = [&](int boundary) {
-      BoundaryPlaces found{Eigen::VectorXd(kNormals), Eigen::VectorXd(kNormals)};
-      for (int i = 0; i < kNormals; ++i) {
-        const PeakPlace peak = peak_of(out.ptr<float>(0, boundary, i + kWrap), kColumns);
-        found.offset_px[i] = (peak.mean - kZero) * spacing_px;
-        found.sigma_px[i] = peak.spread * spacing_px;
+      BoundaryPlaces found{Eigen::VectorXd::Zero(kNormals),
+                           Eigen::VectorXd::Constant(kNormals, kUnreadSpread * radius_px)};
+      for (int row = kWrap; row < kWrap + strip.normals; ++row) {
+        const PeakPlace peak = peak_of(out.ptr<float>(0, boundary, row), kColumns);
+        found.offset_px[normal_of(row)] = (peak.mean - kZero) * spacing_px;
+        found.sigma_px[normal_of(row)] = peak.spread * spacing_px;
       }
       return found;
     };
@@ -61,17 +72,29 @@ class BoundaryNetwork::Impl {
     return reading;
   }
 
- private:
-  void sample(const FrameSampler& image, const BoundaryReading& reading, double spacing_px) {
-    for (int row = 0; row < kRows; ++row) {
-      const int i = (row + kNormals - kWrap) % kNormals;
+  // Grey values on the normals, the normals' directions, and how far apart the samples are.
+  template <typename NormalOf>
+  static cv::Mat strip_of(const FrameSampler& image, const BoundaryReading& reading, double spacing_px,
+                          const NormalOf& normal_of, cv::Mat1f& grey) {
+    for (int row = 0; row < grey.rows; ++row) {
+      const auto i = normal_of(row);
       const Eigen::Vector2d along = spacing_px * reading.normals.col(i);
-      sample_blurred(image, reading.points.col(i) - kZero * along, along, kColumns, grey_.ptr<float>(row));
+      sample_blurred(image, reading.points.col(i) - kZero * along, along, kColumns, grey.ptr<float>(row));
     }
+    normalise(grey);
+    const int sizes[] = {1, 4, grey.rows, kColumns};
+    cv::Mat strip(4, sizes, CV_32F);
+    for (int row = 0; row < grey.rows; ++row) {
+      const Eigen::Vector2d normal = reading.normals.col(normal_of(row));
+      std::copy_n(grey.ptr<float>(row), kColumns, strip.ptr<float>(0, 0, row));
+      for (const int axis : {0, 1})
+        std::fill_n(strip.ptr<float>(0, 1 + axis, row), kColumns, static_cast<float>(normal[axis]));
+      std::fill_n(strip.ptr<float>(0, 3, row), kColumns, spacing_code(spacing_px));
+    }
+    return strip;
   }
 
-  cv::dnn::Net network_;
-  cv::Mat1f grey_;
+  Strip whole_{kNormals}, near_{kNormalsNear};
 };
 
 BoundaryNetwork::BoundaryNetwork() : impl_(std::make_unique<Impl>()) {}
@@ -81,6 +104,11 @@ BoundaryNetwork& BoundaryNetwork::operator=(BoundaryNetwork&&) noexcept = defaul
 
 BoundaryReading BoundaryNetwork::read(const FrameSampler& image, const Eigen::Matrix2Xd& outline) {
   return impl_->read(image, outline);
+}
+
+BoundaryReading BoundaryNetwork::read_near(const FrameSampler& image, const Eigen::Matrix2Xd& outline,
+                                           const Eigen::Vector2d& place) {
+  return impl_->read_near(image, outline, place);
 }
 
 }  // namespace pellucida

@@ -182,6 +182,7 @@ class CellFollower {
   double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest(const FrameInput& frame);
+  Eigen::Vector2d entry_point() const;
   double measure_membrane_depth() const;
   double depth_sigma() const;
   double past_sigma() const;

@@ -43,14 +43,18 @@ constexpr double kRestSigma_px = 0.12, kUnknownSigma_px = 1.5;
 // How far the tip is past the resting membrane, px.
 double CellFollower::tip_depth() const {
   const NeedleEstimate& n = needle_.estimate();
-  return (n.tip - rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad)).dot(n.direction);
+  return (n.tip - entry_point()).dot(n.direction);
+}
+
+// Where the needle's line meets the resting outline.
+Eigen::Vector2d CellFollower::entry_point() const {
+  const NeedleEstimate& n = needle_.estimate();
+  return rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad);
 }
 
 double CellFollower::measure_membrane_depth() const {
   if (!needle_.valid()) return 0.0;
-  const NeedleEstimate& n = needle_.estimate();
-  const Eigen::Vector2d entry = rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad);
-  return first_crossing(snakes_.outer().points, entry, n.direction, 0.0);
+  return first_crossing(snakes_.outer().points, entry_point(), needle_.estimate().direction, 0.0);
 }
 
 void CellFollower::measure_dent() {

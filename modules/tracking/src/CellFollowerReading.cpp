@@ -69,34 +69,40 @@ void CellFollower::read_where_it_was(const FrameInput& frame, const NeedleZone* 
   quality_ = quality;
 }
 
-// A contour that is held to the tip stays there when the membrane gives way: the same boundaries once more, from the
+// A contour that is held to the tip stays there when the membrane gives way: the outer boundary once more, from the
 // resting outline and with nothing that wraps the tip. In a steep dimple such a reading is too shallow, but alike from
 // frame to frame: it goes deeper with the needle, and only a membrane that springs back lets it fall while the tip
-// stays.
+// stays. For that the normals about the needle are enough; once it has fallen, all of them say what is there.
 void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
   if (measure_membrane_depth() < kSprungDepth_ratio * rest_.outer_radius) return;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
-  const double tied_score = local_score();
+  const SnakeContour resting_outer = at_rest(outer, rest_.outer_radius);
   NeedleZone loose = needle;
   loose.touching = false;
-  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
-  snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
+  snakes_.restore(resting_outer, inner);
+  snakes_.read_near(frame.image, frame.reader->boundaries(), loose, entry_point());
   const double depth = measure_membrane_depth();
+  snakes_.restore(outer, inner);
   const double least_fall = std::max(kLeastFall_px, kSprungFall_ratio * untied_depth_);
-  const bool has_fallen = untied_depth_ - depth > least_fall && tip_depth() > kTipKept_ratio * tip_at_untied_depth_;
-  const bool has_sprung = has_fallen && !is_pushed();
-  // It has lost the dimple: from now on this is what it shows of one that is pushed.
-  if (has_fallen && !has_sprung) untied_depth_ = depth;
-  if (has_sprung && local_score() > tied_score) {
-    quality_ = quality_now();
-    return;
+  if (untied_depth_ - depth > least_fall && tip_depth() > kTipKept_ratio * tip_at_untied_depth_) {
+    const double tied_score = local_score();
+    snakes_.restore(resting_outer, at_rest(inner, rest_.inner_radius));
+    snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
+    const bool has_sprung = !is_pushed();
+    if (has_sprung && local_score() > tied_score) {
+      quality_ = quality_now();
+      return;
+    }
+    snakes_.restore(outer, inner);
+    if (has_sprung) return;
+    // It has lost the dimple: from now on this is what it shows of one that is pushed.
+    untied_depth_ = depth;
   }
-  if (!has_sprung) untied_depth_ *= kUntiedFade;
+  untied_depth_ *= kUntiedFade;
   if (depth > untied_depth_) {
     untied_depth_ = depth;
     tip_at_untied_depth_ = tip_depth();
   }
-  snakes_.restore(outer, inner);
 }
 
 // A dimple that no tip is at the bottom of may be one that the contour has stayed in: once more from the resting

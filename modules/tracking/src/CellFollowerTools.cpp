@@ -380,8 +380,7 @@ void CellFollower::take_dimple() {
 }
 
 Eigen::Vector2d CellFollower::apex() const {
-  const NeedleEstimate& n = needle_.estimate();
-  return rest_.entry_point(center_now(), n.tip, n.direction, motion_.angle_rad) + membrane_depth_ * n.direction;
+  return entry_point() + membrane_depth_ * needle_.estimate().direction;
 }
 
 double CellFollower::apex_sigma() const {

@@ -108,4 +108,13 @@ double MembraneSnakes::read(const FrameSampler& image, BoundaryNetwork& network,
   return outer_.score;
 }
 
+void MembraneSnakes::read_near(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone& needle,
+                               const Eigen::Vector2d& place) {
+  contour::resample_smooth(outer_.points, options_.contour_point_count, 0.0, even_);
+  outer_.points.swap(even_);
+  const BoundaryReading reading = network.read_near(image, outer_.points, place);
+  contour::outward_normals(outer_.points, normals_);
+  relax_on(reading.outer, true, std::sqrt(std::abs(contour::signed_area(outer_.points)) / M_PI), &needle, outer_);
+}
+
 }  // namespace pellucida

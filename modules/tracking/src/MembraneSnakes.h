@@ -103,6 +103,9 @@ class MembraneSnakes {
   /// Moves both contours onto the boundaries that a network reads along their normals, in so many `rounds`, whatever
   /// they look like; near the needle the membrane's rules hold. Returns the outer contour's score. Allocates.
   double read(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone* needle, int rounds);
+  /// One round of the outer contour alone, on the normals near `place` (px); it stays elsewhere.
+  void read_near(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone& needle,
+                 const Eigen::Vector2d& place);
 
   const SnakeContour& outer() const noexcept { return outer_; }
   const SnakeContour& inner() const noexcept { return inner_; }
