@@ -108,6 +108,8 @@ void NeedleTracker::take(const TipReading& seen, double share) {
   axis_.tip += way * axis_.direction;
   beside_ += share * off.dot(axis_.across());
   motion_ += way * axis_.direction;
+  const double went = motion_.dot(axis_.direction);
+  if (std::abs(way) > kSprung_px && std::abs(went) < std::abs(speed_)) speed_ = went;
   end_bias_ += way;
   model_.cone.move(way, 0.0);
   covariance_(0, 0) = seen.along_sigma_px * seen.along_sigma_px;
@@ -150,7 +152,9 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
   const bool is_against = command && command->contradicts(seen->tip, seen->along_sigma_px);
-  const bool has_sprung = back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px;
+  // Read where the needle was due, it has not: what was followed has run ahead.
+  const bool is_due = (due_ - seen->tip).dot(axis_.direction) < kSprung_px;
+  const bool has_sprung = !is_due && back_px > std::max(kSprung_px, kSprungSigmas * sigma_px) + went_back_px;
   if ((is_against || has_sprung) && ++sprung_readings_ < (is_against ? kUncommandedReadings : kSprungReadings)) {
     if (!is_against) doubted_ = *seen;
     return false;

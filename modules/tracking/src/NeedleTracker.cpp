@@ -113,6 +113,7 @@ bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleC
   if (sent) speed_ = sent->ahead_px;
   const Eigen::Vector2d expected = sideways + speed_ * axis_.direction;
   axis_.tip += expected + cue.scene_jump_px;
+  due_ = axis_.tip;
   ahead_ = 0.0;
   Eigen::Matrix2d transition;
   transition << 1.0, 1.0, 0.0, 1.0;

@@ -160,6 +160,7 @@ class NeedleTracker {
 
   NeedleEstimate now_;
   NeedleAxis axis_, axis_before_;
+  Eigen::Vector2d due_ = Eigen::Vector2d::Zero();  // where this frame's tip was expected
   NeedleModel model_;
   ShaftFit shaft_;
   TipFinder tip_;
