@@ -183,6 +183,7 @@ class CellFollower {
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest(const FrameInput& frame);
   Eigen::Vector2d entry_point() const;
+  void learn_flank_noise();
   double measure_membrane_depth() const;
   double depth_sigma() const;
   double past_sigma() const;
@@ -231,6 +232,7 @@ class CellFollower {
   SnakeContour outer_before_, inner_before_;
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   double deepest_flank_ = 0.0, tip_at_deepest_flank_ = 0.0;  // px, of late
+  double flank_before_ = 0.0, flank_noise_ = 0.0;            // px, of a cell that nothing pushes: from frame to frame
   double largest_bulge_ = 0.0, tip_at_largest_bulge_ = 0.0;  // likewise, of the sides
   double untied_depth_ = 0.0, tip_at_untied_depth_ = 0.0;    // likewise, of the contour that nothing ties to the tip
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius

@@ -14,6 +14,8 @@ constexpr double kEntered_px = 2.4, kDeep_px = 9.6;
 // A start poorer than this needs the shape of a cell: the red cell in a pipette's mouth has more, the ends of pipettes
 // of films 27025 and 28025 less.
 constexpr double kPoorStart = 0.25;
+// px: by how much a dimple's flanks seem to move by themselves, as long as nothing was seen of it.
+constexpr double kUnknownFlankNoise_px = 0.35;
 // How probable a cell is by the network that judges what is found: less, and it is none. Of pictures held out from its
 // training 99.9 % of the cells had more than 0.15, and 1 % of other things; a real red cell in a pipette's mouth, which
 // kept the limit from being higher, has 0.17. From `kSureCell` on it is one, and boundaries read with the lower score
@@ -107,6 +109,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   measure_dent();
   least_dent_ = dent_;
   deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
+  flank_noise_ = kUnknownFlankNoise_px;
   return true;
 }
 
