@@ -13,14 +13,14 @@
 namespace pellucida::test {
 namespace {
 
-constexpr std::uint64_t kFirst = 3001;
-constexpr int kFilms = 6;
+constexpr std::uint64_t kFirstRead = 3001;
+constexpr int kFilmsRead = 6;
 constexpr double kNear_radii = 0.3, kFar_radii = 1.2;  // well within the quarter that is read, and well out of it
 
 TEST(BoundaryNetwork, AReadingNearAPlaceIsThatOfAllNormals) {
   BoundaryNetwork network;
   int cells = 0;
-  for (std::uint64_t seed = kFirst; seed < kFirst + kFilms; ++seed) {
+  for (std::uint64_t seed = kFirstRead; seed < kFirstRead + kFilmsRead; ++seed) {
     const RandomFilm film = draw_film(Split::kValidation, seed, 640);
     if (!film.scenario.cell.in_view) continue;
     ++cells;
@@ -49,7 +49,7 @@ TEST(BoundaryNetwork, AReadingNearAPlaceIsThatOfAllNormals) {
       EXPECT_LT(off_px / read, 0.004 * radius_px) << "film " << seed << ", normal " << at;
     }
   }
-  EXPECT_GE(cells, kFilms / 2);
+  EXPECT_GE(cells, kFilmsRead / 2);
 }
 
 }  // namespace
