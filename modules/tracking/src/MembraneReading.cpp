@@ -101,6 +101,7 @@ double MembraneSnakes::read(const FrameSampler& image, BoundaryNetwork& network,
     if (reading.outer.offset_px.cwiseAbs().mean() < kSettledShare * radius_px) break;
   }
   if (has_inner()) {
+    contour::untie(inner_.points);  // normals of the outer one may cross on their way there
     contour::resample_smooth(inner_.points, options_.contour_point_count, 0.0, even_);
     inner_.points.swap(even_);
     learn_thickness(needle, thickness_ > 0.0 ? kThicknessShare : 1.0);
