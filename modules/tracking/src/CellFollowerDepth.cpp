@@ -173,7 +173,10 @@ bool CellFollower::are_flanks_pushed() const {
   if (!needle_.valid() || deepest_flank_ <= 0.0) return false;
   const double kept = std::clamp(tip_depth() / std::max(tip_at_deepest_flank_, 1.0), 0.0, 1.0);
   const double flank = flank_depth();
-  const double least_px = std::clamp(kFlankNoises * flank_noise_, kLeastTelling_px, kLeastFlank_px);
+  // What a puncture leaves of a dimple is no push.
+  const double least_px = contact_.state() == CellState::kPunctured
+                              ? kLeastFlank_px
+                              : std::clamp(kFlankNoises * flank_noise_, kLeastTelling_px, kLeastFlank_px);
   return flank > least_px && flank >= kPushedFlank_ratio * kept * kept * deepest_flank_;
 }
 
