@@ -5,7 +5,8 @@ where the zona's outer and inner boundaries lie, in any contrast.
     build/release/bin/film_samples --count 3200 --first 20001 --out samples     (a test program of this project draws them)
     python3 train_boundary.py samples boundary.onnx --minutes 11 --batch 256 --workers 4
 
-Pictures may be added to the folder meanwhile. A graphics processor reads some 2,300 strips a second, one core 20, or 30 with --bfloat16.
+Pictures may be added to the folder meanwhile. A graphics processor reads some 2,300 strips a second, one core 20,
+1.4 times as many with --bfloat16.
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning and wide families only.
 The strip has NORMALS rows, the first WRAP of which are repeated after the last and the last before the first, and
 COLUMNS samples from the inside to the outside, RADIUS_SAMPLES of them to the outline's radius; the outline lies on

@@ -11,7 +11,7 @@ namespace {
 
 // As in training: normals, those repeated at both ends, samples of a normal, the outline's place among them, samples to
 // the outline's radius.
-constexpr int kNormals = 128, kWrap = 16, kRows = kNormals + 2 * kWrap, kColumns = 96, kZero = 58;
+constexpr int kNormals = 128, kWrap = 16, kColumns = 96, kZero = 58;
 constexpr double kRadiusSamples = 160.0;
 // Normals of a reading near a place, and the spread of the others' places, of the radius.
 constexpr int kNormalsNear = 32;
@@ -28,14 +28,11 @@ Eigen::VectorXd confidence_of(const Eigen::VectorXd& sigma_px, double radius_px)
 class BoundaryNetwork::Impl {
  public:
   BoundaryReading read(const FrameSampler& image, const Eigen::Matrix2Xd& outline) {
-    return read(image, outline, 0, whole_);
+    return read(image, outline, nullptr, whole_);
   }
 
   BoundaryReading read_near(const FrameSampler& image, const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& place) {
-    const Eigen::Matrix2Xd points = contour::resample(outline, kNormals);
-    Eigen::Index nearest = 0;
-    (points.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
-    return read(image, outline, static_cast<int>(nearest) - kNormalsNear / 2, near_);
+    return read(image, outline, &place, near_);
   }
 
  private:
@@ -48,10 +45,17 @@ class BoundaryNetwork::Impl {
     cv::dnn::Net network;
   };
 
-  BoundaryReading read(const FrameSampler& image, const Eigen::Matrix2Xd& outline, int first, Strip& strip) {
+  // On as many normals as the strip has, about `place`; all where that is null.
+  BoundaryReading read(const FrameSampler& image, const Eigen::Matrix2Xd& outline, const Eigen::Vector2d* place,
+                       Strip& strip) {
     BoundaryReading reading;
     reading.points = contour::resample(outline, kNormals);
     contour::outward_normals(reading.points, reading.normals);
+    Eigen::Index first = 0;
+    if (place) {
+      (reading.points.colwise() - *place).colwise().squaredNorm().minCoeff(&first);
+      first -= strip.normals / 2;
+    }
     const double radius_px = std::sqrt(std::abs(contour::signed_area(outline)) / M_PI);
     const double spacing_px = radius_px / kRadiusSamples;
     const auto normal_of = [&](int row) { return contour::wrap(first + row - kWrap, kNormals); };

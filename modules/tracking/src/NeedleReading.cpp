@@ -108,6 +108,7 @@ void NeedleTracker::take(const TipReading& seen, double share) {
   axis_.tip += way * axis_.direction;
   beside_ += share * off.dot(axis_.across());
   motion_ += way * axis_.direction;
+  // What had run ahead of the reading had been taken for speed.
   const double went = motion_.dot(axis_.direction);
   if (std::abs(way) > kSprung_px && std::abs(went) < std::abs(speed_)) speed_ = went;
   end_bias_ += way;
