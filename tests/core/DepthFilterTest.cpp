@@ -55,6 +55,19 @@ TEST(DepthFilter, FollowsStartStopAndReversalWithinAFrameOrTwo) {
   EXPECT_LT(worst, 0.7);
 }
 
+TEST(DepthFilter, FollowsAHaltHoweverVaguelyTheDepthIsMeasured) {
+  for (const double sigma_um : {0.05, 0.2, 0.5, 1.0, 2.0}) {
+    DepthFilter filter;
+    double beyond_um = 0.0;
+    for (int frame = 0; frame < 60; ++frame) {
+      const double depth_um = std::min(20.0, 1.0 * frame);
+      beyond_um = std::max(beyond_um, filter.update(frame * kFrame_s, depth_um, sigma_um).depth_um - depth_um);
+    }
+    // A filter of one constant speed runs on by two to three standard deviations.
+    EXPECT_LT(beyond_um, 1.3 * sigma_um) << sigma_um;
+  }
+}
+
 TEST(DepthFilter, BeginsAnewAfterAGapOrWhenTimeGoesBack) {
   DepthFilter filter;
   for (int frame = 0; frame < 30; ++frame) filter.update(frame * kFrame_s, frame * 0.5, 0.2);

@@ -10,6 +10,7 @@
 
 #include "films/FilmManipulator.h"
 #include "films/RelaxingTruth.h"
+#include "pellucida/core/NearestOnContour.h"
 #include "pellucida/core/NeedleContact.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/mechanics/ForceObserver.h"
@@ -52,11 +53,13 @@ FrameSight sight_of(const Observation& seen, const Observation& truth, const For
     sight.rest_radius_um = seen.rest_outer_radius_um;
     sight.membrane_um = seen.indentation_um;
     sight.membrane_sigma_um = seen.indentation_sigma_um;
+    sight.outer_sigma_um = usual_sigma_um(*seen.outer);
   }
   sight.depth_um = estimate.depth_um;
   if (truth.outer && truth.needle) {
     sight.true_tip_um = needle_contact(truth).tip_depth_um;
     sight.true_membrane_um = truth.indentation_um;
+    sight.center_ahead_um = (seen.center_um - truth.center_um).dot(truth.needle->direction);
   }
   sight.residual_um = estimate.shape.residual_rms_um;
   sight.dimple_residual_um = estimate.shape.dimple_residual_um;

@@ -52,7 +52,7 @@ std::optional<ContourSizes::Parameters> estimate(const CellReference& cell, cons
   for (double depth_um = 1.0; depth_um <= 40.0; depth_um += 0.5) {
     const Observation o = view_of(cell, depth_um);
     placement.update(o);
-    contours.add(o, placement, depth_um);
+    contours.add(o, placement, depth_um, 0.2);
   }
   return settled(contours, prior);
 }
@@ -159,7 +159,7 @@ TEST(ContourSizes, ContoursOfNoSolidSayNothing) {
       const double turn = std::atan2(o.outer->points_um(1, k), o.outer->points_um(0, k));
       o.outer->points_um.col(k) *= 1.0 + 0.1 * std::cos(6.0 * turn);
     }
-    contours.add(o, placement, depth_um);
+    contours.add(o, placement, depth_um, 0.2);
   }
   ASSERT_GT(contours.contour_count(), 3);
   EXPECT_FALSE(settled(contours, {parameters_of(cell), {0.5, 0.15, 0.08, kOpenStiffening, 0.01}}));

@@ -1,4 +1,4 @@
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/membrane/PalpationUpdate.h"
 
 #include <gtest/gtest.h>
 

@@ -131,5 +131,27 @@ TEST(PushedShape, TakesASteadyPaceForNoNoise) {
   EXPECT_GT(flanks.noise_um(), 0.2);
 }
 
+// Film 54921, unseen: a contour that is 0.3 um off, otherwise from frame to frame, and says so; its flanks seem to come
+// back by half while the needle goes on.
+TEST(PunctureQuietShape, FlanksNoDeeperThanTheirContourIsKnownSayNothing) {
+  const double tip_um[] = {2.06, 2.70, 3.31, 4.31, 5.09, 5.83, 6.57, 7.37, 8.28},
+               flank_um[] = {0.27, 0.32, 0.38, 0.36, 0.29, 0.29, 0.16, 0.44, 0.59},
+               side_um[] = {0.11, 0.13, 0.12, 0.15, 0.15, 0.19, 0.17, 0.20, 0.25};
+  for (const bool is_said : {true, false}) {
+    PunctureVerdict verdict;
+    for (int k = 0; k < 6; ++k) verdict.watch(seen(-1.0, 0.0, k % 2 == 0 ? 0.06 : 0.1, 0.09));
+    bool is_through = false;
+    for (std::size_t k = 0; k < std::size(tip_um) && !is_through; ++k) {
+      Sight now = seen(tip_um[k], tip_um[k] - 0.1, flank_um[k], side_um[k]);
+      now.tip_sigma_um = now.membrane_sigma_um = 0.27;
+      now.confidence = 0.65;
+      if (is_said) now.shape_sigma_um = 0.1;
+      is_through = verdict.judge(now);
+      verdict.add(tip_um[k], 0.3 * tip_um[k]);
+    }
+    EXPECT_EQ(is_through, !is_said);
+  }
+}
+
 }  // namespace
 }  // namespace pellucida

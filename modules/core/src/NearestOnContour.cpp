@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "pellucida/core/Statistics.h"
 
 namespace pellucida {
 namespace {
@@ -41,6 +44,13 @@ double offset_of(const MembraneContour& contour, const Eigen::Vector2d& place_um
   if (contour.confidence.size() == contour.points_um.cols() && contour.confidence[near.segment] < kLeastConfidence)
     return kNone;
   return normal.dot(near.place_um - place_um);
+}
+
+double usual_sigma_um(const MembraneContour& contour) {
+  std::vector<double> sigmas(contour.sigma_um.begin(), contour.sigma_um.end());
+  if (sigmas.empty()) return 0.0;
+  std::sort(sigmas.begin(), sigmas.end());
+  return quantile(sigmas, 0.5);
 }
 
 }  // namespace pellucida

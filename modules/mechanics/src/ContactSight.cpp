@@ -3,12 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pellucida/core/NearestOnContour.h"
+
 namespace pellucida {
 namespace {
 
 /// Noise of the indentation when the tracker gives none: a quarter of a pixel at 0.8 um; and of the tip along the
 /// needle.
 constexpr double kDefaultDepthSigma_um = 0.2, kDefaultTipSigma_um = 0.4;
+
+/// Means over flanks and sides are known to this share of a contour's usual standard deviation: what a contour is off
+/// by is alike over some 20 degrees. With 0.7, of 54 punctures of tuning and validation films two more are seen late.
+constexpr double kShapeSigma_ratio = 0.4;
 
 }  // namespace
 
@@ -25,6 +31,7 @@ PunctureVerdict::Sight sight_of(const Observation& o, const NeedleContact& conta
   sight.rest_radius_um = o.rest_outer_radius_um;
   if (o.side_bulge_um > 0.0) sight.side_um = o.side_bulge_um;
   sight.flank_um = flank_depth_um(o, contact);
+  if (o.outer) sight.shape_sigma_um = kShapeSigma_ratio * usual_sigma_um(*o.outer);
   // A needle's confidence is a product of several, each of which says how well it was seen.
   sight.confidence = std::min(o.confidence, std::sqrt(std::max(0.0, o.needle->confidence)));
   return sight;

@@ -28,7 +28,7 @@ constexpr int kFewestRest = 3, kMostRest = 30;
 /// where the stiffening is wrong by 0.7 of its standard deviation.
 constexpr double kModel_ratio = 0.004, kModelByDepth_ratio = 0.03, kModel_rad = 0.5, kModelDepth_ratio = 0.5;
 /// How far a contour is from its edge, um: in the same way at all depths, over a shorter angle; and from frame to
-/// frame.
+/// frame. A contour that says of itself that it is farther off is so in a way of its own, over that angle too.
 constexpr double kEdge_um = 0.2, kEdge_rad = 0.2, kNoise_um = 0.1;
 /// Of the cell's place along the needle, of its radius, and of a frame's depth, um.
 constexpr double kPlace_um = 0.3, kRadius_um = 0.2, kDepth_um = 0.2;
@@ -93,7 +93,8 @@ SolidParameters step_within(const Information& information, const SolidParameter
 void ContourSizes::Misfit::resize(Eigen::Index rows) {
   residual_um.conservativeResize(rows);
   slope_um.conservativeResize(rows, kParameters);
-  for (Eigen::VectorXd* column : {&depth_ratio, &normal_z, &depth_slope}) column->conservativeResize(rows);
+  for (Eigen::VectorXd* column : {&depth_ratio, &normal_z, &depth_slope, &edge_um, &depth_um})
+    column->conservativeResize(rows);
   node.resize(static_cast<std::size_t>(rows));
 }
 
@@ -158,7 +159,7 @@ double ContourSizes::elongation_of_rest() const {
   return 2.0 * amplitude_um[2] / radius_um_;
 }
 
-void ContourSizes::add(const Observation& o, const CellPlacement& placement, double depth_um) {
+void ContourSizes::add(const Observation& o, const CellPlacement& placement, double depth_um, double depth_sigma_um) {
   if (!o.outer || !(o.rest_outer_radius_um > 0.0) || rest_count_ < kFewestRest) return;
   const double depth_ratio = depth_um / radius_um_, place = std::round(depth_ratio / kDepthStep_ratio);
   const bool counts = place >= 1.0 && depth_ratio <= solid_.deepest_ratio() &&
@@ -168,7 +169,12 @@ void ContourSizes::add(const Observation& o, const CellPlacement& placement, dou
     return std::round(seen.depth_ratio / kDepthStep_ratio) >= place;
   });
   if (at != contours_.end() && std::round(at->depth_ratio / kDepthStep_ratio) == place) return;
-  contours_.insert(at, {.depth_ratio = depth_ratio, .contour = in_cell(o, placement), .at = {}, .misfit = {}});
+  contours_.insert(at, {.depth_ratio = depth_ratio,
+                        .contour = in_cell(o, placement),
+                        .edge_um = usual_sigma_um(*o.outer),
+                        .depth_um = depth_sigma_um,
+                        .at = {},
+                        .misfit = {}});
   steps_ = 0;
   is_settled_ = false;
 }
@@ -200,6 +206,8 @@ ContourSizes::Misfit ContourSizes::misfit(const Seen& seen) const {
     misfit.depth_ratio[row] = seen.depth_ratio;
     misfit.normal_z[row] = normals(1, k);
     misfit.depth_slope[row] = normals.col(k).dot(section.by_depth.col(k));
+    misfit.edge_um[row] = seen.edge_um;
+    misfit.depth_um[row] = seen.depth_um;
     ++row;
   }
   misfit.resize(row);
@@ -237,6 +245,8 @@ ContourSizes::Misfit ContourSizes::misfit_of_all() const {
     all.depth_ratio.segment(row, n) = one.depth_ratio;
     all.normal_z.segment(row, n) = one.normal_z;
     all.depth_slope.segment(row, n) = one.depth_slope;
+    all.edge_um.segment(row, n) = one.edge_um;
+    all.depth_um.segment(row, n) = one.depth_um;
     std::copy(one.node.begin(), one.node.end(), all.node.begin() + row);
     row += n;
   }
@@ -253,7 +263,7 @@ Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
   Eigen::VectorXd model(nodes), edge(nodes);
   for (Eigen::Index k = 0; k < nodes; ++k) {
     model[k] = kernel(static_cast<double>(k) * step_rad, kModel_rad);
-    edge[k] = kEdge_um * kEdge_um * kernel(static_cast<double>(k) * step_rad, kEdge_rad);
+    edge[k] = kernel(static_cast<double>(k) * step_rad, kEdge_rad);
   }
   Eigen::MatrixXd covariance(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
@@ -266,10 +276,13 @@ Eigen::MatrixXd ContourSizes::covariance_um2(const Misfit& seen) const {
       }
       const int apart = std::abs(seen.node[static_cast<std::size_t>(i)] - seen.node[static_cast<std::size_t>(j)]);
       double& sum = covariance(i, j);
-      sum = model_um[i] * model_um[j] * model[apart] * same_model + edge[apart];
+      sum = model_um[i] * model_um[j] * model[apart] * same_model + kEdge_um * kEdge_um * edge[apart];
       sum += kPlace_um * kPlace_um * seen.normal_z[i] * seen.normal_z[j];
       sum += kRadius_um * kRadius_um;
-      if (deeper == 0.0) sum += kDepth_um * kDepth_um * seen.depth_slope[i] * seen.depth_slope[j];
+      if (deeper == 0.0) {
+        const double depth_um = std::max(kDepth_um, seen.depth_um[j]), edge_um = seen.edge_um[j];
+        sum += depth_um * depth_um * seen.depth_slope[i] * seen.depth_slope[j] + edge_um * edge_um * edge[apart];
+      }
       if (i == j) sum += kNoise_um * kNoise_um;
     }
   }

@@ -29,8 +29,8 @@ class ContourSizes {
   void add_rest(const Observation& observation, const CellPlacement& placement);
   /// ln of that outline's length (along the needle) over its width; 0 where too little was seen of it.
   double elongation() const noexcept { return elongation_; }
-  /// A contour in contact at that depth: counts where it is the first one at a depth.
-  void add(const Observation& observation, const CellPlacement& placement, double depth_um);
+  /// A contour in contact at that depth, known to `depth_sigma_um`: counts where it is the first one at a depth.
+  void add(const Observation& observation, const CellPlacement& placement, double depth_um, double depth_sigma_um);
   /// Another model: the contours are forgotten, the outline at rest is kept.
   void clear() noexcept;
   int contour_count() const noexcept { return static_cast<int>(contours_.size()); }
@@ -72,17 +72,18 @@ class ContourSizes {
  private:
   /// One row for each node of the solid's section that a contour shows.
   struct Misfit {
-    Eigen::VectorXd residual_um;                                  // contour less solid, along the normal
-    Eigen::Matrix<double, Eigen::Dynamic, kParameters> slope_um;  // of the solid, by its parameters
-    std::vector<int> node;                                        // of those that count
-    Eigen::VectorXd depth_ratio, normal_z, depth_slope;
+    Eigen::VectorXd residual_um;                                            // contour less solid, along the normal
+    Eigen::Matrix<double, Eigen::Dynamic, kParameters> slope_um;            // of the solid, by its parameters
+    std::vector<int> node;                                                  // of those that count
+    Eigen::VectorXd depth_ratio, normal_z, depth_slope, edge_um, depth_um;  // the last two: standard deviations
     void resize(Eigen::Index rows);
   };
   struct Seen {
     double depth_ratio = 0.0;
-    MembraneContour contour;            // frame C: x across, z towards the needle; um
-    std::optional<SolidParameters> at;  // of the solid that it was last held against
-    Misfit misfit;                      // there
+    MembraneContour contour;               // frame C: x across, z towards the needle; um
+    double edge_um = 0.0, depth_um = 0.0;  // standard deviations: of the contour, of that depth
+    std::optional<SolidParameters> at;     // of the solid that it was last held against
+    Misfit misfit;                         // there
   };
   static MembraneContour in_cell(const Observation& observation, const CellPlacement& placement);
   Eigen::VectorXd offsets(const MembraneContour& contour, const Eigen::Matrix2Xd& places,

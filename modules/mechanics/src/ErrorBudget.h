@@ -7,7 +7,7 @@
 #include "SizesCorrector.h"
 #include "pellucida/mechanics/ExpectedPuncture.h"
 #include "pellucida/mechanics/ForceEstimate.h"
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/membrane/PalpationUpdate.h"
 
 namespace pellucida {
 

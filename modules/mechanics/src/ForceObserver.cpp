@@ -285,7 +285,8 @@ class ForceObserver::Impl {
     }
     follow_contour(frame, estimate);
     if (frame.depth_um > 0.0) {
-      frame.sizes = sizes_.follow(o, placement_, cell_, frame.depth_um, verdict_.is_doubted(), scale_);
+      frame.sizes =
+          sizes_.follow(o, placement_, cell_, frame.depth_um, estimate.depth_sigma_um, verdict_.is_doubted(), scale_);
       estimate.sizes_by_contour = sizes_.sizes();
     }
     return frame;

@@ -65,6 +65,8 @@ bool PunctureVerdict::judge(const Sight& now) noexcept {
   }
   depth_by_flanks_um_ = std::numeric_limits<double>::infinity();
   are_sides_leaving_ = true;
+  flanks_.set_least_noise(now.shape_sigma_um);
+  sides_.set_least_noise(now.shape_sigma_um);
   // A cell found anew has another resting outline: depths before and after don't compare.
   if (now.has_depths && std::abs(now.rest_radius_um - rest_radius_um_) > kSameRest_ratio * rest_radius_um_) {
     if (rest_radius_um_ > 0.0) forget_deepest();

@@ -48,7 +48,7 @@ void PushedShape::follow(double value_um, double tip_um) noexcept {
 }
 
 double PushedShape::noise_um() const noexcept {
-  return std::max(kLeastNoise_um, std::sqrt(variance_um2_));
+  return std::max({kLeastNoise_um, least_noise_um_, std::sqrt(variance_um2_)});
 }
 
 bool PushedShape::is_telling(double value_um) const noexcept {

@@ -31,6 +31,8 @@ class PushedShape {
   }
 
   double most_um() const noexcept { return most_um_; }
+  /// What the contour says of itself: no value is better known, however steady it looks.
+  void set_least_noise(double sigma_um) noexcept { least_noise_um_ = sigma_um; }
   /// Standard deviation of one frame's value.
   double noise_um() const noexcept;
   /// Whether a value is large enough to say something.
@@ -48,6 +50,7 @@ class PushedShape {
   Nature nature_;
   double most_um_ = 0.0, tip_at_most_um_ = 0.0;
   double variance_um2_;  // of one frame, by second differences
+  double least_noise_um_ = 0.0;
   double last_um_ = std::numeric_limits<double>::quiet_NaN(), before_last_um_ = last_um_;
 };
 

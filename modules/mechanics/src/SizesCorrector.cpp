@@ -46,7 +46,8 @@ void SizesCorrector::forget() {
 }
 
 SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement& placement, const CellModelCache& cell,
-                                       double depth_um, bool is_doubted, const CellScale& scale) {
+                                       double depth_um, double depth_sigma_um, bool is_doubted,
+                                       const CellScale& scale) {
   const MembraneGeometry& built = cell.built_geometry();
   radius_um_ = cell.outer_radius_um();
   const double depth_ratio = depth_um / radius_um_;
@@ -54,7 +55,7 @@ SizesCorrection SizesCorrector::follow(const Observation& o, const CellPlacement
                              std::log(built.holder_radius_um / radius_um_), 0.0, 0.0);
   const bool is_solid = is_of_revolution(placement, radius_um_);
   const double elongation = is_solid ? contours_.elongation() : 0.0;
-  if (!is_doubted && is_solid) contours_.add(o, placement, depth_um);
+  if (!is_doubted && is_solid) contours_.add(o, placement, depth_um, depth_sigma_um);
   if (!contours_.is_settled()) {
     LogSizes sigmas = cell.geometry().log_sigmas();
     if (scale.has_geometry) sigmas = sigmas.cwiseMin(ContourSizes::kOpen);

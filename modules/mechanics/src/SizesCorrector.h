@@ -35,11 +35,11 @@ class SizesCorrector {
   /// Another cell.
   void forget();
 
-  /// A frame in contact, at a depth above 0. `is_doubted`: its contour is not to be learnt from. A scale from a push
-  /// has the cell's sizes and wall in it, at that push's depth: what is left is how much more the wall changes
-  /// elsewhere.
+  /// A frame in contact, at a depth above 0 and known to `depth_sigma_um`. `is_doubted`: its contour is not to be
+  /// learnt from. A scale from a push has the cell's sizes and wall in it, at that push's depth: what is left is how
+  /// much more the wall changes elsewhere.
   SizesCorrection follow(const Observation& observation, const CellPlacement& placement, const CellModelCache& cell,
-                         double depth_um, bool is_doubted, const CellScale& scale);
+                         double depth_um, double depth_sigma_um, bool is_doubted, const CellScale& scale);
   /// Of the last frame that was followed; nothing where the contours say nothing.
   std::optional<SizesByContour> sizes() const;
 

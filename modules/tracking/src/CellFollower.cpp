@@ -28,6 +28,8 @@ contour::Circle CellFollower::circle_of(const Eigen::Matrix2Xd& points) {
 // the pipette, so the pixels go close to the membrane and not far up the shaft.
 void CellFollower::learn_holder_motion(const FrameInput& frame) {
   rigid_.reset();
+  beside_walls_.setZero();
+  walls_slid_px2_ = 0.0;
   if (!holder_) return;
   const Eigen::Vector2d across(-holder_->direction.y(), holder_->direction.x());
   std::vector<Eigen::Vector2d> points;

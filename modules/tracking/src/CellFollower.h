@@ -143,7 +143,9 @@ class CellFollower {
   contour::Circle reach_of_cell() const;
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
-  void take_finer(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
+  void settle_facing(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
+  static bool start_by_scene(NeedleTracker& needle, const FrameInput& frame, const SceneTool& seen,
+                             const Eigen::Vector2d& center);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
   bool is_wall_of_holder(const NeedleEstimate& lines, const SceneReading& scene, const Eigen::Vector2d& center) const;
   bool comes_as_before() const;
@@ -202,6 +204,8 @@ class CellFollower {
   void find_holder_anew(const FrameInput& frame);
   void check_holder_by_outline(const FrameInput& frame);
   bool take_holder_for_needle(const FrameInput& frame);
+  void weigh_walls();
+  double outline_sigma() const;
   void follow_seat();
   Eigen::Vector2d place_by_seat();
   void check_walls_by_outline(const FrameInput& frame);
@@ -221,9 +225,11 @@ class CellFollower {
   RigidMotion rigid_;
   RigidMove motion_;
   SteadyDrift drift_;
-  bool are_walls_seen_ = false;                     // the holder was followed in this frame
-  double walls_slip_ = 0.0;                         // px, of late, along the pipette, from an untouched cell's outline
-  double seat_sigma_ = 0.0;                         // px, of the shift in contact where no holder shows it
+  bool are_walls_seen_ = false;  // the holder was followed in this frame
+  double walls_slip_ = 0.0;      // px, of late, along the pipette, from an untouched cell's outline
+  double place_sigma_ = 0.0;     // px, of the shift, along the holder
+  double walls_slid_px2_ = 0.0;  // of late, how far the walls have slid, squared
+  Eigen::Vector2d beside_walls_ = Eigen::Vector2d::Zero();  // px: the cell is so far from where the walls alone put it
   Eigen::Vector2d seat_ = Eigen::Vector2d::Zero();  // centre of the circle through the part that stays where it is
   RestGeometry rest_;
   ContactLogic contact_;

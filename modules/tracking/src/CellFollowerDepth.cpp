@@ -203,9 +203,7 @@ double CellFollower::membrane_sigma() const {
 }
 
 double CellFollower::rest_sigma() const {
-  const double rest = rest_.seen_free ? kRestSigma_px : kUnknownSigma_px;
-  if (rigid_.valid() && !walls_slide_) return std::hypot(rest, rigid_.sigma_px(needle_.estimate().direction));
-  return std::hypot(rest, seat_sigma_);
+  return std::hypot(rest_.seen_free ? kRestSigma_px : kUnknownSigma_px, place_sigma_);
 }
 
 double CellFollower::depth_sigma() const {

@@ -44,8 +44,11 @@ constexpr double kSeatWaySigma_ratio = 0.4, kDepthSigma_ratio = 0.01;
 // by so much, of the radius, for so many frames. Untouched cells are within 0.2 px of it (validation 83093).
 constexpr double kPressedAbout_ratio = 0.3, kPressed_ratio = 0.05;
 constexpr int kPressedFrames = 2;
-// Of the outline of a cell that networks read; of where the walls put it.
-constexpr double kReadSigma_px = 0.25, kWallsSigma_px = 0.1;
+// Of the outline of a cell that networks read; of where the walls put it, and from how many of the outline's on they
+// slide. Weighed so, cells of 106 tuning, wide and plain films (303001 to 303040, 307001 to 307040, 88061 to 88129) are
+// 0.09, 0.22 and 0.07 px from their place in the median and 0.4, 0.6 and 0.24 in nine of ten, by the walls alone 0.08,
+// 0.27 and 0.07, and 0.55, 1.07 and 0.26.
+constexpr double kReadSigma_px = 0.25, kWallsSigma_px = 0.1, kSlid_sigmas = 2.0;
 
 }  // namespace
 
@@ -59,6 +62,7 @@ void CellFollower::follow_rigid_motion(const FrameInput& frame, const Eigen::Vec
   const PartTimer timer(frame.timings->rigid_us);
   if (rigid_.valid() && rigid_.track(frame.image, kRigidReach_px + jump.norm(), jump)) {
     motion_ = rigid_.motion();
+    motion_.shift += beside_walls_;
     are_walls_seen_ = true;
   } else {
     motion_.shift += jump;
@@ -77,19 +81,49 @@ void CellFollower::check_rigid_motion(const FrameInput& frame, const Eigen::Vect
   if (!are_walls_seen_) {
     follow_seat();
     rigid_.move_by(motion_.shift - rigid_.motion().shift);
-  } else if (contact_.state() == CellState::kFree) {
+    beside_walls_.setZero();
+    return;
+  }
+  const Eigen::Vector2d way = center_now() - center_before;
+  motion_ = rigid_.motion();
+  beside_walls_.setZero();
+  if (contact_.state() == CellState::kFree) {
     check_walls_by_outline(frame);
   } else {
-    check_walls_by_seat(frame, seat_ - seat_before, center_now() - center_before, jump);
+    check_walls_by_seat(frame, seat_ - seat_before, way, jump);
   }
+  if (rigid_.valid() && !walls_slide_) weigh_walls();
+}
+
+// Walls, and the outline: of an untouched cell all of it, of a pushed one what the holder seats, which says where the
+// cell is along the pipette. Each by how well it is seen.
+void CellFollower::weigh_walls() {
+  const bool is_free = contact_.state() == CellState::kFree;
+  Eigen::Vector2d gap = seat_ - center_now();
+  if (!is_free) gap = gap.dot(holder_direction()) * holder_direction();
+  const double seat = is_free ? outline_sigma() : std::hypot(kSeatSigma_px, seat_way_sigma());
+  // Farther from the outline than that can be wrong, the walls slide along themselves.
+  walls_slid_px2_ +=
+      kSlipPace * (std::max(0.0, gap.squaredNorm() - std::pow(kSlid_sigmas * seat, 2)) - walls_slid_px2_);
+  const double walls =
+      std::sqrt(std::pow(std::hypot(kWallsSigma_px, rigid_.sigma_px(holder_direction())), 2) + walls_slid_px2_);
+  const double both = std::hypot(walls, seat);
+  beside_walls_ = std::pow(walls / both, 2) * gap;
+  motion_.shift += beside_walls_;
+  place_sigma_ = walls * seat / both;
+}
+
+// Of an untouched cell's place by its outline, which a needle may begin to dent, px.
+double CellFollower::outline_sigma() const {
+  const double dent = kDent_ratio * std::max(0.0, needle_.valid() ? tip_depth() : 0.0);
+  return std::hypot(is_read_ ? kReadSigma_px : kOutlineSigma_px, dent);
 }
 
 // Nothing shows the place of an untouched cell as well as its outline. A holder that is elsewhere for some frames is
 // the needle, if it comes from there; else it is learnt anew, and no longer followed where it parts from the cell
 // again.
 void CellFollower::check_walls_by_outline(const FrameInput& frame) {
-  const double dent = kDent_ratio * std::max(0.0, needle_.valid() ? tip_depth() : 0.0);
-  const double limit = kMoved_sigmas * std::hypot(is_read_ ? kReadSigma_px : kOutlineSigma_px, kWallsSigma_px, dent);
+  const double limit = kMoved_sigmas * std::hypot(outline_sigma(), kWallsSigma_px);
   const auto gap = [this] { return Eigen::Vector2d(seat_ - center_now()); };
   const bool astray = gap().norm() > std::max(kSlid_px, kSlid_ratio * rest_.outer_radius);
   astray_frames_ = astray ? astray_frames_ + 1 : 0;
@@ -172,7 +206,7 @@ Eigen::Vector2d CellFollower::place_by_seat() {
   const double seat = std::hypot(is_free ? kOutlineSigma_px : kSeatSigma_px, bulge), drift = drift_.sigma_px(),
                both = std::hypot(seat, drift);
   const bool has_moved = !may_be_pushed() || gap.norm() > kMoved_sigmas * both;
-  seat_sigma_ = has_moved ? seat : seat * drift / both;
+  place_sigma_ = has_moved ? seat : seat * drift / both;
   return has_moved ? seat_ : drift_.place() + std::pow(drift / both, 2) * gap;
 }
 

@@ -6,6 +6,7 @@
 
 #include "CellFollower.h"
 #include "ContourMath.h"
+#include "FacingTools.h"
 #include "HintedHolder.h"
 #include "HintedNeedle.h"
 #include "SceneVerdict.h"
@@ -15,8 +16,6 @@ namespace {
 
 // Of the cell's radius: a tool is no needle when its half width is more, blur included; nor when its tip's is.
 constexpr double kBroadTool_ratio = 0.3, kBroadTip_ratio = 0.15, kFacingTip_ratio = 0.25;
-// Of the radius, beyond the centre: a needle does not lie with its tip further through the cell.
-constexpr double kThrough_ratio = 0.9;
 // An edge that many times as blurred as the membrane's line is wide can't be taken for one.
 constexpr double kShade_ratio = 2.0;
 // Standard deviation of the way from the membrane's apex, seen through a blurred needle, to the tip, px.
@@ -26,9 +25,9 @@ constexpr double kHaloLines = 4.0;
 // The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
 constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 
-// A holder of the scene is the one found by lines when their directions are as near (cosine), as wide when their
-// logarithms are; one of its walls alone, when they are so far apart; how well the scene shows a width, likewise.
-constexpr double kAlongHolder = 0.9, kSameHolderWidth = 0.25, kOneWall = -0.6, kSceneWidthSigma = 0.35;
+// A holder of the scene is as wide as the one found by lines when their logarithms are as near; one of its walls alone,
+// when they are so far apart; how well the scene shows a width, likewise.
+constexpr double kSameHolderWidth = 0.25, kOneWall = -0.6, kSceneWidthSigma = 0.35;
 // Edges more even than this are the holder's (docs/method.md, 1.3).
 constexpr double kEvenHolder = 0.4;
 // Of the cell's radius: half the width of the narrowest pipette that holds it.
@@ -38,12 +37,6 @@ constexpr double kCheckedLeap_px = 3.0;
 // A needle that was lost comes back as it was, for so many frames: cosine of how far its direction may differ.
 constexpr double kSameWay = 0.85;
 constexpr int kRemembered_frames = 150;
-// Of another's radius: the tip of a tool that faces it is finer. Set on first sights of wide and tuning pictures with
-// specimens (700001 to 703999): of 30 with the wrong tool it gives the right one in 15.
-constexpr double kFiner_ratio = 0.5;
-// Of the holder's half width: a tool half as wide as this that runs so near to its middle is one of its walls (wide
-// 700138, 708381, 711183).
-constexpr double kWallOfHolder_ratio = 0.4, kBesideHolder = 1.5;
 // Frames between two readings of the tip's width, and which one of them: not one in which the contours' look is learnt.
 constexpr int kWidth_frames = 8, kWidthFrame = 6;
 
@@ -71,19 +64,6 @@ std::vector<FoundTool> holders_among(const std::vector<FoundTool>& tools, const 
                           [&](const SceneTool& seen) { return is_same(tool, seen); });
     });
   return holders;
-}
-
-// No needle goes on through the whole cell.
-bool is_before(const NeedleEstimate& needle, const Eigen::Vector2d& center, double most_px) {
-  return (needle.tip - center).dot(needle.direction) < most_px;
-}
-
-// A needle that runs as the holder does, its tip within so many of its half widths.
-bool is_along(const HolderFit& holder, const NeedleEstimate& needle, const Eigen::Vector2d& center,
-              double half_widths) {
-  const Eigen::Vector2d across(-holder.direction.y(), holder.direction.x());
-  return -holder.direction.dot(needle.direction) > kAlongHolder &&
-         std::abs((needle.tip - center).dot(across) - holder.offset) < half_widths * holder.half_width;
 }
 
 // Uneven edges may be those of a halo: where the scene shows a holder of quite another width, that is its width.
@@ -120,7 +100,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
   };
   find_among(frame.seen ? holders_among(tools, *frame.seen, !frame.scene) : tools);
   find_needle(frame, circle, tools);
-  if (frame.scene && frame.networks) take_finer(frame, circle, tools);
+  if (frame.scene && frame.networks) settle_facing(frame, circle, tools);
   // The scene may show a broad shaft as both: the needle holds nothing.
   if (holder_ && is_along_needle(*holder_, circle.center)) {
     std::vector<FoundTool> others;
@@ -167,40 +147,6 @@ bool CellFollower::take_holder_for_needle(const FrameInput& frame) {
   find_facing_holder(frame, circle, tools);
   begin_command(frame);
   return true;
-}
-
-// Lines may have one wall alone for the holder, and the scene none: either may know better.
-bool CellFollower::is_wall_of_holder(const NeedleEstimate& lines, const SceneReading& scene,
-                                     const Eigen::Vector2d& center) const {
-  if (holder_ && is_along(*holder_, lines, center, kBesideHolder) &&
-      lines.tip_half_width < kWallOfHolder_ratio * holder_->half_width)
-    return true;
-  return std::any_of(scene.holders.begin(), scene.holders.end(), [&](const SceneTool& holder) {
-    return lines.direction.dot(holder.direction) > kAlongHolder && is_one_wall(lines, holder);
-  });
-}
-
-// Of two tools that face each other at the cell the one with the finer tip is its needle, whatever the scene takes a
-// narrow holding pipette for.
-void CellFollower::take_finer(const FrameInput& frame, const contour::Circle& circle,
-                              const std::vector<FoundTool>& tools) {
-  if (!needle_.valid()) return;
-  needle_.read_width(frame.networks->tip_widths(), frame.image);
-  for (const FoundTool& tool : tools) {
-    if (tool.direction.dot(needle_.estimate().direction) < kAlongHolder) continue;
-    NeedleTracker other;
-    if (!other.start(frame.image, tool, frame.noise) ||
-        !other.find_tip(frame.networks->tips(), frame.image, circle.center))
-      continue;
-    if (is_wall_of_holder(other.estimate(), *frame.scene, circle.center)) continue;
-    other.read_width(frame.networks->tip_widths(), frame.image);
-    const NeedleEstimate& n = other.estimate();
-    if (!is_before(n, circle.center, kThrough_ratio * circle.radius) ||
-        n.tip_radius > kFiner_ratio * needle_.estimate().tip_radius)
-      continue;
-    needle_ = std::move(other);
-    return;
-  }
 }
 
 bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const {

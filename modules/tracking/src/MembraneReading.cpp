@@ -4,6 +4,7 @@
 
 #include "BoundaryNetwork.h"
 #include "ContourMath.h"
+#include "Median.h"
 #include "MembraneSnakes.h"
 
 namespace pellucida {
@@ -18,6 +19,11 @@ constexpr double kAnotherShare = 0.2;
 // Of the radius: two boundaries this near to each other are one.
 constexpr double kOneShare = 0.03;
 constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with each reading
+// Of the radius, and px: an edge so far outside the others about it, of so large a share of the outline to either side,
+// is that of a body that lies on the membrane, as cumulus cells do. No membrane bulges so away from the side, within
+// this cosine, that a needle pushes.
+constexpr double kBump_ratio = 0.04, kLeastBump_px = 3.0, kPushedSide_cos = 0.5;
+constexpr Eigen::Index kBumpWindow = 8;
 // Stiffness: where nothing pushes, the snake resists all bending, and bridges what a holding pipette hides; within so
 // many radii of a tip that pushes, only what the shape has not had.
 constexpr double kReadRigidity = 20.0, kDimpleRadii = 1.0;
@@ -39,6 +45,21 @@ void spread_out(const Eigen::VectorXd& places, Eigen::VectorXd& out) {
 
 }  // namespace
 
+void MembraneSnakes::distrust_bumps(double radius_px, const NeedleZone* needle) {
+  const Eigen::Index n = edges_.size(), reach = n / kBumpWindow;
+  const double height_px = std::max(kLeastBump_px, kBump_ratio * radius_px);
+  const Eigen::Vector2d center = outer_.points.rowwise().mean();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (needle && (outer_.points.col(i) - center).normalized().dot(-needle->direction) > kPushedSide_cos) continue;
+    sorted_.clear();
+    for (Eigen::Index k = i - reach; k <= i + reach; ++k) sorted_.push_back(edges_[contour::wrap(k, n)]);
+    const double about_px = median_of(sorted_);
+    if (edges_[i] < about_px + height_px) continue;
+    edges_[i] = about_px;
+    sigmas_[i] = kAnotherShare * radius_px;
+  }
+}
+
 void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, double radius_px, const NeedleZone* needle,
                               SnakeContour& snake) {
   const Eigen::Index n = outer_.points.cols();
@@ -47,6 +68,7 @@ void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, doubl
   spread_out(places.offset_px, edges_);
   spread_out(places.sigma_px, sigmas_);
   sigmas_ = sigmas_.cwiseMax(kLeastSpreadShare * radius_px);
+  distrust_bumps(radius_px, needle);
   rigidity_.setConstant(n, kReadRigidity);
   shape_share_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -160,6 +160,7 @@ class MembraneSnakes {
   void localise(const FrameSampler& image, double noise, bool is_outer, const NeedleZone* needle);
   void use_thickness(const NeedleZone* needle);
   void use_needle(SnakeContour& snake, bool is_outer, const NeedleZone& needle);
+  void distrust_bumps(double radius_px, const NeedleZone* needle);
   void relax_on(const BoundaryPlaces& places, bool is_outer, double radius_px, const NeedleZone* needle,
                 SnakeContour& snake);
   static bool hides(const Look& look);

@@ -12,6 +12,9 @@ constexpr Eigen::Index kFewest = 24;
 // Rounds of the fit, from where on distant points count less, and from which distance on, px.
 constexpr int kRounds = 6, kPlainRounds = 2;
 constexpr double kScale_px = 2.0;
+// A bump: so far out, of the radius, and px; over no more than this share of the outline, and cut off down to this
+// share of that height.
+constexpr double kBump_ratio = 0.04, kLeastBump_px = 3.0, kMostOfOutline = 0.25, kFoot = 0.4;
 
 }  // namespace
 
@@ -44,6 +47,23 @@ OutOfRound OutOfRound::of(const Eigen::Matrix2Xd& outline, const contour::Circle
   for (int m = kLowest; m <= kHighest; ++m) shape.terms_.col(m - kLowest) << fitted[2 * m - 1], fitted[2 * m];
   const double largest = shape.terms_.colwise().norm().sum();
   return largest > kMost_ratio * circle.radius ? OutOfRound{} : shape;
+}
+
+Eigen::Matrix2Xd OutOfRound::without_bumps(Eigen::Matrix2Xd outline, const contour::Circle& circle) {
+  const OutOfRound shape = of(outline, circle);
+  const double height_px = std::max(kLeastBump_px, kBump_ratio * circle.radius);
+  const auto oval_px = [&](const Eigen::Vector2d& d) { return circle.radius + shape.at(d.normalized()); };
+  Eigen::Index high = 0;
+  for (Eigen::Index i = 0; i < outline.cols(); ++i) {
+    const Eigen::Vector2d d = outline.col(i) - circle.center;
+    high += d.norm() - oval_px(d) > height_px ? 1 : 0;
+  }
+  if (high == 0 || static_cast<double>(high) > kMostOfOutline * static_cast<double>(outline.cols())) return outline;
+  for (Eigen::Index i = 0; i < outline.cols(); ++i) {
+    const Eigen::Vector2d d = outline.col(i) - circle.center;
+    if (d.norm() - oval_px(d) > kFoot * height_px) outline.col(i) = circle.center + oval_px(d) * d.normalized();
+  }
+  return outline;
 }
 
 double OutOfRound::at(const Eigen::Vector2d& outward, double angle_rad) const {

@@ -19,8 +19,9 @@ constexpr double kUnusual_ratio = 1.2, kBetter_ratio = 0.7;
 constexpr double kSame_px = 0.1;  // a fit that comes so near to another one will end there
 // A fit that leaves so many times what is usual is none; the longer there is none, the more may be left.
 constexpr double kNone_ratio = 2.5, kMissed_ratio = 1.2;
-// How the usual residual and the steady motion follow, per frame.
-constexpr double kUsual = 0.2, kSteady = 0.3;
+// How the usual residual, the steady motion and what differs from it follow, per frame. No frame counts as farther off
+// than this, px.
+constexpr double kUsual = 0.2, kSteady = 0.3, kUnrest = 0.3, kMostUnrest_px = 3.0;
 constexpr double kTellable_px = 0.1;  // a motion counts as determined when its standard deviation is below this
 
 // Central differences over three rows: pixel noise makes no gradient of its own.
@@ -43,6 +44,7 @@ void RigidMotion::reset() {
   frames_averaged_ = 1;
   frames_followed_ = 0;
   usual_residual_ = 0.0;
+  unrest_.setZero();
 }
 
 bool RigidMotion::learn(const FrameSampler& image, const std::vector<Eigen::Vector2d>& candidates,
@@ -98,7 +100,7 @@ bool RigidMotion::learn(const FrameSampler& image, const std::vector<Eigen::Vect
 }
 
 double RigidMotion::sigma_px(const Eigen::Vector2d& direction) const noexcept {
-  return valid() ? std::sqrt(std::max(0.0, direction.dot(shift_covariance_ * direction))) : 0.0;
+  return valid() ? std::sqrt(std::max(0.0, direction.dot((shift_covariance_ + unrest_) * direction))) : 0.0;
 }
 
 RigidMotion::Fit RigidMotion::refine(const FrameSampler& image, RigidMove move, const RigidMove* known) const {
@@ -203,6 +205,12 @@ bool RigidMotion::track(const FrameSampler& image, double reach_px, const Eigen:
     return false;
   }
   const Eigen::Vector2d way = best.shift - motion_.shift;
+  if (jump.isZero() && frames_followed_ > 1) {
+    Eigen::Vector2d off = way - velocity_;
+    off *= std::min(1.0, kMostUnrest_px / std::max(off.norm(), kMostUnrest_px));
+    // Two places make the difference.
+    unrest_ += kUnrest * (0.5 * off * off.transpose() - unrest_);
+  }
   if (jump.isZero()) velocity_ += (frames_followed_ == 0 ? 1.0 : kSteady) * (way - velocity_);
   usual_residual_ += (frames_followed_ == 0 ? 1.0 : kUsual) * (least - usual_residual_);
   ++frames_followed_;

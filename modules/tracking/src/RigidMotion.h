@@ -52,7 +52,8 @@ class RigidMotion {
   void move_by(const Eigen::Vector2d& way) noexcept { motion_.shift += way; }
 
   const RigidMove& motion() const noexcept { return motion_; }
-  /// Standard deviation of the shift along unit `direction`, px.
+  /// Standard deviation of the shift along unit `direction`, px: as the pixels tell it, and by how much it has differed
+  /// of late from a steady motion.
   double sigma_px(const Eigen::Vector2d& direction) const noexcept;
   bool valid() const noexcept { return !pixels_.empty(); }
   void reset();
@@ -80,6 +81,7 @@ class RigidMotion {
   int frames_followed_ = 0;
   double usual_residual_ = 0.0;
   Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();  // px a frame
+  Eigen::Matrix2d unrest_ = Eigen::Matrix2d::Zero();    // px^2, covariance of a frame's place about that
   Eigen::Vector2d along_ = Eigen::Vector2d::UnitX();    // the direction in which the pixels tell least
   Eigen::Matrix2d shift_covariance_ = Eigen::Matrix2d::Zero();
   RigidMove motion_;

@@ -1,11 +1,14 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 namespace pellucida {
 
-/// Kalman filter of the indentation with a constant-velocity model: no lag on a steady ramp, less noise on a hold. A
-/// jump beyond what the model expects (start, stop, reversal of the needle) opens the filter instead of lagging behind.
+/// Filter of the indentation by two interacting models of how a needle moves (IMM; Blom and Bar-Shalom, IEEE Trans.
+/// Autom. Control 33, 780, 1988): on as before, or changing its speed. Each is a Kalman filter of depth and speed; how
+/// well they foretell what is measured says how far each counts. No lag on a steady ramp, less noise on a hold, and a
+/// start, stop or reversal is followed within a frame or two, however vaguely the depth is measured.
 class DepthFilter {
  public:
   struct Estimate {
@@ -20,9 +23,17 @@ class DepthFilter {
   std::optional<double> expected_um(double time_s) const;
 
  private:
+  struct Motion {
+    double share = 0.5;                               // 0..1: how likely it is
+    Eigen::Vector2d state = Eigen::Vector2d::Zero();  // depth um, speed um/s
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();
+  };
+  using Motions = std::array<Motion, 2>;
+  static Motion mean_of(const Motions& motions);
+  void interact();
+
   std::optional<double> time_s_;
-  Eigen::Vector2d state_ = Eigen::Vector2d::Zero();  // depth um, speed um/s
-  Eigen::Matrix2d covariance_ = Eigen::Matrix2d::Identity();
+  Motions motions_;
 };
 
 }  // namespace pellucida

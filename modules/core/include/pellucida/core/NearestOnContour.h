@@ -18,4 +18,7 @@ Nearest nearest_on(const Contour_um& contour, const Eigen::Vector2d& place_um);
 /// hardly seen.
 double offset_of(const MembraneContour& contour, const Eigen::Vector2d& place_um, const Eigen::Vector2d& normal);
 
+/// The median standard deviation along a contour, um; 0: not estimated.
+double usual_sigma_um(const MembraneContour& contour);
+
 }  // namespace pellucida

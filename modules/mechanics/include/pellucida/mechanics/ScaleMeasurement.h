@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "pellucida/mechanics/PalpationUpdate.h"
+#include "pellucida/membrane/PalpationUpdate.h"
 
 namespace pellucida {
 
