@@ -132,6 +132,18 @@ TEST(SceneTracking, ADimpleIsFollowedFromItsFirstSight) {
   EXPECT_GE(good_count, 4);
 }
 
+// The outline ran round a cumulus cell, 2.2 and 9.4 px off throughout.
+TEST(SceneTracking, ACumulusCellOnTheZonaIsNoPartOfIt) {
+  for (const auto& [seed, most_px] : {std::pair{314089, 1.0}, {314219, 4.0}}) {
+    SCOPED_TRACE(seed);
+    const FilmRun run = run_film(draw_film(Split::kTuning, static_cast<std::uint64_t>(seed), 640), {});
+    std::vector<double> outer_px;
+    for (const FrameError& error : run.errors) outer_px.push_back(error.outer_px);
+    EXPECT_GT(run.found_count, 20);
+    EXPECT_LT(share_of(outer_px, 0.5), most_px);
+  }
+}
+
 // A wrong pixel size: no cell of the kind is as large, and what was seen says so.
 TEST(SceneTracking, ACellOfNoSizeOfTheKindIsReportedAsRefused) {
   const RandomFilm film = draw_film(Split::kTuning, 178113, 640);

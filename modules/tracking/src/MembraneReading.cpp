@@ -6,6 +6,7 @@
 #include "ContourMath.h"
 #include "Median.h"
 #include "MembraneSnakes.h"
+#include "OutOfRound.h"
 
 namespace pellucida {
 namespace {
@@ -22,7 +23,7 @@ constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with e
 // Of the radius, and px: an edge so far outside the others about it, of so large a share of the outline to either side,
 // is that of a body that lies on the membrane, as cumulus cells do. No membrane bulges so away from the side, within
 // this cosine, that a needle pushes.
-constexpr double kBump_ratio = 0.04, kLeastBump_px = 3.0, kPushedSide_cos = 0.5;
+constexpr double kBump_ratio = 0.04, kLeastBump_px = 3.0, kPushedSide_cos = 0.7;
 constexpr Eigen::Index kBumpWindow = 8;
 // Stiffness: where nothing pushes, the snake resists all bending, and bridges what a holding pipette hides; within so
 // many radii of a tip that pushes, only what the shape has not had.
@@ -49,8 +50,19 @@ void MembraneSnakes::distrust_bumps(double radius_px, const NeedleZone* needle) 
   const Eigen::Index n = edges_.size(), reach = n / kBumpWindow;
   const double height_px = std::max(kLeastBump_px, kBump_ratio * radius_px);
   const Eigen::Vector2d center = outer_.points.rowwise().mean();
+  const bool is_entered = needle && (needle->tip - center).norm() < radius_px;
+  if (!is_entered) {
+    even_ = outer_.points + normals_ * edges_.asDiagonal();
+    const Eigen::VectorXd bump_px = OutOfRound::bumps(even_, contour::fit_circle(even_, height_px));
+    for (Eigen::Index i = 0; i < n; ++i) {
+      if (bump_px[i] < height_px) continue;
+      edges_[i] -= bump_px[i];
+      sigmas_[i] = kAnotherShare * radius_px;
+    }
+    return;
+  }
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (needle && (outer_.points.col(i) - center).normalized().dot(-needle->direction) > kPushedSide_cos) continue;
+    if ((outer_.points.col(i) - center).normalized().dot(-needle->direction) > kPushedSide_cos) continue;
     sorted_.clear();
     for (Eigen::Index k = i - reach; k <= i + reach; ++k) sorted_.push_back(edges_[contour::wrap(k, n)]);
     const double about_px = median_of(sorted_);

@@ -49,21 +49,16 @@ OutOfRound OutOfRound::of(const Eigen::Matrix2Xd& outline, const contour::Circle
   return largest > kMost_ratio * circle.radius ? OutOfRound{} : shape;
 }
 
-Eigen::Matrix2Xd OutOfRound::without_bumps(Eigen::Matrix2Xd outline, const contour::Circle& circle) {
+Eigen::VectorXd OutOfRound::bumps(const Eigen::Matrix2Xd& outline, const contour::Circle& circle) {
   const OutOfRound shape = of(outline, circle);
-  const double height_px = std::max(kLeastBump_px, kBump_ratio * circle.radius);
-  const auto oval_px = [&](const Eigen::Vector2d& d) { return circle.radius + shape.at(d.normalized()); };
-  Eigen::Index high = 0;
+  Eigen::VectorXd beyond_px(outline.cols());
   for (Eigen::Index i = 0; i < outline.cols(); ++i) {
     const Eigen::Vector2d d = outline.col(i) - circle.center;
-    high += d.norm() - oval_px(d) > height_px ? 1 : 0;
+    beyond_px[i] = std::max(0.0, d.norm() - circle.radius - shape.at(d.normalized()));
   }
-  if (high == 0 || static_cast<double>(high) > kMostOfOutline * static_cast<double>(outline.cols())) return outline;
-  for (Eigen::Index i = 0; i < outline.cols(); ++i) {
-    const Eigen::Vector2d d = outline.col(i) - circle.center;
-    if (d.norm() - oval_px(d) > kFoot * height_px) outline.col(i) = circle.center + oval_px(d) * d.normalized();
-  }
-  return outline;
+  const auto high = (beyond_px.array() > kBump_ratio * circle.radius).count();
+  if (static_cast<double>(high) > kMostOfOutline * static_cast<double>(outline.cols())) beyond_px.setZero();
+  return beyond_px;
 }
 
 double OutOfRound::at(const Eigen::Vector2d& outward, double angle_rad) const {

@@ -18,9 +18,9 @@ class OutOfRound {
   double at(const Eigen::Vector2d& outward, double angle_rad = 0.0) const;
   /// Those points moved along their rays by what lies beyond the circle, about `center`: a round cell's outline.
   Eigen::Matrix2Xd rounded(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center) const;
-  /// The outline without what bulges out of it over a small part, as a cell that lies on the zona does: that is cut off
-  /// along the circle and these harmonics.
-  static Eigen::Matrix2Xd without_bumps(Eigen::Matrix2Xd outline, const contour::Circle& circle);
+  /// How far each point of an outline bulges out of the circle with these harmonics, px: as cells that lie on the zona
+  /// make it seem to. 0 where that is over a large part of it.
+  static Eigen::VectorXd bumps(const Eigen::Matrix2Xd& outline, const contour::Circle& circle);
   /// As it was before the cell turned by `angle_rad`.
   OutOfRound turned_back(double angle_rad) const;
   /// Moves towards another by a share.
