@@ -29,8 +29,8 @@ struct FrameSight {
   double confidence = 0.0, needle_confidence = 0.0;
   double tip_um = 0.0, tip_sigma_um = 0.0, membrane_um = 0.0, membrane_sigma_um = 0.0, depth_um = 0.0;
   double true_tip_um = 0.0, true_membrane_um = 0.0;
-  double center_ahead_um = 0.0;  ///< the resting centre along the needle, less the true one
-  double outer_sigma_um = 0.0;   ///< usual standard deviation of the outer contour
+  double center_ahead_um = 0.0;                ///< the resting centre along the needle, less the true one
+  double outer_sigma_um = 0.0;                 ///< usual standard deviation of the outer contour
   double flank_um = 0.0;                       ///< of the dimple, as `flank_depth_um` has it
   double side_um = 0.0, rest_radius_um = 0.0;  ///< how far the sides bulge, 0: not seen; of the resting outline
   double residual_um = 0.0, dimple_residual_um = 0.0, noise_um = 0.0;  ///< of `ShapeAudit`; NaN: not measured

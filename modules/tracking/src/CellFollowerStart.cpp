@@ -63,7 +63,8 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   const bool is_judged = frame.networks != nullptr && !frame.is_vouched;
   if (is_read_) {
     const double least = is_judged ? std::min(frame.least_score, kLeastOfSureCell) : frame.least_score;
-    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known, least)) return false;
+    if (!snakes_.start(frame.image, frame.reader->boundaries(), cell.outer.points, cell.score, known, least))
+      return false;
   } else if (!snakes_.start(frame.image, cell.lines(), frame.noise, known)) {
     return false;
   }
