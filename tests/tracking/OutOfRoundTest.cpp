@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -86,13 +87,29 @@ TEST(RestGeometry, ANeedleEntersAnOvalWhereItsOutlineIs) {
   EXPECT_NEAR(beside.norm(), ellipse_at(1.12, std::atan2(beside.y(), beside.x()) - 0.5), 0.15);
 }
 
-TEST(OutOfRound, ABumpIsWhatBulgesOutOfAnOvalOverASmallPart) {
-  const Eigen::VectorXd bumps = OutOfRound::bumps(outline(1.1, 0.4, 0.0, 9.0), kCircle);
-  for (int i = 0; i < kOutlinePoints; ++i) EXPECT_NEAR(bumps[i], i < kOutlinePoints / 10 ? 9.0 : 0.0, 2.0) << i;
+/// A cell that lies on the zona: 0.3 rad to both sides of 0.6 rad, `height_px` high.
+double cumulus_px(int i, double height_px) {
+  const double angle = 2.0 * std::numbers::pi * i / kOutlinePoints;
+  return height_px * std::max(0.0, 1.0 - std::abs(angle - 0.6) / 0.3);
 }
 
-TEST(OutOfRound, AnOvalNoiseAndADimpleHaveNone) {
-  for (const Eigen::Matrix2Xd& points : {outline(1.12, 0.4), outline(1.05, 0.0, 0.4), outline(1.0, 0.0, 0.0, -12.0)})
+TEST(OutOfRound, ABumpIsWhatBulgesOutOfAnOvalOverASmallPart) {
+  for (const double height_px : {8.0, 12.0, 16.0}) {
+    Eigen::Matrix2Xd points = outline(1.08, 0.4);
+    for (int i = 0; i < kOutlinePoints; ++i) {
+      const Eigen::Vector2d d = points.col(i) - kCenter;
+      points.col(i) += cumulus_px(i, height_px) * d.normalized();
+    }
+    const Eigen::VectorXd bumps = OutOfRound::bumps(points, kCircle);
+    EXPECT_GT(bumps.maxCoeff(), 0.8 * height_px);
+    for (int i = 0; i < kOutlinePoints; ++i) {
+      if (cumulus_px(i, 1.0) == 0.0) EXPECT_LT(bumps[i], 0.04 * kRadius) << i;
+    }
+  }
+}
+
+TEST(OutOfRound, AnOvalAndNoiseHaveNoBumps) {
+  for (const Eigen::Matrix2Xd& points : {outline(1.12, 0.4), outline(1.05, 0.0, 0.4)})
     EXPECT_LT(OutOfRound::bumps(points, kCircle).maxCoeff(), 0.04 * kRadius);
 }
 
