@@ -8,8 +8,8 @@ namespace {
 
 /// Of the motions "on as before" and "changing": spectral density of the needle's acceleration, um^2/s^3. A steady
 /// needle changes its speed by a few um/s within a second, one that starts or halts by some 25 um/s within a frame. And
-/// how likely each goes on from one frame to the next. Set on 71 tuning and wide films (303001 to 303040, 307001 to
-/// 307040; docs/method.md, 5).
+/// how likely each goes on from one frame to the next. Set on 62 tuning and wide films (303001 to 303040, 307001 to
+/// 307040; docs/method.md, 3.8).
 constexpr std::array kAccelerationDensity = {20.0, 2e4};
 constexpr std::array kGoesOn = {0.95, 0.5};
 /// Speeds a needle may have at first sight, um/s.

@@ -13,7 +13,7 @@ namespace {
 constexpr double kDefaultDepthSigma_um = 0.2, kDefaultTipSigma_um = 0.4;
 
 /// Means over flanks and sides are known to this share of a contour's usual standard deviation: what a contour is off
-/// by is alike over some 20 degrees. With 0.7, of 54 punctures of tuning and validation films two more are seen late.
+/// by is alike over some 20 degrees. With 0.7, of 54 punctures of tuning and validation films one more is seen late.
 constexpr double kShapeSigma_ratio = 0.4;
 
 }  // namespace

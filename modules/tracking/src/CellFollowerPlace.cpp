@@ -45,9 +45,9 @@ constexpr double kSeatWaySigma_ratio = 0.4, kDepthSigma_ratio = 0.01;
 constexpr double kPressedAbout_ratio = 0.3, kPressed_ratio = 0.05;
 constexpr int kPressedFrames = 2;
 // Of the outline of a cell that networks read; of where the walls put it, and from how many of the outline's on they
-// slide. Weighed so, cells of 106 tuning, wide and plain films (303001 to 303040, 307001 to 307040, 88061 to 88129) are
-// 0.09, 0.22 and 0.07 px from their place in the median and 0.4, 0.6 and 0.24 in nine of ten, by the walls alone 0.08,
-// 0.27 and 0.07, and 0.55, 1.07 and 0.26.
+// slide. As recorded and weighed so, cells of 106 tuning, wide and plain films (303001 to 303040, 307001 to 307040,
+// 88061 to 88129) are 0.09, 0.22 and 0.07 px from their place in the median and 0.4, 0.6 and 0.24 in nine of ten, by
+// the walls alone 0.08, 0.27 and 0.07, and 0.55, 1.07 and 0.26.
 constexpr double kReadSigma_px = 0.25, kWallsSigma_px = 0.1, kSlid_sigmas = 2.0;
 
 }  // namespace

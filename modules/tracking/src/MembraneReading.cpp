@@ -20,10 +20,10 @@ constexpr double kAnotherShare = 0.2;
 // Of the radius: two boundaries this near to each other are one.
 constexpr double kOneShare = 0.03;
 constexpr double kThicknessShare = 0.1;  // of the thickness, learnt anew with each reading
-// Of the radius, and px: an edge so far outside the others about it, of so large a share of the outline to either side,
-// is that of a body that lies on the membrane, as cumulus cells do. No membrane bulges so away from the side, within
-// this cosine, that a needle pushes.
-constexpr double kBump_ratio = 0.04, kLeastBump_px = 3.0, kPushedSide_cos = 0.7;
+// px, and `OutOfRound::kBump_ratio`: an edge so far outside the oval, or, of a pushed outline, outside the others to
+// either side within this part of it, is that of a body that lies on the membrane, as cumulus cells do. No membrane
+// bulges so away from the side, within this cosine, that a needle pushes.
+constexpr double kLeastBump_px = 3.0, kPushedSide_cos = 0.7;
 constexpr Eigen::Index kBumpWindow = 8;
 // Stiffness: where nothing pushes, the snake resists all bending, and bridges what a holding pipette hides; within so
 // many radii of a tip that pushes, only what the shape has not had.
@@ -48,7 +48,7 @@ void spread_out(const Eigen::VectorXd& places, Eigen::VectorXd& out) {
 
 void MembraneSnakes::distrust_bumps(double radius_px, const NeedleZone* needle) {
   const Eigen::Index n = edges_.size(), reach = n / kBumpWindow;
-  const double height_px = std::max(kLeastBump_px, kBump_ratio * radius_px);
+  const double height_px = std::max(kLeastBump_px, OutOfRound::kBump_ratio * radius_px);
   const Eigen::Vector2d center = outer_.points.rowwise().mean();
   const bool is_entered = needle && (needle->tip - center).norm() < radius_px;
   if (!is_entered) {

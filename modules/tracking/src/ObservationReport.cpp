@@ -15,8 +15,8 @@ constexpr double kRounding_px = 0.3;
 // px deep and more, and four of what they took for its standard deviation off in a third of them; the tip 1.1 of its
 // own.
 constexpr double kReadRounding_px = 0.6, kReadRounding_ratio = 0.08;
-// Networks take their contours for more precise than they are: by this factor in 3,500 frames of 110 tuning, wide and
-// validation films before the touch; in contact they were 0.3 to 0.45 px off, which this adds, px.
+// Networks take their contours for more precise than they are: by this factor in 134 tuning, wide, validation and
+// unseen films before the touch; in contact they were 0.3 to 0.46 px off, which this adds, px.
 constexpr double kReadSigma_ratio = 2.0, kReadInContact_px = 0.3;
 constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
 constexpr double kMostWhenUnseen = 0.5;     // confidence in a frame that shows a dent and not what makes it

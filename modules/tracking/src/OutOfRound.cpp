@@ -12,9 +12,7 @@ constexpr Eigen::Index kFewest = 24;
 // Rounds of the fit, from where on distant points count less, and from which distance on, px.
 constexpr int kRounds = 6, kPlainRounds = 2;
 constexpr double kScale_px = 2.0;
-// A bump: so far out, of the radius, and px; over no more than this share of the outline, and cut off down to this
-// share of that height.
-constexpr double kBump_ratio = 0.04, kLeastBump_px = 3.0, kMostOfOutline = 0.25, kFoot = 0.4;
+constexpr double kMostOfOutline = 0.25;  // that bumps take; an outline with more of them is not that of an oval
 
 }  // namespace
 

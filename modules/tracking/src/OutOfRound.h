@@ -27,6 +27,7 @@ class OutOfRound {
   void mix(const OutOfRound& other, double share) { terms_ += share * (other.terms_ - terms_); }
 
   static constexpr double kMost_ratio = 0.15;
+  static constexpr double kBump_ratio = 0.04;  ///< of the radius: what bulges out so far is no part of the outline
 
  private:
   static constexpr int kLowest = 2, kHighest = 4;
