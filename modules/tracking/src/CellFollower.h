@@ -212,6 +212,7 @@ class CellFollower {
   void check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way, const Eigen::Vector2d& holder_way,
                            const Eigen::Vector2d& jump);
   bool has_drifted_here() const;
+  bool is_drift_nearer_to_walls() const;
   bool may_be_pushed() const;
 
   TrackerOptions options_;

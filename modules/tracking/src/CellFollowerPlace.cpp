@@ -102,9 +102,11 @@ void CellFollower::weigh_walls() {
   Eigen::Vector2d gap = seat_ - center_now();
   if (!is_free) gap = gap.dot(holder_direction()) * holder_direction();
   const double seat = is_free ? outline_sigma() : std::hypot(kSeatSigma_px, seat_way_sigma());
-  // Farther from the outline than that can be wrong, the walls slide along themselves.
-  walls_slid_px2_ +=
-      kSlipPace * (std::max(0.0, gap.squaredNorm() - std::pow(kSlid_sigmas * seat, 2)) - walls_slid_px2_);
+  // Farther from the outline than that can be wrong, the walls slide along themselves; but not where the drift before
+  // the touch has led nearer to them than to the seat.
+  const bool are_walls_due = !is_free && is_drift_nearer_to_walls();
+  const double slid_px2 = are_walls_due ? 0.0 : gap.squaredNorm() - std::pow(kSlid_sigmas * seat, 2);
+  walls_slid_px2_ += kSlipPace * (std::max(0.0, slid_px2) - walls_slid_px2_);
   const double walls =
       std::sqrt(std::pow(std::hypot(kWallsSigma_px, rigid_.sigma_px(holder_direction())), 2) + walls_slid_px2_);
   const double both = std::hypot(walls, seat);
@@ -228,6 +230,14 @@ bool CellFollower::may_be_pushed() const {
 // The walls put the cell where the drift before the touch has led.
 bool CellFollower::has_drifted_here() const {
   return drift_.sigma_px() < kSlid_px && (center_now() - drift_.place()).norm() < kSlid_px;
+}
+
+// Along the holder, which walls say nothing of.
+bool CellFollower::is_drift_nearer_to_walls() const {
+  const auto off_px = [this](const Eigen::Vector2d& place) {
+    return std::abs((drift_.place() - place).dot(holder_direction()));
+  };
+  return drift_.sigma_px() < kSlid_px && off_px(center_now()) < off_px(seat_);
 }
 
 // Centre of the resting circle through the part of the contour that what pushes the cell leaves where it is, radius
