@@ -36,7 +36,7 @@ class GoldenTest : public test::Views {
     set_current_theme(dark_theme());
   }
 
-  vtkSmartPointer<vtkImageData> picture_of(View& view, const GoldenSize& size) {
+  vtkSmartPointer<vtkImageData> picture_of(const GoldenSize& size) {
     window->SetSize(size.width_px, size.height_px);
     // Charts are laid out by the second drawing.
     shot();
@@ -51,7 +51,7 @@ class GoldenTest : public test::Views {
       view->add_to(window);
       for (const GoldenSize& size : kGoldenSizes) {
         const std::string file = name + '-' + std::to_string(size.width_px) + (theme->is_light ? "-light" : "-dark");
-        const auto seen = picture_of(*view, size);
+        const auto seen = picture_of(size);
         if (test::writes_golden()) {
           test::write_golden(seen, file);
           continue;
@@ -143,13 +143,13 @@ class MissingElement : public GoldenTest {
     std::vector<vtkSmartPointer<vtkImageData>> whole;
     for (const GoldenSize& size : kGoldenSizes) {
       whole.push_back(vtkSmartPointer<vtkImageData>::New());
-      whole.back()->DeepCopy(picture_of(*view, size));
+      whole.back()->DeepCopy(picture_of(size));
       // Drawn again it is the same.
-      EXPECT_EQ(difference_of(picture_of(*view, size), whole.back()).worst_tile, 0.0) << element;
+      EXPECT_EQ(difference_of(picture_of(size), whole.back()).worst_tile, 0.0) << element;
     }
     leave_out(static_cast<AnyView&>(*view));
     for (std::size_t k = 0; k < whole.size(); ++k) {
-      const GoldenDifference difference = difference_of(picture_of(*view, kGoldenSizes[k]), whole[k]);
+      const GoldenDifference difference = difference_of(picture_of(kGoldenSizes[k]), whole[k]);
       EXPECT_FALSE(difference.is_small())
           << element << " at " << kGoldenSizes[k].width_px << " px: " << difference.text();
     }

@@ -129,7 +129,9 @@ TEST(MechanicsStep, AWallThatStiffensIsAColumnAndANote) {
     const auto measured = mechanics.process(scene);
     ASSERT_TRUE(measured);
     last = measured->scene.measurement;
-    if (depth_um <= 0.0) EXPECT_TRUE(std::isnan(last.strain_stiffening)) << depth_um;
+    if (depth_um <= 0.0) {
+      EXPECT_TRUE(std::isnan(last.strain_stiffening)) << depth_um;
+    }
     for (const Event& event : measured->scene.events)
       notes += event.detail.find("the zona stiffens with strain, b = ") != std::string::npos ? 1 : 0;
   }

@@ -8,6 +8,7 @@
 #include <vtkSphereSource.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <set>

@@ -7,6 +7,7 @@
 #include <QSet>
 #include <QSocketNotifier>
 #include <QThread>
+#include <QWidget>
 #include <cstdio>
 
 #include "BlockWatch.h"

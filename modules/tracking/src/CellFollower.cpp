@@ -197,6 +197,7 @@ bool CellFollower::follow(const FrameInput& frame) {
   }
   measure_dent();
   check_holder_by_outline(frame);
+  watch_facing(frame);
   return true;
 }
 

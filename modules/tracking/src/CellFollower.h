@@ -13,6 +13,7 @@
 #include "NeedleTracker.h"
 #include "RestGeometry.h"
 #include "RigidMotion.h"
+#include "RivalTool.h"
 #include "SceneReader.h"
 #include "SoftZona.h"
 #include "SteadyDrift.h"
@@ -75,6 +76,7 @@ class CellFollower {
   void forget_needle() {
     needle_.reset();
     needle_way_.reset();
+    rival_.reset();
   }
 
   /// Follows into the next frame. False when the cell has been out of sight for too long.
@@ -144,6 +146,8 @@ class CellFollower {
   void find_tools_of(const FrameInput& frame, const contour::Circle& circle);
   void find_needle(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
   void settle_facing(const FrameInput& frame, const contour::Circle& circle, const std::vector<FoundTool>& tools);
+  static bool start_by_tip(NeedleTracker& needle, const FrameInput& frame, const SceneTool& seen,
+                           const Eigen::Vector2d& center);
   static bool start_by_scene(NeedleTracker& needle, const FrameInput& frame, const SceneTool& seen,
                              const Eigen::Vector2d& center);
   std::optional<Eigen::Vector2d> notice_jump(const FrameInput& frame);
@@ -211,6 +215,9 @@ class CellFollower {
   void check_walls_by_outline(const FrameInput& frame);
   void check_walls_by_seat(const FrameInput& frame, const Eigen::Vector2d& seat_way, const Eigen::Vector2d& holder_way,
                            const Eigen::Vector2d& jump);
+  void begin_watch(const FrameInput& frame, const contour::Circle& circle);
+  void watch_facing(const FrameInput& frame);
+  void forget_depths();
   bool has_drifted_here() const;
   bool is_drift_nearer_to_walls() const;
   bool may_be_pushed() const;
@@ -219,6 +226,7 @@ class CellFollower {
   MembraneSnakes snakes_;
   SoftZona zona_;
   NeedleTracker needle_;
+  RivalTool rival_;                            // what faces the needle, until motion decides
   MembraneBackdrop backdrop_;                  // of the needle's tip, made anew for each frame
   std::optional<Eigen::Vector2d> needle_way_;  // the direction of the needle that was followed last
   GlobalShiftEstimator scene_;

@@ -20,6 +20,9 @@ constexpr double kTouches_ratio = 0.08, kAway_ratio = 0.1, kNoWider_ratio = 1.2;
 // Of the holder's half width: a tool half as wide as this that runs so near to its middle is one of its walls (wide
 // 700138, 708381, 711183).
 constexpr double kWallOfHolder_ratio = 0.4, kBesideHolder = 1.5;
+// Frames between two looks at the tool that faces the needle.
+constexpr int kWatch_frames = 3;
+
 }  // namespace
 
 bool is_before(const NeedleEstimate& needle, const Eigen::Vector2d& center, double most_px) {
@@ -81,18 +84,71 @@ void CellFollower::settle_facing(const FrameInput& frame, const contour::Circle&
   }
 }
 
-// By its lines, or by its tip alone.
-bool CellFollower::start_by_scene(NeedleTracker& needle, const FrameInput& frame, const SceneTool& seen,
-                                  const Eigen::Vector2d& center) {
+// A needle of the scene whose shaft can't be followed.
+bool CellFollower::start_by_tip(NeedleTracker& needle, const FrameInput& frame, const SceneTool& seen,
+                                const Eigen::Vector2d& center) {
   TipNetwork& tips = frame.networks->tips();
-  const ExpectedTip expected = expected_tip(seen);
-  if (needle.start(frame.image, found_tool(seen), frame.noise, &expected)) {
-    needle.expect_half_width(seen.half_width_px);
-    if (needle.find_tip(tips, frame.image, center)) return true;
-  }
   NeedleAxis axis{seen.tip, seen.direction};
   axis.tip = tips.find(frame.image, axis, seen.half_width_px, center).tip;
   return needle.start_read(tips, frame.image, axis, seen.half_width_px);
+}
+
+// By its lines, or by its tip alone.
+bool CellFollower::start_by_scene(NeedleTracker& needle, const FrameInput& frame, const SceneTool& seen,
+                                  const Eigen::Vector2d& center) {
+  const ExpectedTip expected = expected_tip(seen);
+  if (needle.start(frame.image, found_tool(seen), frame.noise, &expected)) {
+    needle.expect_half_width(seen.half_width_px);
+    if (needle.find_tip(frame.networks->tips(), frame.image, center)) return true;
+  }
+  return start_by_tip(needle, frame, seen, center);
+}
+
+// What the motion of the two decides is left to it: what faces the needle is watched beside it.
+void CellFollower::begin_watch(const FrameInput& frame, const contour::Circle& circle) {
+  rival_.reset();
+  if (!needle_.valid() || frame.networks == nullptr) return;
+  const Eigen::Vector2d direction = needle_.estimate().direction;
+  NeedleTracker other;
+  const auto faces = [&](const SceneTool& seen) {
+    return -seen.direction.dot(direction) > kAlongHolder && start_by_scene(other, frame, seen, circle.center);
+  };
+  bool is_seen = false;
+  if (holder_ && direction.dot(holder_->direction) > kAlongHolder) {
+    is_seen = other.start_read(frame.networks->tips(), frame.image, {holder_->mouth, -holder_->direction},
+                               holder_->half_width);
+  } else if (frame.scene) {
+    is_seen = std::any_of(frame.scene->needles.begin(), frame.scene->needles.end(), faces);
+  }
+  if (is_seen) rival_.begin(std::move(other), needle_.estimate(), circle);
+}
+
+// The tool that faces the needle is the needle, where it goes into the cell and that rests.
+void CellFollower::watch_facing(const FrameInput& frame) {
+  if (!rival_.is_watched()) return;
+  if (!needle_.valid() || frame.networks == nullptr) return rival_.reset();
+  if (frames_followed_ % kWatch_frames != 0) return;
+  const contour::Circle circle = circle_of(snakes_.outer().points);
+  const RivalTool::Verdict verdict = rival_.watch(frame.networks->tips(), frame.image, needle_.estimate(), circle);
+  if (verdict == RivalTool::Verdict::kIsHolder) rival_.reset();
+  if (verdict != RivalTool::Verdict::kIsNeedle) return;
+  needle_ = rival_.tool();
+  needle_way_.reset();
+  rival_.reset();
+  contact_.reset(CellState::kContact);
+  rest_.center = circle.center;
+  rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);
+  motion_ = {};
+  motion_.pivot = rest_.center;
+  find_holder_anew(frame);
+  // What it pushes may have gone into that circle; not what the holder seats.
+  rest_.center = motion_.pivot = seat_ = seat_center();
+  learn_holder_motion(frame);
+  drift_.reset();
+  walls_slide_ = false;
+  forget_depths();
+  begin_command(frame);
+  read_tip_width(frame, false);
 }
 
 }  // namespace pellucida

@@ -108,9 +108,13 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
   least_dent_ = dent_;
-  deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
+  forget_depths();
   flank_noise_ = kUnknownFlankNoise_px;
   return true;
+}
+
+void CellFollower::forget_depths() {
+  deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
 }
 
 CellFollower::Memory CellFollower::memory(const RigidMove& motion) const {

@@ -110,6 +110,7 @@ void CellFollower::find_tools_of(const FrameInput& frame, const contour::Circle&
     find_among(others);
   }
   if (!holder_) find_facing_holder(frame, circle, tools);
+  begin_watch(frame, circle);
   begin_command(frame);
   read_tip_width(frame, false);
 }
@@ -180,11 +181,7 @@ void CellFollower::find_needle(const FrameInput& frame, const contour::Circle& c
       for (const FoundTool& tool : tools)
         if (is_same(tool, seen) && is_needle(tool, &expected, seen.half_width_px) && is_whole()) return;
       if (is_needle(found_tool(seen), &expected, seen.half_width_px)) return;
-      if (frame.networks == nullptr) continue;
-      TipNetwork& tips = frame.networks->tips();
-      NeedleAxis axis{seen.tip, seen.direction};
-      axis.tip = tips.find(frame.image, axis, seen.half_width_px, circle.center).tip;
-      if (needle_.start_read(tips, frame.image, axis, seen.half_width_px) && is_plausible()) return;
+      if (frame.networks && start_by_tip(needle_, frame, seen, circle.center) && is_plausible()) return;
     }
   }
   needle_.reset();
@@ -205,6 +202,7 @@ bool CellFollower::expect_needle(const FrameInput& frame, const Eigen::Vector2d&
   if (!start_at_hint(found, frame, find_tools(gray(frame.view), resting_circle()), tip)) return false;
   if (frame.reader) found.read_tip(frame.reader->tips(), frame.image, 1.0);
   needle_ = std::move(found);
+  rival_.reset();
   return true;
 }
 
@@ -213,6 +211,7 @@ bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d&
   const auto found = find_holder_at(frame, find_tools(gray(frame.view), circle), circle, place);
   if (!found) return false;
   holder_ = found;
+  rival_.reset();
   if (frame.seen) check_width(*holder_, *frame.seen, !frame.scene);
   // It was found in this frame, and the cell at rest is where it is now.
   rest_.center = center_now();
@@ -288,6 +287,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
   } else if (frame.scene || (frame.reader == nullptr && (frames_followed_ % 3 == 0 || frames_followed_ < 10))) {
     const contour::Circle circle = resting_circle();
     find_needle(frame, circle, find_tools(gray(frame.view), circle));
+    begin_watch(frame, circle);
     begin_command(frame);
   }
   unseen_frames_ = needle_.valid() ? 0 : unseen_frames_ + 1;

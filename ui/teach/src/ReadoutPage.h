@@ -1,4 +1,5 @@
 #pragma once
+#include <QString>
 #include <array>
 
 #include "ReadoutSteps.h"
