@@ -192,6 +192,31 @@ TEST(NeedleTracker, LiftedOutOfFocusItStaysWhereItIs) {
   }
 }
 
+// A membrane that goes slowly under a needle that fades has not given way; under one that was faint all along it may
+// have.
+TEST(NeedleTracker, AFaintOneIsClearUntilItFades) {
+  Drawing d = with(0.2, 1.0, false, 0.02);
+  d.depth = 0.08;
+  Picture picture = draw(d);
+  const FrameSampler first(picture.view());
+  NeedleTracker needle;
+  ASSERT_TRUE(needle.start(first, tool_of(d), noise_level(first)));
+  const auto follow = [&] {
+    ++d.seed;
+    picture = draw(d);
+    const FrameSampler image(picture.view());
+    return needle.track(image, noise_level(image), {.in_the_clear = true});
+  };
+  for (int frame = 0; frame < 10; ++frame) {
+    ASSERT_TRUE(follow());
+    EXPECT_LT(needle.estimate().confidence, 0.5);
+    EXPECT_TRUE(needle.is_clear()) << frame;
+  }
+  d.depth = 0.04;
+  follow();
+  EXPECT_FALSE(needle.is_clear()) << needle.estimate().confidence;
+}
+
 TEST(NeedleTracker, AStopIsNotSmeared) {
   NeedleTracker needle;
   Drawing d;

@@ -12,11 +12,11 @@ const Eigen::Vector2d kStart(300.0, 200.0), kVelocity(0.3, -0.2);
 // After `frames` frames of a drift, each place off by `noise_px`.
 SteadyDrift learnt(int frames, double noise_px, unsigned seed = 1) {
   std::mt19937 random(seed);
-  std::normal_distribution<double> noise(0.0, noise_px);
+  std::normal_distribution<double> noise;
   SteadyDrift drift;
   for (int k = 0; k < frames; ++k) {
     drift.advance(Eigen::Vector2d::Zero());
-    drift.learn(kStart + k * kVelocity + Eigen::Vector2d(noise(random), noise(random)));
+    drift.learn(kStart + k * kVelocity + noise_px * Eigen::Vector2d(noise(random), noise(random)));
   }
   return drift;
 }

@@ -1,6 +1,11 @@
 // Where the network that reads tips has the end of a needle drawn here, from wherever it looks.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "NeedleTracker.h"
 #include "TipNetwork.h"
 #include "tracking/NeedleDrawing.h"
 
@@ -74,6 +79,33 @@ TEST(TipReading, AnEndWithNothingAheadStaysTheEnd) {
         network.find(FrameSampler(picture.view()), {d.tip, d.direction()}, kShaftHalfWidth_px, {20.0, 171.6});
     EXPECT_LT(off_px(seen, d), 2.0) << membrane_ahead;
   }
+}
+
+// The last 30 px of a needle, moved aside by 10 px: as if another corner of it were taken for its tip.
+TEST(TipReading, InContactATipDoesNotLeapAcrossItsNeedle) {
+  Drawing d = fine_needle();
+  d.tip = {200.3, 171.6};
+  Picture picture = draw(d);
+  TipNetwork network;
+  const double noise = noise_level(FrameSampler(picture.view()));
+  NeedleTracker needle;
+  ASSERT_TRUE(needle.start(FrameSampler(picture.view()), test::tool_of(d), noise));
+  Drawing aside = d;
+  aside.tip.y() += 10.0;
+  const Picture other = draw(aside);
+  for (int y = 0; y < Picture::kHeight_px; ++y)
+    std::copy_n(other.pixels.begin() + y * Picture::kWidth_px, 230, picture.pixels.begin() + y * Picture::kWidth_px);
+  const FrameSampler image(picture.view());
+  ASSERT_TRUE(needle.track(image, noise, {}));
+  const auto across_px = [&](const NeedleTracker& n) { return std::abs(n.estimate().tip.y() - d.tip.y()); };
+  const std::optional<Eigen::Vector2d> read = needle.tip_read(network, image);
+  ASSERT_TRUE(read);
+  ASSERT_GT(std::abs(read->y() - d.tip.y()), 6.0) << "the network does not take it for the tip";
+  NeedleTracker free = needle;
+  EXPECT_TRUE(free.read_tip(network, image, 1.0));
+  EXPECT_GT(across_px(free), 6.0);
+  EXPECT_TRUE(needle.read_tip_in_contact(network, image, nullptr));
+  EXPECT_LT(across_px(needle), 1.0);
 }
 
 }  // namespace

@@ -143,6 +143,9 @@ void CellFollower::watch_facing(const FrameInput& frame) {
   find_holder_anew(frame);
   // What it pushes may have gone into that circle; not what the holder seats.
   rest_.center = motion_.pivot = seat_ = seat_center();
+  // As at a first sight in contact, and learnt anew once nothing touches the cell.
+  rest_.seen_free = false;
+  rest_.frame_count = 0;
   learn_holder_motion(frame);
   drift_.reset();
   walls_slide_ = false;

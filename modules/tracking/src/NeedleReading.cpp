@@ -35,6 +35,10 @@ constexpr int kUncommandedReadings = 12;
 // A bevel's tip lies so far beside the middle of the needle's end, px and in half widths of it; and no further.
 constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidths = 1.4;
 
+// In contact: a tip read so far across the needle, px and in half widths, from where its shaft and the frame before have
+// it, is another corner of its end; a needle is rigid.
+constexpr double kAcross_px = 4.0, kAcrossHalfWidths = 0.5;
+
 // A tip known by readings alone that leaps by so much, px and in half widths, from where it is due, in frames once it
 // has been followed for some: so many in a row, and it is there. What the leap adds to its standard deviation.
 constexpr double kLeap_px = 5.0, kLeapHalfWidths = 1.0, kLeapSigma = 0.5;
@@ -142,13 +146,21 @@ bool NeedleTracker::find_tip(TipNetwork& network, const FrameSampler& image, con
   return true;
 }
 
+double NeedleTracker::leap_across(const Eigen::Vector2d& read) const {
+  const Eigen::Vector2d before = axis_before_.tip + beside_ * axis_before_.across();
+  const double off_px = (read - tip()).dot(axis_.across()), since_px = (read - before).dot(axis_.across());
+  const double most_px = std::max(kAcross_px, kAcrossHalfWidths * now_.tip_half_width);
+  return std::min(std::abs(off_px), std::abs(since_px)) > most_px ? off_px : 0.0;
+}
+
 bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image,
                                         const CommandedMotion* command) {
   doubted_.reset();
   if (!valid_) return false;
   double share = 1.0;
-  const std::optional<TipReading> seen = best_reading(network, image, share);
+  std::optional<TipReading> seen = best_reading(network, image, share);
   if (!seen) return false;
+  seen->tip -= leap_across(seen->tip) * axis_.across();
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
@@ -233,6 +245,7 @@ bool NeedleTracker::go_on_read(TipNetwork& network, const FrameSampler& image) {
 }
 
 bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue) {
+  learn_confidence();
   axis_before_ = axis_;
   const auto sent = cue.command ? cue.command->due(axis_.tip + cue.scene_jump_px) : std::nullopt;
   const Eigen::Vector2d going = sent ? Eigen::Vector2d(sent->ahead_px * axis_.direction) : kGoesOn * motion_;

@@ -16,6 +16,9 @@ constexpr int kLearnFrames = 40;
 constexpr double kFirstAnchor = 1.0, kBlurredEnd = 4.0, kClearAnchor = 0.3;
 // Apart by so much, px, end and cone leave the tip in doubt, whichever counts.
 constexpr double kDisputed_px = 3.0;
+// A needle of this confidence is seen well; a fainter one has not faded while it keeps this share of what it had of
+// late, which follows by so much a frame.
+constexpr double kClear = 0.5, kKept_ratio = 0.7, kUsualPace = 0.1;
 
 // A shaft that is far out of focus where it comes in may be in focus near its tip: looks at it anew from further in.
 NeedleGuess sharpened(const FrameSampler& image, NeedleGuess guess, double noise, const ExpectedTip* expected) {
@@ -103,6 +106,7 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
 
 bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleCue& cue) {
   if (!valid_) return false;
+  learn_confidence();
   const NeedleAxis before = axis_;
   axis_before_ = before;
   const double unit = model_.unit_px;
@@ -345,6 +349,16 @@ void NeedleTracker::fill(double noise, const ShaftResult& shaft) {
   const double clear = std::clamp(contrast / (5.0 * std::max(noise, 1e-6)), 0.0, 1.0);
   clarity_ = clear * std::clamp(shaft.support / 0.7, 0.0, 1.0);
   now_.confidence = confidence();
+}
+
+bool NeedleTracker::is_clear() const noexcept {
+  return now_.confidence >= std::min(kClear, kKept_ratio * usual_confidence_);
+}
+
+// With the last frame's.
+void NeedleTracker::learn_confidence() {
+  if (usual_confidence_ == 0.0) usual_confidence_ = now_.confidence;
+  usual_confidence_ += kUsualPace * (now_.confidence - usual_confidence_);
 }
 
 double NeedleTracker::confidence() const {

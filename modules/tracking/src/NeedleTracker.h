@@ -123,8 +123,8 @@ class NeedleTracker {
   /// Its lines are alike on both their sides and on both sides of it: drawn where its edges are, not what optics make
   /// of them.
   bool is_even() const;
-  /// Seen well: one lifted out of focus fades, and lets a membrane go slowly.
-  bool is_clear() const noexcept { return now_.confidence >= 0.5; }
+  /// Seen well, or, a faint one, about as well as of late: one lifted out of focus fades, and lets a membrane go slowly.
+  bool is_clear() const noexcept;
   bool valid() const noexcept { return valid_; }
   void reset() noexcept { *this = NeedleTracker(); }
   /// How far the tip moved with the last frame, beyond a jump of the whole scene.
@@ -145,6 +145,8 @@ class NeedleTracker {
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);
+  // How far across the needle a reading has leapt, px; 0: it hasn't.
+  double leap_across(const Eigen::Vector2d& read) const;
   Eigen::Vector2d tip() const;
   double again_px() const;
   double width_behind(const FrameSampler& image) const;
@@ -157,6 +159,7 @@ class NeedleTracker {
   void learn(double end_ahead);
   void fill(double noise, const ShaftResult& shaft);
   double confidence() const;
+  void learn_confidence();
 
   NeedleEstimate now_;
   NeedleAxis axis_, axis_before_;
@@ -175,6 +178,7 @@ class NeedleTracker {
   std::size_t end_ = 0;            // the one that fits best
   double anchor_sigma_ = 1.0;      // px: how well the cone's place on the needle is known
   double clarity_ = 0.0;           // 0..1: how well its shaft is seen
+  double usual_confidence_ = 0.0;  // of late
   double beside_ = 0.0;            // px: the tip lies so far beside the axis, as a bevel's does
   double read_half_width_ = 0.0;   // px; above 0: no shaft is followed
   double scene_half_width_ = 0.0;  // px; 0: no scene was seen
