@@ -146,9 +146,9 @@ bool NeedleTracker::find_tip(TipNetwork& network, const FrameSampler& image, con
   return true;
 }
 
-double NeedleTracker::leap_across(const Eigen::Vector2d& read) const {
+double NeedleTracker::leap_across(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const {
   const Eigen::Vector2d before = axis_before_.tip + beside_ * axis_before_.across();
-  const double off_px = (read - tip()).dot(axis_.across()), since_px = (read - before).dot(axis_.across());
+  const double off_px = (read - due).dot(axis_.across()), since_px = (read - before).dot(axis_.across());
   const double most_px = std::max(kAcross_px, kAcrossHalfWidths * now_.tip_half_width);
   return std::min(std::abs(off_px), std::abs(since_px)) > most_px ? off_px : 0.0;
 }
@@ -160,7 +160,7 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   double share = 1.0;
   std::optional<TipReading> seen = best_reading(network, image, share);
   if (!seen) return false;
-  seen->tip -= leap_across(seen->tip) * axis_.across();
+  seen->tip -= leap_across(seen->tip, tip()) * axis_.across();
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
@@ -239,6 +239,9 @@ bool NeedleTracker::go_on_read(TipNetwork& network, const FrameSampler& image) {
   NeedleTracker read = *this;
   read.read_half_width_ = width_behind(image);
   read.motion_.setZero();
+  read.axis_.tip = tip();
+  read.beside_ = 0.0;
+  read.read_frames_ = kSettled_frames + 1;  // where its tip lies is known
   if (!read.follow_read(network, image, {})) return false;
   *this = std::move(read);
   return true;
@@ -263,6 +266,7 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   }
   // A leap that no motion of late announces is believed when a second frame shows it.
   const Eigen::Vector2d due = axis_before_.tip + expected;
+  if (!cue.in_the_clear && read_frames_ > kSettled_frames) seen.tip -= leap_across(seen.tip, due) * axis_.across();
   const double leap_px = (seen.tip - due).norm();
   const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
   leaps_ = is_leap ? leaps_ + 1 : 0;

@@ -123,7 +123,8 @@ class NeedleTracker {
   /// Its lines are alike on both their sides and on both sides of it: drawn where its edges are, not what optics make
   /// of them.
   bool is_even() const;
-  /// Seen well, or, a faint one, about as well as of late: one lifted out of focus fades, and lets a membrane go slowly.
+  /// Seen well, or, a faint one, about as well as of late: one lifted out of focus fades, and lets a membrane go
+  /// slowly.
   bool is_clear() const noexcept;
   bool valid() const noexcept { return valid_; }
   void reset() noexcept { *this = NeedleTracker(); }
@@ -145,8 +146,8 @@ class NeedleTracker {
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);
-  // How far across the needle a reading has leapt, px; 0: it hasn't.
-  double leap_across(const Eigen::Vector2d& read) const;
+  // How far across the needle a reading has leapt from where it is due, px; 0: it hasn't.
+  double leap_across(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const;
   Eigen::Vector2d tip() const;
   double again_px() const;
   double width_behind(const FrameSampler& image) const;
