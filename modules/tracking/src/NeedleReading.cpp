@@ -35,8 +35,8 @@ constexpr int kUncommandedReadings = 12;
 // A bevel's tip lies so far beside the middle of the needle's end, px and in half widths of it; and no further.
 constexpr double kBeside_px = 2.5, kBesideHalfWidths = 0.35, kMostBesideHalfWidths = 1.4;
 
-// In contact: a tip read so far across the needle, px and in half widths, from where its shaft and the frame before have
-// it, is another corner of its end; a needle is rigid.
+// In contact: a tip read so far across the needle, px and in half widths, from where its shaft and the frame before
+// have it, is another corner of its end; a needle is rigid.
 constexpr double kAcross_px = 4.0, kAcrossHalfWidths = 0.5;
 
 // A tip known by readings alone that leaps by so much, px and in half widths, from where it is due, in frames once it
@@ -147,6 +147,8 @@ bool NeedleTracker::find_tip(TipNetwork& network, const FrameSampler& image, con
 }
 
 double NeedleTracker::leap_across(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const {
+  // One that is in doubt may be elsewhere.
+  if (!is_clear()) return 0.0;
   const Eigen::Vector2d before = axis_before_.tip + beside_ * axis_before_.across();
   const double off_px = (read - due).dot(axis_.across()), since_px = (read - before).dot(axis_.across());
   const double most_px = std::max(kAcross_px, kAcrossHalfWidths * now_.tip_half_width);
@@ -241,7 +243,7 @@ bool NeedleTracker::go_on_read(TipNetwork& network, const FrameSampler& image) {
   read.motion_.setZero();
   read.axis_.tip = tip();
   read.beside_ = 0.0;
-  read.read_frames_ = kSettled_frames + 1;  // where its tip lies is known
+  read.is_across_known_ = true;
   if (!read.follow_read(network, image, {})) return false;
   *this = std::move(read);
   return true;
@@ -266,7 +268,8 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   }
   // A leap that no motion of late announces is believed when a second frame shows it.
   const Eigen::Vector2d due = axis_before_.tip + expected;
-  if (!cue.in_the_clear && read_frames_ > kSettled_frames) seen.tip -= leap_across(seen.tip, due) * axis_.across();
+  is_across_known_ = is_across_known_ || read_frames_ > kSettled_frames;
+  if (!cue.in_the_clear && is_across_known_) seen.tip -= leap_across(seen.tip, due) * axis_.across();
   const double leap_px = (seen.tip - due).norm();
   const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
   leaps_ = is_leap ? leaps_ + 1 : 0;

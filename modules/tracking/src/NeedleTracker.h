@@ -189,6 +189,7 @@ class NeedleTracker {
   double width_information_ = 0.0, width_log_sum_ = 0.0;
   int width_readings_ = 0;
   int leaps_ = 0, read_frames_ = 0;  // of a tip known by readings alone: leaps in a row, frames followed
+  bool is_across_known_ = false;     // likewise: where it lies across the needle
   int sprung_readings_ = 0;          // in a row, not believed
   std::optional<TipReading> doubted_;
   bool clear_seen_ = false;
