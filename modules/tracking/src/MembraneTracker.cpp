@@ -7,6 +7,7 @@
 #include "CellDetector.h"
 #include "CellFollower.h"
 #include "ContourMath.h"
+#include "CrossedCell.h"
 #include "Deinterlacer.h"
 #include "HintedNeedle.h"
 #include "LoneNeedle.h"
@@ -163,6 +164,8 @@ class MembraneTracker::Impl {
     load(frame.view, whole_);
     if (options_.detection == Detection::kLines) return;
     scene_ = reader_.read(whole_);
+    for (std::size_t k = 0; k < scene_.cells.size(); ++k)
+      look_past(scene_, {scene_.cells[k].center, scene_.cells[k].radius_px, 1.0, 0.0}, frame.image, reader_.tips());
     frame.seen = frame.scene = &scene_;
   }
 
@@ -224,6 +227,8 @@ class MembraneTracker::Impl {
                        const DetectionHint* hint) {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
+    if (has_lines)
+      look_past(scene_, {cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0}, frame.image, reader_.tips());
     const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
     if (has_lines && verdict.is_by_lines()) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));
@@ -232,8 +237,9 @@ class MembraneTracker::Impl {
     if (found && scene_.cells.empty())
       add_likeliest_ring(scene_, whole_, options_, found->circle, frame.image, reader_);
     const bool has_seen = start_seen(frame, hint);
-    const bool strays = has_lines && has_seen && is_bystander(cell_, scene_) && !is_bystander(lines, scene_);
-    if (has_seen && !strays && (!has_lines || is_preferred(cell_, verdict))) return true;
+    const bool are_apart = has_lines && has_seen && is_bystander(cell_, scene_) != is_bystander(lines, scene_);
+    const bool strays = are_apart && is_bystander(cell_, scene_);
+    if (has_seen && !strays && (!has_lines || are_apart || is_preferred(cell_, verdict))) return true;
     // Where the whole picture gives the network no start, the lines may.
     if (!has_seen && has_lines && !verdict.is_same() && cell_.start(frame, detected(lines)) && is_known(cell_))
       return true;
