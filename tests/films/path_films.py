@@ -12,7 +12,8 @@ optical path becomes bright field (its curvature and absorption, or mere dark li
 a shear direction) or phase contrast (the path less its wide blur). There are ten films of each contrast and three
 without a cell. Each film is a folder: frame_00000.png ..., film.json (pixel size, contrast), t.csv and t_contours.csv in
 the columns of a simulated recording's truth. A film depends on the seed and on the specimens that the folders hold.
-Nothing in the tracker may be set against these films but for those with the seed 20261124, whose failures were looked at.
+Nothing in the tracker may be set against these films but for those with the seed 20261124, whose failures were looked at, and
+single ones of other seeds that docs/method.md names.
 Needs Debian's python3-numpy, python3-scipy and python3-opencv.
 """
 import zlib

@@ -8,7 +8,7 @@ namespace pellucida {
 namespace {
 
 // So far, px and of the cell's radius, a tip has moved against the cell; what rests has moved by less than this share
-// of it. A cell goes towards its holder by 0.07 of a push at most (CellFollowerPlace).
+// of it. A cell goes towards its holder by 0.07 of a push at most (CellFollowerPlace). Looked at on wide film 311003.
 constexpr double kGone_px = 3.0, kGone_ratio = 0.06, kRested_ratio = 0.33;
 // Readings in a row that have to show it, with so much of the network's answer in one place; so many that don't show
 // the tool at all end the watch.
