@@ -136,10 +136,7 @@ void CellFollower::watch_facing(const FrameInput& frame) {
   needle_way_.reset();
   rival_.reset();
   contact_.reset(CellState::kContact);
-  rest_.center = circle.center;
-  rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);
-  motion_ = {};
-  motion_.pivot = rest_.center;
+  rest_now_at(circle.center);
   find_holder_anew(frame);
   // What it pushes may have gone into that circle; not what the holder seats.
   rest_.center = motion_.pivot = seat_ = seat_center();

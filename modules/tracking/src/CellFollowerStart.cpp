@@ -113,6 +113,14 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   return true;
 }
 
+// The cell at rest lies there in this frame: its motion counts from here on.
+void CellFollower::rest_now_at(const Eigen::Vector2d& center) {
+  rest_.center = center;
+  rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);
+  motion_ = {};
+  motion_.pivot = rest_.center;
+}
+
 void CellFollower::forget_depths() {
   deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
 }

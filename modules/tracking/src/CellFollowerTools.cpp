@@ -214,10 +214,7 @@ bool CellFollower::expect_holder(const FrameInput& frame, const Eigen::Vector2d&
   rival_.reset();
   if (frame.seen) check_width(*holder_, *frame.seen, !frame.scene);
   // It was found in this frame, and the cell at rest is where it is now.
-  rest_.center = center_now();
-  rest_.shape = rest_.shape.turned_back(-motion_.angle_rad);
-  motion_ = {};
-  motion_.pivot = rest_.center;
+  rest_now_at(center_now());
   walls_slide_ = false;
   learn_holder_motion(frame);
   return true;

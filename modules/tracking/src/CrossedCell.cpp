@@ -27,9 +27,9 @@ void look_past(SceneReading& scene, const contour::Circle& crossed, const FrameS
     const double most_beside_px = std::max(kBesideHalfWidths * needle.half_width_px, kBeside_ratio * crossed.radius);
     for (const SceneCell& cell : scene.cells) {
       const Eigen::Vector2d to_cell = cell.center - needle.tip;
-      const double ahead_px = to_cell.dot(needle.direction), across = across_px(to_cell, needle.direction);
-      if (across > cell.radius_px || ahead_px < crossed_px + crossed.radius) continue;
-      const double entry_px = ahead_px - std::sqrt(cell.radius_px * cell.radius_px - across * across);
+      const double ahead_px = to_cell.dot(needle.direction), aside_px = across_px(to_cell, needle.direction);
+      if (aside_px > cell.radius_px || ahead_px < crossed_px + crossed.radius) continue;
+      const double entry_px = ahead_px - std::sqrt(cell.radius_px * cell.radius_px - aside_px * aside_px);
       const NeedleAxis entry{needle.tip + entry_px * needle.direction, needle.direction};
       const TipReading seen = tips.find(image, entry, needle.half_width_px, cell.center);
       const bool is_past = (seen.tip - crossed.center).dot(needle.direction) > kThrough_ratio * crossed.radius;

@@ -147,7 +147,7 @@ bool NeedleTracker::find_tip(TipNetwork& network, const FrameSampler& image, con
   return true;
 }
 
-double NeedleTracker::leap_across(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const {
+double NeedleTracker::leap_across_px(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const {
   // One that is in doubt may be elsewhere.
   if (!is_clear()) return 0.0;
   const Eigen::Vector2d before = axis_before_.tip + beside_ * axis_before_.across();
@@ -163,7 +163,7 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   double share = 1.0;
   std::optional<TipReading> seen = best_reading(network, image, share);
   if (!seen) return false;
-  seen->tip -= leap_across(seen->tip, tip()) * axis_.across();
+  seen->tip -= leap_across_px(seen->tip, tip()) * axis_.across();
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
   const double sigma_px = std::hypot(now_.tip_sigma, seen->along_sigma_px);
@@ -270,7 +270,7 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   // A leap that no motion of late announces is believed when a second frame shows it.
   const Eigen::Vector2d due = axis_before_.tip + expected;
   is_across_known_ = is_across_known_ || read_frames_ > kSettled_frames;
-  if (!cue.in_the_clear && is_across_known_) seen.tip -= leap_across(seen.tip, due) * axis_.across();
+  if (!cue.in_the_clear && is_across_known_) seen.tip -= leap_across_px(seen.tip, due) * axis_.across();
   const double leap_px = (seen.tip - due).norm();
   const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
   leaps_ = is_leap ? leaps_ + 1 : 0;

@@ -146,8 +146,8 @@ class NeedleTracker {
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);
-  // How far across the needle a reading has leapt from where it is due, px; 0: it hasn't.
-  double leap_across(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const;
+  // How far across the needle a reading has leapt from where it is due; 0: it hasn't.
+  double leap_across_px(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const;
   Eigen::Vector2d tip() const;
   double again_px() const;
   double width_behind(const FrameSampler& image) const;

@@ -15,7 +15,7 @@ constexpr double kGone_px = 3.0, kGone_ratio = 0.06, kRested_ratio = 0.33;
 constexpr int kReadings = 2, kMostUnseen = 4;
 constexpr double kSureTip = 0.8;
 
-double along(const NeedleEstimate& tool, const Eigen::Vector2d& center) {
+double along_px(const NeedleEstimate& tool, const Eigen::Vector2d& center) {
   return (tool.tip - center).dot(tool.direction);
 }
 
@@ -25,8 +25,8 @@ void RivalTool::begin(NeedleTracker tool, const NeedleEstimate& needle, const co
   reset();
   tool_ = std::move(tool);
   center_ = cell.center;
-  tool_start_ = along(tool_.estimate(), center_);
-  needle_start_ = along(needle, center_);
+  tool_start_px_ = along_px(tool_.estimate(), center_);
+  needle_start_px_ = along_px(needle, center_);
 }
 
 RivalTool::Verdict RivalTool::watch(TipNetwork& tips, const FrameSampler& image, const NeedleEstimate& needle,
@@ -39,13 +39,13 @@ RivalTool::Verdict RivalTool::watch(TipNetwork& tips, const FrameSampler& image,
     return Verdict::kOpen;
   }
   times_unseen_ = 0;
-  const double least = std::max(kGone_px, kGone_ratio * cell.radius), now = along(tool_.estimate(), center_);
-  const double tool_way = now - tool_start_, needle_way = along(needle, center_) - needle_start_;
-  if (std::abs(needle_way) > least && std::abs(tool_way) < kRested_ratio * std::abs(needle_way))
+  const double least_px = std::max(kGone_px, kGone_ratio * cell.radius), now_px = along_px(tool_.estimate(), center_);
+  const double tool_way_px = now_px - tool_start_px_, needle_way_px = along_px(needle, center_) - needle_start_px_;
+  if (std::abs(needle_way_px) > least_px && std::abs(tool_way_px) < kRested_ratio * std::abs(needle_way_px))
     return Verdict::kIsHolder;
-  const bool is_in_cell = cell.radius + now > least;
-  const bool has_gone = tool_way > least && std::abs(needle_way) < kRested_ratio * tool_way;
-  const bool is_sure = tool_.estimate().confidence > kSureTip && tool_.estimate().tip_sigma < 0.5 * tool_way;
+  const bool is_in_cell = cell.radius + now_px > least_px;
+  const bool has_gone = tool_way_px > least_px && std::abs(needle_way_px) < kRested_ratio * tool_way_px;
+  const bool is_sure = tool_.estimate().confidence > kSureTip && tool_.estimate().tip_sigma < 0.5 * tool_way_px;
   times_gone_ = has_gone && is_in_cell && is_sure ? times_gone_ + 1 : 0;
   return times_gone_ < kReadings ? Verdict::kOpen : Verdict::kIsNeedle;
 }

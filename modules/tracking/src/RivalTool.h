@@ -29,9 +29,9 @@ class RivalTool {
 
  private:
   NeedleTracker tool_;
-  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();  // of the cell when the tool was last seen
-  double tool_start_ = 0.0, needle_start_ = 0.0;      // along their directions, from the centre
-  int times_gone_ = 0, times_unseen_ = 0;             // in a row
+  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();    // of the cell when the tool was last seen
+  double tool_start_px_ = 0.0, needle_start_px_ = 0.0;  // along their directions, from the centre
+  int times_gone_ = 0, times_unseen_ = 0;               // in a row
 };
 
 }  // namespace pellucida
