@@ -194,6 +194,27 @@ TEST(TipSpeed, FollowsATipThatIsSeen) {
   EXPECT_FALSE(meter.update(Scene{}));
 }
 
+// A manipulator that advances 2 um four times a second: 8 um/s, at whatever moment one looks, also in a tremor's way
+// back.
+TEST(TipSpeed, OfStepsIsTheirMean) {
+  TipSpeed meter;
+  double lowest = 1e9, highest = -1e9;
+  for (int tick = 0; tick <= 200; ++tick) {
+    const double time_s = 0.02 * tick, step_um = 2.0 * std::floor(time_s / 0.25),
+                 tremor_um = 0.2 * std::sin(60.0 * time_s);
+    const auto velocity_um_per_s = meter.update(time_s, {100.0 - step_um - tremor_um, 5.0, -3.0});
+    if (time_s < 1.0) continue;
+    ASSERT_TRUE(velocity_um_per_s);
+    EXPECT_NEAR(velocity_um_per_s->tail<2>().norm(), 0.0, 1e-9);
+    lowest = std::min(lowest, -velocity_um_per_s->x());
+    highest = std::max(highest, -velocity_um_per_s->x());
+  }
+  EXPECT_GT(lowest, 0.0);
+  EXPECT_LT(highest, 25.0);
+  meter.forget();
+  EXPECT_FALSE(meter.update(9.0, {0.0, 0.0, 0.0}));
+}
+
 TEST(PunctureMemory, StaysUntilTheNextCell) {
   PunctureMemory memory;
   const Event puncture{3.0, event_kind::kPuncture, "at 7.27 uN and 43.6 um, work 62.4 uN um; membrane back at 3.1 um"};

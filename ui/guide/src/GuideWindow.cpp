@@ -283,7 +283,7 @@ void GuideWindow::tick() {
 void GuideWindow::show_scene() {
   facts_->show_texts(readout_texts(scenes_.measured(), run_->profile()));
   facts_->show_scale(scale_texts(scenes_.measured(), run_->profile()));
-  if (scenes_.measured()) seen_speed_um_per_s_ = tip_speed_.update(*scenes_.measured());
+  if (scenes_.measured()) seen_speed_um_per_s_ = seen_speed_.update(*scenes_.measured());
   if (scenes_.measured()) cells_->take(*scenes_.measured(), scenes_.new_rows());
   show_gauges();
   feed_.refresh();
@@ -315,6 +315,15 @@ void GuideWindow::show_deposits() {
   membranes_.set_droplets(std::move(marks));
 }
 
+// The plan's way, else the way the needle points, else none: zero.
+Eigen::Vector3d GuideWindow::way_inwards() const {
+  if (console_ && console_->plan()) return console_->plan()->axis.eigen();
+  const Scene* scene = scenes_.measured();
+  if (!scene || !scene->observation || !scene->observation->needle) return Eigen::Vector3d::Zero();
+  const Eigen::Vector2d& direction = scene->observation->needle->direction;
+  return {direction.x(), direction.y(), 0.0};
+}
+
 void GuideWindow::show_gauges() {
   const LiveStatus status = run_->status();
   GaugeInput input;
@@ -333,9 +342,11 @@ void GuideWindow::show_gauges() {
     const PipetteState pipette = console_->status().pipette;
     if (pipette.known) {
       input.tip_um = pipette.tip_um.eigen();
-      const Eigen::Vector3d velocity = pipette.velocity_um_per_s.eigen();
-      const double along = input.plan ? velocity.dot(input.plan->axis.eigen()) : 1.0;
-      input.speed_um_per_s = std::copysign(velocity.norm(), along);
+      if (const auto velocity = reported_speed_.update(pipette.time_s, *input.tip_um)) {
+        input.speed_um_per_s = std::copysign(velocity->norm(), velocity->dot(way_inwards()));
+      }
+    } else {
+      reported_speed_.forget();
     }
   }
   feed_.set_reported_tip(input.tip_um ? std::optional<Eigen::Vector2d>(input.tip_um->head<2>()) : std::nullopt);

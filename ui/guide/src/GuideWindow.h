@@ -69,6 +69,7 @@ class GuideWindow : public QMainWindow {
   void tick();
   void show_scene();
   void show_deposits();
+  Eigen::Vector3d way_inwards() const;
   void show_gauges();
   std::vector<Event> take_events();
   void give_hint(const PersonHint& hint);
@@ -107,7 +108,7 @@ class GuideWindow : public QMainWindow {
 
   QTimer timer_;
   QElapsedTimer clock_;
-  TipSpeed tip_speed_;
+  TipSpeed seen_speed_, reported_speed_;
   std::optional<double> seen_speed_um_per_s_;
   PunctureMemory puncture_;
   DepositTracker deposits_;

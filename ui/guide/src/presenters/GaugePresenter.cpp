@@ -249,24 +249,34 @@ std::array<Gauge, 4> make_gauges(const GaugeInput& input) {
   return gauges;
 }
 
+std::optional<Eigen::Vector3d> TipSpeed::update(double time_s, const Eigen::Vector3d& tip_um) {
+  const double elapsed_s = time_s - time_s_;
+  if (tip_um_ && elapsed_s > 0.0) {
+    const Eigen::Vector3d now = (tip_um - *tip_um_) / elapsed_s;
+    const double part = elapsed_s / (elapsed_s + kSpeedMemory_s);
+    velocity_um_per_s_ = velocity_um_per_s_ ? *velocity_um_per_s_ + part * (now - *velocity_um_per_s_) : now;
+  }
+  if (!tip_um_ || elapsed_s != 0.0) {
+    tip_um_ = tip_um;
+    time_s_ = time_s;
+  }
+  return velocity_um_per_s_;
+}
+
 std::optional<double> TipSpeed::update(const Scene& scene) {
   if (!scene.observation || !scene.observation->needle) {
-    tip_um_.reset();
-    speed_um_per_s_.reset();
+    forget();
     return std::nullopt;
   }
   const NeedlePose& needle = *scene.observation->needle;
-  const double time_s = scene.measurement.time_s, elapsed_s = time_s - time_s_;
-  if (tip_um_ && elapsed_s > 0.0) {
-    const double now = (needle.tip_um - *tip_um_).dot(needle.direction) / elapsed_s;
-    const double part = elapsed_s / (elapsed_s + kSpeedMemory_s);
-    speed_um_per_s_ = speed_um_per_s_ ? *speed_um_per_s_ + part * (now - *speed_um_per_s_) : now;
-  }
-  if (!tip_um_ || elapsed_s != 0.0) {
-    tip_um_ = needle.tip_um;
-    time_s_ = time_s;
-  }
-  return speed_um_per_s_;
+  const auto velocity_um_per_s = update(scene.measurement.time_s, {needle.tip_um.x(), needle.tip_um.y(), 0.0});
+  if (!velocity_um_per_s) return std::nullopt;
+  return velocity_um_per_s->head<2>().dot(needle.direction);
+}
+
+void TipSpeed::forget() {
+  tip_um_.reset();
+  velocity_um_per_s_.reset();
 }
 
 bool Gauge::operator==(const Gauge& other) const {

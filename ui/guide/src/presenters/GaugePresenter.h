@@ -66,16 +66,22 @@ struct GaugeInput {
 /// Force, depth, speed, distance to the target.
 std::array<Gauge, 4> make_gauges(const GaugeInput& input);
 
-/// Speed of a tip that is seen, from frame to frame, along the needle.
+/// Velocity of a tip from its positions: their mean over the last tenths of a second, since a hand and a manipulator
+/// advance in steps.
 class TipSpeed {
  public:
-  /// Takes the next measured scene. um/s, above 0 into the cell; nothing while no tip is seen.
+  /// Takes the position at `time_s`; one at the same time as the last adds nothing. um/s; nothing before a second
+  /// position.
+  std::optional<Eigen::Vector3d> update(double time_s, const Eigen::Vector3d& tip_um);
+  /// The same from the next measured scene, along the needle. um/s, above 0 into the cell; nothing while no tip is
+  /// seen.
   std::optional<double> update(const Scene& scene);
+  /// The next position begins anew.
+  void forget();
 
  private:
-  std::optional<Eigen::Vector2d> tip_um_;
+  std::optional<Eigen::Vector3d> tip_um_, velocity_um_per_s_;
   double time_s_ = 0.0;
-  std::optional<double> speed_um_per_s_;
 };
 
 }  // namespace pellucida
