@@ -94,6 +94,8 @@ class CellFollower {
   /// Rigid motion since the cell was found, and where its resting centre is now.
   const RigidMove& motion() const noexcept { return motion_; }
   Eigen::Vector2d center_now() const { return motion_.apply(rest_.center); }
+  /// Of its outline at rest, where it is now.
+  contour::Circle circle_now() const { return {center_now(), rest_.outer_radius, 1.0, 0.0}; }
   /// The holder's direction now; holder needed.
   Eigen::Vector2d holder_direction() const { return motion_.turn(holder_->direction); }
 
@@ -105,7 +107,8 @@ class CellFollower {
   double rest_sigma() const;
 
   /// How far the cell's sides, across from the needle's line, lie from their resting place: RMS, a shift of the whole
-  /// taken off, px; needle needed. Nothing that the needle hides or the contour is tied to is in it.
+  /// taken off, px; needle needed. Nothing that the needle hides or the contour is tied to is in it. 0 where they lie
+  /// elsewhere while nothing touches the cell: they say nothing.
   double side_bulge() const;
 
   /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
@@ -138,7 +141,7 @@ class CellFollower {
   static constexpr double kAsWell_ratio = 0.8;
   // Through the part of a contour that nothing dents.
   static contour::Circle circle_of(const Eigen::Matrix2Xd& points);
-  bool is_cell(const FrameInput& frame, const contour::Circle& circle) const;
+  bool is_cell(const FrameInput& frame, const contour::Circle& circle, double scene_share) const;
   bool is_sized(const FrameInput& frame, const contour::Circle& circle) const;
   static bool refuse(const FrameInput& frame, const contour::Circle& circle);
   contour::Circle resting_circle() const;
@@ -177,6 +180,7 @@ class CellFollower {
   double least_new_dent_ratio() const noexcept;
   double inward_px(const Eigen::Vector2d& toward, double from_ratio, double to_ratio) const;
   double flank_depth() const;
+  double sides_off_rest() const;
   bool is_pushed() const;
   void follow_flanks();
   void follow_bulge();
@@ -249,6 +253,7 @@ class CellFollower {
   double detection_score_ = 0.0, quality_ = 0.0, usual_quality_ = 0.0, first_quality_ = 0.0, membrane_depth_ = 0.0;
   double deepest_flank_ = 0.0, tip_at_deepest_flank_ = 0.0;  // px, of late
   double flank_before_ = 0.0, flank_noise_ = 0.0;            // px, of a cell that nothing pushes: from frame to frame
+  double resting_bulge_ = 0.0;                               // px, of the sides of a cell that nothing pushes
   double largest_bulge_ = 0.0, tip_at_largest_bulge_ = 0.0;  // likewise, of the sides
   double untied_depth_ = 0.0, tip_at_untied_depth_ = 0.0;    // likewise, of the contour that nothing ties to the tip
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius

@@ -122,9 +122,7 @@ class MembraneTracker::Impl {
   bool is_excluded(const FrameInput& frame, const contour::Circle& circle) const {
     return hints_.is_no_cell(laid_, frame.view.pixel_size_um, circle);
   }
-  bool is_excluded(const FrameInput& frame, const SceneCell& seen) const {
-    return is_excluded(frame, contour::Circle{seen.center, seen.radius_px, 1.0, 0.0});
-  }
+  bool is_excluded(const FrameInput& frame, const SceneCell& seen) const { return is_excluded(frame, seen.circle()); }
 
   // By lines, and nothing that a person called no cell.
   std::optional<DetectedCell> detect_by_lines(const FrameInput& frame) const {
@@ -165,7 +163,7 @@ class MembraneTracker::Impl {
     if (options_.detection == Detection::kLines) return;
     scene_ = reader_.read(whole_);
     for (std::size_t k = 0; k < scene_.cells.size(); ++k)
-      look_past(scene_, {scene_.cells[k].center, scene_.cells[k].radius_px, 1.0, 0.0}, frame.image, reader_.tips());
+      look_past(scene_, scene_.cells[k].circle(), frame.image, reader_.tips());
     frame.seen = frame.scene = &scene_;
   }
 
@@ -187,8 +185,7 @@ class MembraneTracker::Impl {
     const std::optional<DetectionHint> hint = hints_.take_cell(laid_, frame.view.pixel_size_um);
     frame.is_vouched = hint.has_value();
     has_cell_ = hint ? start_at(frame, *hint) : start_best(frame);
-    if (hint && has_cell_)
-      hints_.forget_no_cell(laid_, frame.view.pixel_size_um, {cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0});
+    if (hint && has_cell_) hints_.forget_no_cell(laid_, frame.view.pixel_size_um, cell_.circle_now());
     ever_ = ever_ || has_cell_;
   }
 
@@ -212,8 +209,7 @@ class MembraneTracker::Impl {
     const auto start_one = [&](bool bystander) {
       return std::any_of(scene_.cells.begin(), scene_.cells.end(), [&](const SceneCell& seen) {
         const bool is_meant = hint ? contour::contains(seen.outer, hint->inside) : !is_excluded(frame, seen);
-        return seen.share > kLeastCellShare && is_meant &&
-               is_bystander({seen.center, seen.radius_px, 1.0, 0.0}, scene_) == bystander &&
+        return seen.share > kLeastCellShare && is_meant && is_bystander(seen.circle(), scene_) == bystander &&
                cell_.start(frame, detected(seen));
       });
     };
@@ -227,8 +223,10 @@ class MembraneTracker::Impl {
                        const DetectionHint* hint) {
     choose_scene(frame, false);
     const bool has_lines = by_lines();
-    if (has_lines)
-      look_past(scene_, {cell_.center_now(), cell_.rest().outer_radius, 1.0, 0.0}, frame.image, reader_.tips());
+    if (has_lines) {
+      if (scene_.cells.empty()) add_ring_behind(scene_, whole_, options_, cell_.circle_now(), frame.image, reader_);
+      look_past(scene_, cell_.circle_now(), frame.image, reader_.tips());
+    }
     const LinesVerdict verdict = has_lines ? judge_with_needle(frame, by_lines) : LinesVerdict{};
     if (has_lines && verdict.is_by_lines()) return follow_lines(verdict);
     CellFollower lines = std::exchange(cell_, CellFollower(options_));

@@ -12,7 +12,7 @@ constexpr Eigen::Index kFewest = 24;
 // Rounds of the fit, from where on distant points count less, and from which distance on, px.
 constexpr int kRounds = 6, kPlainRounds = 2;
 constexpr double kScale_px = 2.0;
-constexpr double kMostOfOutline = 0.25;  // that bumps take; an outline with more of them is not that of an oval
+constexpr double kMostOfOutline = 0.4;  // that bumps take; an outline with more of them is not that of an oval
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "RingChoice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -28,6 +29,20 @@ SceneCell round_cell(const contour::Circle& circle, double share) {
   return cell;
 }
 
+// The ring about a circle that the network that knows cells is surest of, where it is sure of one.
+std::optional<SceneCell> likeliest_ring(const contour::Circle& about, const FrameSampler& image, SceneReader& reader) {
+  contour::Circle best = about;
+  double share = 0.0;
+  for (double ratio = kLargestRing_ratio; ratio > kSmallestRing_ratio; ratio *= kRingStep_ratio) {
+    const double now = reader.cells().read(image, about.center, ratio * about.radius);
+    if (now <= share) continue;
+    share = now;
+    best.radius = ratio * about.radius;
+  }
+  if (share < kSureRing) return std::nullopt;
+  return round_cell(best, share);
+}
+
 }  // namespace
 
 void add_likeliest_ring(SceneReading& scene, const GrayImage& whole, const TrackerOptions& options,
@@ -38,15 +53,21 @@ void add_likeliest_ring(SceneReading& scene, const GrayImage& whole, const Track
     if (!other || is_bystander(other->circle, scene)) return;
     about = other->circle;
   }
-  contour::Circle best = about;
-  double share = 0.0;
-  for (double ratio = kLargestRing_ratio; ratio > kSmallestRing_ratio; ratio *= kRingStep_ratio) {
-    const double now = reader.cells().read(image, about.center, ratio * about.radius);
-    if (now <= share) continue;
-    share = now;
-    best.radius = ratio * about.radius;
-  }
-  if (share >= kSureRing) scene.cells.push_back(round_cell(best, share));
+  if (const auto ring = likeliest_ring(about, image, reader)) scene.cells.push_back(*ring);
+}
+
+void add_ring_behind(SceneReading& scene, const GrayImage& whole, const TrackerOptions& options,
+                     const contour::Circle& found, const FrameSampler& image, SceneReader& reader) {
+  const auto is_aimed_at = [&](const SceneTool& needle) { return points_into(needle, found.center, found.radius); };
+  if (std::none_of(scene.needles.begin(), scene.needles.end(), is_aimed_at)) return;
+  const std::optional<DetectedCell> other = detect_cell(whole, options, nullptr, &found);
+  if (!other) return;
+  const auto passes = [&](const SceneTool& needle) {
+    return is_aimed_at(needle) && points_into(needle, other->circle.center, other->circle.radius) &&
+           (other->circle.center - found.center).dot(needle.direction) > found.radius;
+  };
+  if (std::none_of(scene.needles.begin(), scene.needles.end(), passes)) return;
+  if (const auto ring = likeliest_ring(other->circle, image, reader)) scene.cells.push_back(*ring);
 }
 
 }  // namespace pellucida

@@ -12,4 +12,10 @@ namespace pellucida {
 void add_likeliest_ring(SceneReading& scene, const GrayImage& whole, const TrackerOptions& options,
                         const contour::Circle& found, const FrameSampler& image, SceneReader& reader);
 
+/// Adds to a scene that shows no cell the next best one that lines find in `whole` where a needle points at it through
+/// `found`, and the network that knows cells is sure of it: `found` may be a bystander that the needle lies over. For
+/// detection: 40 ms where a needle points at `found`.
+void add_ring_behind(SceneReading& scene, const GrayImage& whole, const TrackerOptions& options,
+                     const contour::Circle& found, const FrameSampler& image, SceneReader& reader);
+
 }  // namespace pellucida

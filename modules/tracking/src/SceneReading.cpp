@@ -250,18 +250,20 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
 
 }  // namespace
 
+bool points_into(const SceneTool& needle, const Eigen::Vector2d& center, double radius_px) {
+  const Eigen::Vector2d way = center - needle.tip;
+  return way.dot(needle.direction) > 0.0 &&
+         std::abs(way.x() * needle.direction.y() - way.y() * needle.direction.x()) < radius_px;
+}
+
 bool is_worked_on(const SceneReading& seen, const Eigen::Vector2d& center, double radius_px) {
   const auto ends_at = [&](const SceneTool& holder) {
     const double away = (center - holder.tip).norm() / radius_px;
     return away > kNearestEnd_ratio && away < kFarthestEnd_ratio &&
            holder.direction.dot(center - holder.tip) > kAimed * away * radius_px;
   };
-  const auto points_into = [&](const SceneTool& needle) {
-    const Eigen::Vector2d way = center - needle.tip;
-    return way.dot(needle.direction) > 0.0 &&
-           std::abs(way.x() * needle.direction.y() - way.y() * needle.direction.x()) < radius_px;
-  };
-  return std::any_of(seen.needles.begin(), seen.needles.end(), points_into) ||
+  const auto aims_at = [&](const SceneTool& needle) { return points_into(needle, center, radius_px); };
+  return std::any_of(seen.needles.begin(), seen.needles.end(), aims_at) ||
          std::any_of(seen.holders.begin(), seen.holders.end(), ends_at);
 }
 

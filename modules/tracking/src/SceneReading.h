@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "ContourMath.h"
 #include "SceneNetwork.h"
 
 namespace pellucida {
@@ -17,6 +18,8 @@ struct SceneCell {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
   double radius_px = 0.0;  ///< of a circle of the same area
   double share = 0.0;      ///< 0..1: mean probability of being cell, over its area
+
+  contour::Circle circle() const noexcept { return {center, radius_px, 1.0, 0.0}; }
 };
 
 /// A straight tool as the network's map shows it.
@@ -38,6 +41,9 @@ struct SceneReading {
   std::vector<SceneTool> holders;
   bool has_tools() const noexcept { return !(needles.empty() && holders.empty()); }
 };
+
+/// Whether the needle's line ahead of its tip meets the circle.
+bool points_into(const SceneTool& needle, const Eigen::Vector2d& center, double radius_px);
 
 /// Whether a holding pipette ends at the circle or a needle points into it: the cell that is worked on, no bystander.
 bool is_worked_on(const SceneReading& seen, const Eigen::Vector2d& center, double radius_px);

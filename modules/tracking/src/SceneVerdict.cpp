@@ -184,7 +184,7 @@ bool is_bystander(const contour::Circle& cell, const SceneReading& scene) {
 }
 
 bool is_bystander(const CellFollower& cell, const SceneReading& scene) {
-  return is_bystander({cell.center_now(), cell.rest().outer_radius, 1.0, 0.0}, scene);
+  return is_bystander(cell.circle_now(), scene);
 }
 
 }  // namespace pellucida
