@@ -42,12 +42,12 @@ NeedleEstimate estimate_of(const test::NeedleDrawing& d) {
 }
 
 // The first verdict that isn't open, and after how many looks; the left tool is watched beside the right one, and both
-// go so far a look.
+// go so far a look, as does the cell, to the right.
 struct Outcome {
   Verdict verdict = Verdict::kOpen;
   int looks = 0;
 };
-Outcome watched(double left_px, double right_px, double left_depth_px = 0.0) {
+Outcome watched(double left_px, double right_px, double left_depth_px = 0.0, double cell_px = 0.0) {
   TipNetwork tips;
   RivalTool rival;
   Outcome outcome;
@@ -61,7 +61,9 @@ Outcome watched(double left_px, double right_px, double left_depth_px = 0.0) {
       EXPECT_TRUE(tool.start_read(tips, image, {left.tip, left.direction()}, kHalfWidth_px));
       rival.begin(std::move(tool), estimate_of(right), kCell);
     } else {
-      outcome = {rival.watch(tips, image, estimate_of(right), kCell), look};
+      contour::Circle cell = kCell;
+      cell.center.x() += look * cell_px;
+      outcome = {rival.watch(tips, image, estimate_of(right), cell), look};
     }
   }
   return outcome;
@@ -82,6 +84,16 @@ TEST(RivalTool, WhatRestsIsTheHolder) {
 TEST(RivalTool, NothingIsDecidedWhileBothRestOrBothMove) {
   EXPECT_EQ(watched(0.0, 0.0).verdict, Verdict::kOpen);
   EXPECT_EQ(watched(1.0, 1.0).verdict, Verdict::kOpen);
+}
+
+// A narrow holding pipette dents the cell as much as the needle does: against the cell both go in.
+TEST(RivalTool, WhatRestsInThePictureIsTheHolderOfASoftCell) {
+  EXPECT_EQ(watched(1.0, 0.0, 0.0, 0.5).verdict, Verdict::kIsNeedle);
+  EXPECT_EQ(watched(0.0, 1.0, 0.0, -0.5).verdict, Verdict::kIsHolder);
+}
+
+TEST(RivalTool, AHolderThatCarriesTheCellToTheNeedleIsNone) {
+  EXPECT_EQ(watched(1.0, 0.0, 0.0, 1.0).verdict, Verdict::kOpen);
 }
 
 // It may be a holding pipette on its way.

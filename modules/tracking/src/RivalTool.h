@@ -9,7 +9,7 @@
 namespace pellucida {
 
 /// The other of two tools that face each other at a cell, watched until motion shows which one is the needle: the one
-/// that moves into the cell while the other one rests against it. All lengths in px.
+/// that moves into the cell while the other one rests in the picture. All lengths in px.
 class RivalTool {
  public:
   enum class Verdict {
@@ -29,9 +29,10 @@ class RivalTool {
 
  private:
   NeedleTracker tool_;
-  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();    // of the cell when the tool was last seen
-  double tool_start_px_ = 0.0, needle_start_px_ = 0.0;  // along their directions, from the centre
-  int times_gone_ = 0, times_unseen_ = 0;               // in a row
+  Eigen::Vector2d center_ = Eigen::Vector2d::Zero();  // of the cell when the tool was last seen
+  Eigen::Vector2d tool_start_ = Eigen::Vector2d::Zero(), needle_start_ = Eigen::Vector2d::Zero();  // their tips
+  double in_cell_start_px_ = 0.0;          // of the tool's tip along its direction, from the centre
+  int times_gone_ = 0, times_unseen_ = 0;  // in a row
 };
 
 }  // namespace pellucida
