@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ContourMath.h"
+#include "Median.h"
 
 namespace pellucida {
 namespace {
@@ -51,11 +53,20 @@ void CellFollower::learn_rest(const FrameInput& frame) {
   const double inner_radius = snakes_.has_inner() ? round(snakes_.inner()).radius : 0.0;
   const bool elsewhere = (outer.center - center_now()).norm() > kElsewhere_ratio * rest_.outer_radius;
   if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
-  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, shape.turned_back(motion_.angle_rad));
+  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, shape.turned_back(motion_.angle_rad),
+              outer_sigma());
   if (snakes_.has_inner() || zona_.valid() || rest_.thin_zona.is_full()) return;
   const NeedleZone needle_zone = zone();
   rest_.thin_zona.add(ThinZona::read(frame.image, snakes_.outer().points, snakes_.outer().kind, snakes_.line_width_px(),
                                      needle_.valid() ? &needle_zone : nullptr));
+}
+
+// Usual standard deviation of a place of the outer contour, px; 0 of one that follows lines.
+double CellFollower::outer_sigma() const {
+  if (!is_read_) return 0.0;
+  const Eigen::VectorXd& sigma_px = snakes_.outer().sigma_px;
+  std::vector<double> sorted(sigma_px.begin(), sigma_px.end());
+  return median_of(sorted);
 }
 
 // Mean confidence of a contour on the needle's side, where a dimple is or is not.

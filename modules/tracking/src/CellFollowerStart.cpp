@@ -91,6 +91,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   rest_.center = circle.center;
   rest_.outer_radius = circle.radius;
   rest_.inner_radius = snakes_.has_inner() ? circle_of(snakes_.inner().points).radius : 0.0;
+  rest_.outer_sigma_px = outer_sigma();
   // Membranes that are not one inside the other are none.
   if (rest_.inner_radius >= rest_.outer_radius) return false;
   motion_ = {};

@@ -14,18 +14,20 @@ struct RestGeometry {
   OutOfRound shape;  ///< of the outer membrane about its circle
   double outer_radius = 0.0;
   double inner_radius = 0.0;
+  double outer_sigma_px = 0.0;  ///< usual standard deviation of a place of the outer membrane, where networks read it
   ThinZonaMean thin_zona;  ///< of frames in which no inner membrane is followed
   int frame_count = 0;     ///< undisturbed frames that went in
   bool seen_free = false;  ///< false while only the undeformed side was seen
 
-  /// Takes in one frame's circle and what is beyond it; the mean of the last `memory` frames is kept.
+  /// Takes in one frame's circle, what is beyond it, and `outer_sigma_px`; the mean of the last `memory` frames is kept.
   void learn(const Eigen::Vector2d& center_now, double outer_now, double inner_now, const OutOfRound& shape_now,
-             int memory = 60) {
+             double sigma_now_px, int memory = 60) {
     frame_count = std::min(frame_count + 1, memory);
     const double part = 1.0 / frame_count;
     center += part * (center_now - center);
     outer_radius += part * (outer_now - outer_radius);
     inner_radius += part * (inner_now - inner_radius);
+    outer_sigma_px += part * (sigma_now_px - outer_sigma_px);
     shape.mix(shape_now, part);
     seen_free = true;
   }
