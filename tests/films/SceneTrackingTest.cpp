@@ -144,6 +144,32 @@ TEST(SceneTracking, ACumulusCellOnTheZonaIsNoPartOfIt) {
   }
 }
 
+// A sharp zona and blurred ones: what is said of the thickness goes with what can be seen of it.
+TEST(SceneTracking, AThicknessIsAsSureAsTheOutlineIsSharp) {
+  TrackerOptions options;
+  options.detection = TrackerOptions::Detection::kScene;
+  std::vector<double> sigma_px, off_sigmas;
+  for (std::uint64_t seed = kFirst; seed < kFirst + kFilms; ++seed) {
+    const RandomFilm film = draw_film(Split::kValidation, seed, 640);
+    VirtualMicroscope microscope(film.scenario, film.look);
+    MembraneTracker tracker(options);
+    const auto frame = microscope.next();
+    const Observation seen = tracker.process(view_of(frame->image.get()), 0.0, 0);
+    const Observation& truth = microscope.truth().observation;
+    if (!seen.outer || !truth.outer || !(seen.rest_inner_radius_um > 0.0)) continue;
+    const double thickness_um = seen.rest_outer_radius_um - seen.rest_inner_radius_um;
+    const double true_um = truth.rest_outer_radius_um - truth.rest_inner_radius_um;
+    sigma_px.push_back(seen.rest_thickness_sigma_um / film.scenario.image.pixel_size_um);
+    off_sigmas.push_back(std::abs(thickness_um - true_um) / seen.rest_thickness_sigma_um);
+  }
+  std::printf("%zu films: sigma %.2f to %.2f px; off by %.2f of it in the median, %.2f at 80 %%\n", sigma_px.size(),
+              share_of(sigma_px, 0.0), share_of(sigma_px, 1.0), share_of(off_sigmas, 0.5), share_of(off_sigmas, 0.8));
+  ASSERT_GE(sigma_px.size(), 8U);
+  EXPECT_LT(share_of(sigma_px, 0.25), 0.4);
+  EXPECT_GT(share_of(sigma_px, 1.0), 0.6);
+  EXPECT_LT(share_of(off_sigmas, 0.8), 1.5);
+}
+
 // A wrong pixel size: no cell of the kind is as large, and what was seen says so.
 TEST(SceneTracking, ACellOfNoSizeOfTheKindIsReportedAsRefused) {
   const RandomFilm film = draw_film(Split::kTuning, 178113, 640);

@@ -73,7 +73,7 @@ TEST(OutOfRound, WhatNoCellIsCountsAsRound) {
 
 TEST(RestGeometry, ANeedleEntersAnOvalWhereItsOutlineIs) {
   RestGeometry rest;
-  rest.learn(kCenter, kRadius, 0.0, OutOfRound::of(outline(1.12, 0.0), kCircle));
+  rest.learn(kCenter, kRadius, 0.0, OutOfRound::of(outline(1.12, 0.0), kCircle), 0.0);
   // Turned by 0.5 since, and pushed along its long axis.
   const Eigen::Vector2d direction = -toward(0.5);
   const Eigen::Vector2d entry = rest.entry_point(kCenter, kCenter + 100.0 * toward(0.5), direction, 0.5);
@@ -106,6 +106,20 @@ TEST(OutOfRound, ABumpIsWhatBulgesOutOfAnOvalOverASmallPart) {
       if (cumulus_px(i, 1.0) > 0.0) continue;
       EXPECT_LT(bumps[i], OutOfRound::kBump_ratio * kRadius) << i;
     }
+  }
+}
+
+// Two groups of such cells, over a third of the outline.
+TEST(OutOfRound, BumpsMayTakeAThirdOfTheOutline) {
+  constexpr double kHeight_px = 10.0;
+  Eigen::Matrix2Xd points = outline(1.05, 0.4);
+  const auto is_bump = [](int i) { return (i >= 20 && i < 56) || (i >= 110 && i < 138); };
+  for (int i = 0; i < kOutlinePoints; ++i)
+    if (is_bump(i)) points.col(i) += kHeight_px * (points.col(i) - kCenter).normalized();
+  const Eigen::VectorXd bumps = OutOfRound::bumps(points, kCircle);
+  for (int i = 0; i < kOutlinePoints; ++i) {
+    if (is_bump(i)) EXPECT_GT(bumps[i], OutOfRound::kBump_ratio * kRadius) << i;
+    if (!is_bump(i)) EXPECT_LT(bumps[i], OutOfRound::kBump_ratio * kRadius) << i;
   }
 }
 
