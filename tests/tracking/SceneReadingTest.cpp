@@ -58,6 +58,24 @@ TEST(WorkedOn, ACellAtAHolderOrBeforeANeedleIsAndABystanderIsNot) {
   EXPECT_FALSE(is_worked_on({}, held, kRadius_px));
 }
 
+// From the left and the right, the left one narrower; with the mark of a needle's tip or without.
+TEST_F(SceneReadingTest, OfTwoHoldersThatFaceEachOtherTheOneWithATipIsTheNeedle) {
+  fill(SceneClass::kHolder,
+       [](int x, int y) { return (x < 40 && y >= 37 && y < 43) || (x >= 65 && y >= 33 && y < 47); });
+  SceneReading reading = read();
+  EXPECT_EQ(reading.holders.size(), 2U);
+  EXPECT_TRUE(reading.needles.empty());
+  map_.tip(40, 39) = 0.7F;
+  reading = read();
+  ASSERT_EQ(reading.holders.size(), 1U);
+  EXPECT_NEAR(reading.holders.front().direction.x(), -1.0, 0.01);
+  ASSERT_EQ(reading.needles.size(), 1U);
+  EXPECT_NEAR(reading.needles.front().direction.x(), 1.0, 0.01);
+  // Where there is a needle, both are as they are.
+  fill(SceneClass::kNeedle, [](int x, int y) { return y < 25 && x >= 50 && x < 54; });
+  EXPECT_EQ(read().holders.size(), 2U);
+}
+
 // Less of it in view than it is wide: its longest axis lies across it.
 TEST_F(SceneReadingTest, AHolderOfWhichLittleIsInViewIsOne) {
   fill(SceneClass::kHolder, [](int x, int y) { return y < 14 && x >= 40 && x < 58; });

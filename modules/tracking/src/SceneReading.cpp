@@ -26,6 +26,7 @@ constexpr double kLeastCircle = 0.45;  // 4 pi area / perimeter^2 of a cell's ou
 constexpr double kSlender = 1.5;       // length over width of a tool
 constexpr double kBent = 1.3;        // as wide as its area spreads, over what its area and length make, of a bent tool
 constexpr double kBentWidths = 2.2;  // widths of such a tool that are taken for straight
+constexpr double kFacing = 0.9;      // cosine between two tools that face each other, but for the sign
 constexpr int kTipReach = 3;         // map pixels round a tool's end in which the tip's mark counts
 
 cv::Mat1f view(const SceneMap::Plane& plane) {
@@ -248,6 +249,24 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
   });
 }
 
+// Where the map has no needle and two holding pipettes that face each other, the one at whose end it marks a needle's
+// tip is the needle: as wide a one as tuning film 303025's looks like a holding pipette.
+void take_marked_for_needle(SceneReading& reading) {
+  std::vector<SceneTool>& holders = reading.holders;
+  const auto faces = [](const SceneTool& a, const SceneTool& b) { return a.direction.dot(b.direction) < -kFacing; };
+  const auto is_needle = [&](const SceneTool& tool) {
+    return tool.tip_share >= kLeastNeedleTipShare &&
+           std::any_of(holders.begin(), holders.end(), [&](const SceneTool& other) {
+             return faces(tool, other) && other.tip_share < kLeastNeedleTipShare &&
+                    other.half_width_px > tool.half_width_px;
+           });
+  };
+  const auto needle = std::find_if(holders.begin(), holders.end(), is_needle);
+  if (!reading.needles.empty() || needle == holders.end()) return;
+  reading.needles.push_back(*needle);
+  holders.erase(needle);
+}
+
 }  // namespace
 
 bool points_into(const SceneTool& needle, const Eigen::Vector2d& center, double radius_px) {
@@ -272,6 +291,7 @@ SceneReading read_scene(const SceneMap& map, int image_width, int image_height) 
   read_cells(map, reading.cells);
   read_tools(map, SceneClass::kNeedle, image_width, image_height, reading.needles);
   read_tools(map, SceneClass::kHolder, image_width, image_height, reading.holders);
+  take_marked_for_needle(reading);
   return reading;
 }
 
