@@ -21,11 +21,9 @@ constexpr double kReadRounding_px = 0.6, kReadRounding_ratio = 0.08;
 constexpr double kReadSigma_ratio = 2.0, kReadInContact_px = 0.3;
 constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
 constexpr double kMostWhenUnseen = 0.5;     // confidence in a frame that shows a dent and not what makes it
-// The distance between two contours that networks read: its standard deviation, over the usual one that is reported of
-// the outer contour. Where that, over the distance, is above `kBlurred_ratio`, the boundaries are so blurred that a
-// thin zona is read too thick, by the factor exp(kTooThick excess). Set on 164 films (tuning from 303001, wide from
-// 307001); docs/method.md, 1.6.
-constexpr double kThicknessSigma_ratio = 2.2, kBlurred_ratio = 0.03, kTooThick = 3.0;
+// Standard deviation of the distance between two contours that networks read, over the usual one that is reported of
+// the outer contour. Set on 164 films (tuning from 303001, wide from 307001); docs/method.md, 3.8.
+constexpr double kThicknessSigma_ratio = 2.2;
 
 // The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
 // depth, weighted by their variances as long as they agree; the resting outline, from which both are taken, adds its
@@ -73,15 +71,6 @@ MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Me
     result.confidence[i] = snake.confidence[k];
   }
   return result;
-}
-
-struct ReadThickness {
-  double mean_px = 0.0, sigma_px = 0.0;
-};
-ReadThickness read_thickness(const CellFollower& cell, double apart_px) {
-  const double outer_sigma_px = kReadSigma_ratio * cell.rest().outer_sigma_px;
-  const double excess = std::max(0.0, outer_sigma_px / apart_px - kBlurred_ratio);
-  return {apart_px * std::exp(-kTooThick * excess), kThicknessSigma_ratio * outer_sigma_px};
 }
 
 void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_um) {
@@ -177,10 +166,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
     out.rest_thickness_sigma_um = thin.sigma_px * pixel_size_um;
     out.rest_thickness_limit_um = thin.limit_px * pixel_size_um;
   } else if (cell.is_read()) {
-    const double apart_um = out.rest_outer_radius_um - out.rest_inner_radius_um;
-    const ReadThickness read = read_thickness(cell, apart_um / pixel_size_um);
-    out.rest_inner_radius_um = out.rest_outer_radius_um - read.mean_px * pixel_size_um;
-    out.rest_thickness_sigma_um = read.sigma_px * pixel_size_um;
+    out.rest_thickness_sigma_um = kThicknessSigma_ratio * kReadSigma_ratio * cell.rest().outer_sigma_px * pixel_size_um;
   }
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);
