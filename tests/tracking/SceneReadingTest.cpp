@@ -76,6 +76,17 @@ TEST_F(SceneReadingTest, OfTwoHoldersThatFaceEachOtherTheOneWithATipIsTheNeedle)
   EXPECT_EQ(read().holders.size(), 2U);
 }
 
+// A long part of a holding pipette that looks like a needle, and a needle.
+TEST_F(SceneReadingTest, ANeedleWithATipComesBeforeALongerOneWithout) {
+  fill(SceneClass::kNeedle,
+       [](int x, int y) { return (x < 50 && y >= 50 && y < 56) || (x >= 75 && y >= 20 && y < 24); });
+  EXPECT_GT(read().needles.front().direction.x(), 0.9);
+  map_.tip(21, 75) = 0.9F;
+  const SceneReading reading = read();
+  ASSERT_EQ(reading.needles.size(), 2U);
+  EXPECT_LT(reading.needles.front().direction.x(), -0.9);
+}
+
 // Less of it in view than it is wide: its longest axis lies across it.
 TEST_F(SceneReadingTest, AHolderOfWhichLittleIsInViewIsOne) {
   fill(SceneClass::kHolder, [](int x, int y) { return y < 14 && x >= 40 && x < 58; });

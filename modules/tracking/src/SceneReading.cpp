@@ -244,7 +244,10 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     tool.tip = map.to_image(tip);
     tools.push_back(tool);
   }
-  std::stable_sort(tools.begin(), tools.end(), [](const SceneTool& a, const SceneTool& b) {
+  // A part of a holding pipette may look like a needle, and is longer than one; but no tip is marked at its end.
+  std::stable_sort(tools.begin(), tools.end(), [&](const SceneTool& a, const SceneTool& b) {
+    const auto is_marked = [](const SceneTool& tool) { return tool.tip_share >= kLeastNeedleTipShare; };
+    if (which == SceneClass::kNeedle && is_marked(a) != is_marked(b)) return is_marked(a);
     return a.share * a.length_px * (0.5 + a.tip_share) > b.share * b.length_px * (0.5 + b.tip_share);
   });
 }
