@@ -108,5 +108,32 @@ TEST(TipReading, InContactATipDoesNotLeapAcrossItsNeedle) {
   EXPECT_LT(across_px(needle), 1.0);
 }
 
+// Known by its tip alone, which then seems to go back by 14 px within a frame.
+TEST(TipReading, InADimpleATipThatLeapsBackIsBelievedAtTheFourthTime) {
+  TipNetwork network;
+  Drawing d = fine_needle();
+  d.tip = {200.3, 171.6};
+  Drawing back = d;
+  back.tip -= 14.0 * d.direction();
+  const Picture before = draw(d), after = draw(back);
+  const auto frames_held = [&](double depth_px) {
+    NeedleTracker needle;
+    EXPECT_TRUE(needle.start_read(network, FrameSampler(before.view()), {d.tip, d.direction()}, kShaftHalfWidth_px));
+    NeedleCue cue;
+    cue.depth_px = depth_px;
+    for (int frame = 0; frame < 6; ++frame) EXPECT_TRUE(needle.follow_read(network, FrameSampler(before.view()), cue));
+    const double confidence = needle.estimate().confidence;
+    int held = 0;
+    for (; held < 8; ++held) {
+      EXPECT_TRUE(needle.follow_read(network, FrameSampler(after.view()), cue));
+      if ((needle.estimate().tip - d.tip).norm() > 8.0) break;
+      if (depth_px > 0.0) EXPECT_EQ(needle.estimate().confidence, confidence) << "it is seen no worse";
+    }
+    return held;
+  };
+  EXPECT_EQ(frames_held(0.0), 1);
+  EXPECT_EQ(frames_held(25.0), 3);
+}
+
 }  // namespace
 }  // namespace pellucida

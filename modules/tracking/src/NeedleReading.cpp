@@ -274,11 +274,13 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   const double leap_px = (seen.tip - due).norm();
   const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
   leaps_ = is_leap ? leaps_ + 1 : 0;
-  if (is_leap && leaps_ < kLeaps && read_frames_ > kSettled_frames) {
+  // In a dimple, one that leaps back may be the membrane's, which has sprung back: the needle is seen no worse.
+  const bool may_have_sprung = cue.depth_px > kSprung_px && (due - seen.tip).dot(axis_.direction) > kSprung_px;
+  if (is_leap && leaps_ < (may_have_sprung ? kSprungReadings : kLeaps) && read_frames_ > kSettled_frames) {
     axis_.tip = due;
     now_.tip = due;
     now_.tip_sigma = std::max(now_.tip_sigma, kLeapSigma * leap_px);
-    now_.confidence *= 0.5;
+    if (!may_have_sprung) now_.confidence *= 0.5;
     motion_ = expected - cue.scene_jump_px;
     return true;
   }

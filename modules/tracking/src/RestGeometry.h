@@ -15,11 +15,12 @@ struct RestGeometry {
   double outer_radius = 0.0;
   double inner_radius = 0.0;
   double outer_sigma_px = 0.0;  ///< usual standard deviation of a place of the outer membrane, where networks read it
-  ThinZonaMean thin_zona;  ///< of frames in which no inner membrane is followed
-  int frame_count = 0;     ///< undisturbed frames that went in
-  bool seen_free = false;  ///< false while only the undeformed side was seen
+  ThinZonaMean thin_zona;       ///< of frames in which no inner membrane is followed
+  int frame_count = 0;          ///< undisturbed frames that went in
+  bool seen_free = false;       ///< false while only the undeformed side was seen
 
-  /// Takes in one frame's circle, what is beyond it, and `outer_sigma_px`; the mean of the last `memory` frames is kept.
+  /// Takes in one frame's circle, what is beyond it, and `outer_sigma_px`; the mean of the last `memory` frames is
+  /// kept.
   void learn(const Eigen::Vector2d& center_now, double outer_now, double inner_now, const OutOfRound& shape_now,
              double sigma_now_px, int memory = 60) {
     frame_count = std::min(frame_count + 1, memory);
