@@ -44,6 +44,7 @@ constexpr double kAcross_px = 4.0, kAcrossHalfWidths = 0.5;
 // has been followed for some: so many in a row, and it is there. What the leap adds to its standard deviation.
 constexpr double kLeap_px = 5.0, kLeapHalfWidths = 1.0, kLeapSigma = 0.5;
 constexpr int kLeaps = 2, kSettled_frames = 3;
+constexpr double kRests_px = 1.0;  // a frame: a needle slower than this does not draw back
 // So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
 // the edges followed differ from it by less than this, or than its standard deviation, they are the outline.
 constexpr int kMostWidthReadings = 12;
@@ -274,9 +275,11 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   const double leap_px = (seen.tip - due).norm();
   const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
   leaps_ = is_leap ? leaps_ + 1 : 0;
-  // In a dimple, one that leaps back may be the membrane's, which has sprung back: the needle is seen no worse.
-  const bool may_have_sprung = cue.depth_px > kSprung_px && (due - seen.tip).dot(axis_.direction) > kSprung_px;
-  if (is_leap && leaps_ < (may_have_sprung ? kSprungReadings : kLeaps) && read_frames_ > kSettled_frames) {
+  // In a dimple, one that leaps back while the needle does not draw back may be the membrane's, which has sprung back:
+  // the needle is seen no worse.
+  const bool may_have_sprung = cue.depth_px > kSprung_px && motion_.dot(axis_.direction) > -kRests_px &&
+                               (due - seen.tip).dot(axis_.direction) > kSprung_px;
+  if (is_leap && leaps_ < kLeaps && read_frames_ > kSettled_frames) {
     axis_.tip = due;
     now_.tip = due;
     now_.tip_sigma = std::max(now_.tip_sigma, kLeapSigma * leap_px);
