@@ -213,6 +213,22 @@ TEST(TipSpeed, OfStepsIsTheirMean) {
   EXPECT_LT(highest, 25.0);
   meter.forget();
   EXPECT_FALSE(meter.update(9.0, {0.0, 0.0, 0.0}));
+  // Drawn back: against the way into the cell.
+  const std::optional<double> speed = meter.update(9.5, {1.5, 2.0, 0.0}, {-1.0, 0.0, 0.0});
+  ASSERT_TRUE(speed);
+  EXPECT_NEAR(*speed, -5.0, 1e-9);
+}
+
+TEST(TipSpeed, TheWayInwardsIsThePlansElseTheNeedles) {
+  Scene scene;
+  auto observation = std::make_shared<Observation>();
+  observation->needle = NeedlePose{.direction = {-0.6, 0.8}};
+  scene.observation = observation;
+  InjectionPlan plan;
+  plan.axis = {0.0, 0.0, 1.0};
+  EXPECT_EQ(way_inwards(&plan, &scene), Eigen::Vector3d(0.0, 0.0, 1.0));
+  EXPECT_EQ(way_inwards(nullptr, &scene), Eigen::Vector3d(-0.6, 0.8, 0.0));
+  EXPECT_TRUE(way_inwards(nullptr, nullptr).isZero());
 }
 
 TEST(PunctureMemory, StaysUntilTheNextCell) {

@@ -315,15 +315,6 @@ void GuideWindow::show_deposits() {
   membranes_.set_droplets(std::move(marks));
 }
 
-// The plan's way, else the way the needle points, else none: zero.
-Eigen::Vector3d GuideWindow::way_inwards() const {
-  if (console_ && console_->plan()) return console_->plan()->axis.eigen();
-  const Scene* scene = scenes_.measured();
-  if (!scene || !scene->observation || !scene->observation->needle) return Eigen::Vector3d::Zero();
-  const Eigen::Vector2d& direction = scene->observation->needle->direction;
-  return {direction.x(), direction.y(), 0.0};
-}
-
 void GuideWindow::show_gauges() {
   const LiveStatus status = run_->status();
   GaugeInput input;
@@ -342,9 +333,8 @@ void GuideWindow::show_gauges() {
     const PipetteState pipette = console_->status().pipette;
     if (pipette.known) {
       input.tip_um = pipette.tip_um.eigen();
-      if (const auto velocity = reported_speed_.update(pipette.time_s, *input.tip_um)) {
-        input.speed_um_per_s = std::copysign(velocity->norm(), velocity->dot(way_inwards()));
-      }
+      input.speed_um_per_s =
+          reported_speed_.update(pipette.time_s, *input.tip_um, way_inwards(input.plan, input.scene));
     } else {
       reported_speed_.forget();
     }

@@ -69,7 +69,6 @@ class GuideWindow : public QMainWindow {
   void tick();
   void show_scene();
   void show_deposits();
-  Eigen::Vector3d way_inwards() const;
   void show_gauges();
   std::vector<Event> take_events();
   void give_hint(const PersonHint& hint);

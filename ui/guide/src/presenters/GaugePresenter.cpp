@@ -249,6 +249,13 @@ std::array<Gauge, 4> make_gauges(const GaugeInput& input) {
   return gauges;
 }
 
+Eigen::Vector3d way_inwards(const InjectionPlan* plan, const Scene* scene) {
+  if (plan) return plan->axis.eigen();
+  if (!scene || !scene->observation || !scene->observation->needle) return Eigen::Vector3d::Zero();
+  const Eigen::Vector2d& direction = scene->observation->needle->direction;
+  return {direction.x(), direction.y(), 0.0};
+}
+
 std::optional<Eigen::Vector3d> TipSpeed::update(double time_s, const Eigen::Vector3d& tip_um) {
   const double elapsed_s = time_s - time_s_;
   if (tip_um_ && elapsed_s > 0.0) {
@@ -261,6 +268,12 @@ std::optional<Eigen::Vector3d> TipSpeed::update(double time_s, const Eigen::Vect
     time_s_ = time_s;
   }
   return velocity_um_per_s_;
+}
+
+std::optional<double> TipSpeed::update(double time_s, const Eigen::Vector3d& tip_um, const Eigen::Vector3d& way) {
+  const auto velocity_um_per_s = update(time_s, tip_um);
+  if (!velocity_um_per_s) return std::nullopt;
+  return std::copysign(velocity_um_per_s->norm(), velocity_um_per_s->dot(way));
 }
 
 std::optional<double> TipSpeed::update(const Scene& scene) {

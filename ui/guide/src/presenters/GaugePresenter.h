@@ -66,6 +66,9 @@ struct GaugeInput {
 /// Force, depth, speed, distance to the target.
 std::array<Gauge, 4> make_gauges(const GaugeInput& input);
 
+/// The plan's way into the cell, else the one the needle of `scene` points; zero without either.
+Eigen::Vector3d way_inwards(const InjectionPlan* plan, const Scene* scene);
+
 /// Velocity of a tip from its positions: their mean over the last tenths of a second, since a hand and a manipulator
 /// advance in steps.
 class TipSpeed {
@@ -73,7 +76,9 @@ class TipSpeed {
   /// Takes the position at `time_s`; one at the same time as the last adds nothing. um/s; nothing before a second
   /// position.
   std::optional<Eigen::Vector3d> update(double time_s, const Eigen::Vector3d& tip_um);
-  /// The same from the next measured scene, along the needle. um/s, above 0 into the cell; nothing while no tip is
+  /// The same as a speed, um/s, above 0 along `way`.
+  std::optional<double> update(double time_s, const Eigen::Vector3d& tip_um, const Eigen::Vector3d& way);
+  /// The velocity from the next measured scene, along the needle. um/s, above 0 into the cell; nothing while no tip is
   /// seen.
   std::optional<double> update(const Scene& scene);
   /// The next position begins anew.
