@@ -108,6 +108,29 @@ TEST(TipReading, InContactATipDoesNotLeapAcrossItsNeedle) {
   EXPECT_LT(across_px(needle), 1.0);
 }
 
+// What was followed has run 90 px ahead, to a piece of glass that ends as a needle does; the needle is where it was.
+TEST(TipReading, WhereLinesRanAwayTheTipIsReadWhereItWasBefore) {
+  Drawing d = fine_needle();
+  d.tip = {240.3, 171.6};
+  Picture picture = draw(d);
+  TipNetwork network;
+  const double noise = noise_level(FrameSampler(picture.view()));
+  NeedleTracker needle;
+  ASSERT_TRUE(needle.start(FrameSampler(picture.view()), test::tool_of(d), noise));
+  ASSERT_TRUE(needle.track(FrameSampler(picture.view()), noise, {}));
+  Drawing piece = d;
+  piece.tip.x() -= 90.0;
+  const Picture other = draw(piece);
+  for (int y = 0; y < Picture::kHeight_px; ++y)
+    std::copy_n(other.pixels.begin() + y * Picture::kWidth_px, 190, picture.pixels.begin() + y * Picture::kWidth_px);
+  const FrameSampler image(picture.view());
+  EXPECT_GT(network.read(image, {piece.tip, piece.direction()}, kShaftHalfWidth_px).share, 0.5)
+      << "the network does not take it for a tip";
+  needle.hold({90.0, 0.5});
+  EXPECT_TRUE(needle.read_tip_in_contact(network, image, nullptr));
+  EXPECT_LT((needle.estimate().tip - d.tip).norm(), 2.0);
+}
+
 // Known by its tip alone, which then seems to go back by 14 px within a frame. Of a needle in the clear, or one that
 // was drawn back already, that says that it is not seen well.
 TEST(TipReading, InADimpleATipThatLeapsBackLeavesTheNeedleClear) {

@@ -44,6 +44,9 @@ constexpr double kAcross_px = 4.0, kAcrossHalfWidths = 0.5;
 // has been followed for some: so many in a row, and it is there. What the leap adds to its standard deviation.
 constexpr double kLeap_px = 5.0, kLeapHalfWidths = 1.0, kLeapSigma = 0.5;
 constexpr int kLeaps = 2, kSettled_frames = 3;
+// So far in a frame, px, what lines follow may have run away along the needle: no needle leaps so far, and the reading
+// where it was before counts if it has this share of the other's sureness. Looked at on validation film 54982.
+constexpr double kRunAway_px = 10.0, kAsSure = 0.8;
 constexpr double kRests_px = 1.0;  // a frame: a needle slower than this does not draw back
 // So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
 // the edges followed differ from it by less than this, or than its standard deviation, they are the outline.
@@ -90,14 +93,18 @@ std::optional<TipReading> NeedleTracker::best_reading(TipNetwork& network, const
                                                       double& share) const {
   const double half_width = width_behind(image);
   TipReading seen = network.read(image, axis_, half_width);
-  if (seen.share < kLeastTipShare) {
+  const double went_px = (axis_.tip - axis_before_.tip).dot(axis_.direction);
+  const bool has_leapt = std::abs(went_px) > std::max(kRunAway_px, kLeapHalfWidths * half_width);
+  if (seen.share < kLeastTipShare || has_leapt) {
     // What was followed may have run away: there where it was before?
     NeedleAxis earlier = axis_;
-    earlier.tip += (axis_before_.tip - axis_.tip).dot(axis_.direction) * axis_.direction;
+    earlier.tip -= went_px * axis_.direction;
     const TipReading there = network.read(image, earlier, half_width);
-    if (there.share < kLeastTipShare) return std::nullopt;
-    share = 1.0;
-    return there;
+    if (std::max(there.share, seen.share) < kLeastTipShare) return std::nullopt;
+    if (there.share > kAsSure * seen.share) {
+      share = 1.0;
+      return there;
+    }
   }
   if ((seen.tip - tip()).norm() > kReadAgain_px) {
     NeedleAxis nearer = axis_;
