@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "SceneVerdict.h"
 #include "tracking/PixelView.h"
 
 namespace pellucida {

@@ -24,6 +24,20 @@ Drawing fine_needle() {
   return d;
 }
 
+NeedleTracker followed(const Picture& picture, const Drawing& d) {
+  const FrameSampler image(picture.view());
+  NeedleTracker needle;
+  needle.start(image, test::tool_of(d), noise_level(image));
+  return needle;
+}
+
+// The first `width_px` columns of another picture.
+void show_left(const Picture& other, int width_px, Picture& picture) {
+  for (int y = 0; y < Picture::kHeight_px; ++y)
+    std::copy_n(other.pixels.begin() + y * Picture::kWidth_px, width_px,
+                picture.pixels.begin() + y * Picture::kWidth_px);
+}
+
 double off_px(const TipReading& reading, const Drawing& d) {
   return (reading.tip - d.tip).norm();
 }
@@ -88,13 +102,11 @@ TEST(TipReading, InContactATipDoesNotLeapAcrossItsNeedle) {
   Picture picture = draw(d);
   TipNetwork network;
   const double noise = noise_level(FrameSampler(picture.view()));
-  NeedleTracker needle;
-  ASSERT_TRUE(needle.start(FrameSampler(picture.view()), test::tool_of(d), noise));
+  NeedleTracker needle = followed(picture, d);
+  ASSERT_TRUE(needle.valid());
   Drawing aside = d;
   aside.tip.y() += 10.0;
-  const Picture other = draw(aside);
-  for (int y = 0; y < Picture::kHeight_px; ++y)
-    std::copy_n(other.pixels.begin() + y * Picture::kWidth_px, 230, picture.pixels.begin() + y * Picture::kWidth_px);
+  show_left(draw(aside), 230, picture);
   const FrameSampler image(picture.view());
   ASSERT_TRUE(needle.track(image, noise, {}));
   const auto across_px = [&](const NeedleTracker& n) { return std::abs(n.estimate().tip.y() - d.tip.y()); };
@@ -115,14 +127,12 @@ TEST(TipReading, WhereLinesRanAwayTheTipIsReadWhereItWasBefore) {
   Picture picture = draw(d);
   TipNetwork network;
   const double noise = noise_level(FrameSampler(picture.view()));
-  NeedleTracker needle;
-  ASSERT_TRUE(needle.start(FrameSampler(picture.view()), test::tool_of(d), noise));
+  NeedleTracker needle = followed(picture, d);
+  ASSERT_TRUE(needle.valid());
   ASSERT_TRUE(needle.track(FrameSampler(picture.view()), noise, {}));
   Drawing piece = d;
   piece.tip.x() -= 90.0;
-  const Picture other = draw(piece);
-  for (int y = 0; y < Picture::kHeight_px; ++y)
-    std::copy_n(other.pixels.begin() + y * Picture::kWidth_px, 190, picture.pixels.begin() + y * Picture::kWidth_px);
+  show_left(draw(piece), 190, picture);
   const FrameSampler image(picture.view());
   EXPECT_GT(network.read(image, {piece.tip, piece.direction()}, kShaftHalfWidth_px).share, 0.5)
       << "the network does not take it for a tip";

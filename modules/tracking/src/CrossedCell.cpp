@@ -23,7 +23,7 @@ void look_past(SceneReading& scene, const contour::Circle& crossed, const FrameS
   for (SceneTool& needle : scene.needles) {
     const Eigen::Vector2d to_crossed = crossed.center - needle.tip;
     const double crossed_px = to_crossed.dot(needle.direction);
-    if (crossed_px < 0.0 || across_px(to_crossed, needle.direction) > crossed.radius) continue;
+    if (!points_into(needle, crossed.center, crossed.radius)) continue;
     const double most_beside_px = std::max(kBesideHalfWidths * needle.half_width_px, kBeside_ratio * crossed.radius);
     for (const SceneCell& cell : scene.cells) {
       const Eigen::Vector2d to_cell = cell.center - needle.tip;

@@ -100,11 +100,11 @@ std::optional<TipReading> NeedleTracker::best_reading(TipNetwork& network, const
     NeedleAxis earlier = axis_;
     earlier.tip -= went_px * axis_.direction;
     const TipReading there = network.read(image, earlier, half_width);
-    if (std::max(there.share, seen.share) < kLeastTipShare) return std::nullopt;
-    if (there.share > kAsSure * seen.share) {
+    if (there.share >= std::max(kLeastTipShare, kAsSure * seen.share)) {
       share = 1.0;
       return there;
     }
+    if (seen.share < kLeastTipShare) return std::nullopt;
   }
   if ((seen.tip - tip()).norm() > kReadAgain_px) {
     NeedleAxis nearer = axis_;

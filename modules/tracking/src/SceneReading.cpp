@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "ContourMath.h"
+#include "FacingTools.h"
 #include "Median.h"
 
 namespace pellucida {
@@ -26,7 +27,6 @@ constexpr double kLeastCircle = 0.45;  // 4 pi area / perimeter^2 of a cell's ou
 constexpr double kSlender = 1.5;       // length over width of a tool
 constexpr double kBent = 1.3;        // as wide as its area spreads, over what its area and length make, of a bent tool
 constexpr double kBentWidths = 2.2;  // widths of such a tool that are taken for straight
-constexpr double kFacing = 0.9;      // cosine between two tools that face each other, but for the sign
 constexpr int kTipReach = 3;         // map pixels round a tool's end in which the tip's mark counts
 
 cv::Mat1f view(const SceneMap::Plane& plane) {
@@ -256,7 +256,9 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
 // tip is the needle: as wide a one as tuning film 303025's looks like a holding pipette.
 void take_marked_for_needle(SceneReading& reading) {
   std::vector<SceneTool>& holders = reading.holders;
-  const auto faces = [](const SceneTool& a, const SceneTool& b) { return a.direction.dot(b.direction) < -kFacing; };
+  const auto faces = [](const SceneTool& a, const SceneTool& b) {
+    return a.direction.dot(b.direction) < -kAlongHolder;
+  };
   const auto is_needle = [&](const SceneTool& tool) {
     return tool.tip_share >= kLeastNeedleTipShare &&
            std::any_of(holders.begin(), holders.end(), [&](const SceneTool& other) {

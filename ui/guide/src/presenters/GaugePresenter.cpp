@@ -273,7 +273,7 @@ std::optional<Eigen::Vector3d> TipSpeed::update(double time_s, const Eigen::Vect
 std::optional<double> TipSpeed::update(double time_s, const Eigen::Vector3d& tip_um, const Eigen::Vector3d& way) {
   const auto velocity_um_per_s = update(time_s, tip_um);
   if (!velocity_um_per_s) return std::nullopt;
-  return std::copysign(velocity_um_per_s->norm(), velocity_um_per_s->dot(way));
+  return velocity_um_per_s->dot(way) < 0.0 ? -velocity_um_per_s->norm() : velocity_um_per_s->norm();
 }
 
 std::optional<double> TipSpeed::update(const Scene& scene) {
