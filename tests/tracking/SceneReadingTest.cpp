@@ -111,6 +111,17 @@ TEST_F(SceneReadingTest, ABentHolderPointsAsItsEndDoes) {
   EXPECT_NEAR(holder.half_width_px, 6.0 * kPitch_px, 0.25 * 6.0 * kPitch_px);
 }
 
+// Its rest is not seen as one, and the border is nearer to its mouth than to its other end.
+TEST_F(SceneReadingTest, APartOfAHolderAmidTheImageEndsAtTheCellItHolds) {
+  const auto part = [](int x, int y) { return x >= 40 && x < 60 && y >= 35 && y < 43; };
+  fill(SceneClass::kHolder, part);
+  ASSERT_EQ(read().holders.size(), 1U);
+  EXPECT_NEAR(read().holders.front().direction.x(), 1.0, 0.01);
+  fill(SceneClass::kInside, [&](int x, int y) { return std::hypot(x - 26.0, y - 39.0) < 14.0 && !part(x, y); });
+  ASSERT_EQ(read().holders.size(), 1U);
+  EXPECT_NEAR(read().holders.front().direction.x(), -1.0, 0.01);
+}
+
 // Nor is a short, broad area of the needle's class a needle.
 TEST_F(SceneReadingTest, ANeedleIsSlender) {
   fill(SceneClass::kNeedle, [](int x, int y) { return y < 14 && x >= 40 && x < 58; });

@@ -40,9 +40,10 @@ void CellPlacement::update(const Observation& observation) {
   holder_ = holder_W_ ? Eigen::Vector3d(rotation_WC_.transpose() * in_plane(*holder_W_)) : push_;
 }
 
-bool CellPlacement::enters_at_holder(double mouth_radius_um, double cell_radius_um) const noexcept {
+bool CellPlacement::enters_at_holder(double mouth_radius_um, double tip_radius_um,
+                                     double cell_radius_um) const noexcept {
   if (holder_assumed()) return false;
-  const double sine = std::min(1.0, mouth_radius_um / cell_radius_um);
+  const double sine = std::min(1.0, (mouth_radius_um + tip_radius_um) / cell_radius_um);
   return holder_.z() > std::sqrt(1.0 - sine * sine);
 }
 

@@ -24,9 +24,9 @@ class CellPlacement {
   /// No holder seen so far: taken to lie where the needle pushes to.
   bool holder_assumed() const noexcept { return !holder_W_; }
 
-  /// The needle's line enters the cell within the mouth of the holder that was seen, where no needle can get to: both
-  /// radii in um.
-  bool enters_at_holder(double mouth_radius_um, double cell_radius_um) const noexcept;
+  /// The needle enters the cell at the mouth of the holder that was seen, where none can get to: the two would overlap.
+  /// Radii in um.
+  bool enters_at_holder(double mouth_radius_um, double tip_radius_um, double cell_radius_um) const noexcept;
 
   /// Of the needle in the last frame that showed one.
   const NeedleContact& contact() const noexcept { return contact_; }

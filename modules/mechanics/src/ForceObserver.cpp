@@ -172,7 +172,8 @@ class ForceObserver::Impl {
       leave(o, estimate);
       return std::nullopt;
     }
-    if (placement_.enters_at_holder(cell_.built_geometry().holder_radius_um, cell_.outer_radius_um())) {
+    const MembraneGeometry& built = cell_.built_geometry();
+    if (placement_.enters_at_holder(built.holder_radius_um, built.tip_radius_um, cell_.outer_radius_um())) {
       estimate.reason = "contact, but what was taken for the needle comes from where the cell is held";
       return std::nullopt;
     }

@@ -150,8 +150,10 @@ bool CellFollower::take_holder_for_needle(const FrameInput& frame) {
   return true;
 }
 
+// Two tools from the same side that overlap are one.
 bool CellFollower::is_along_needle(const HolderFit& holder, const Eigen::Vector2d& center) const {
-  return needle_.valid() && is_along(holder, needle_.estimate(), center, 1.0);
+  const NeedleEstimate& n = needle_.estimate();
+  return needle_.valid() && is_along(holder, n, center, 1.0 + n.tip_half_width / holder.half_width);
 }
 
 // By lines alone; or, where the scene was read, one of its needles, by lines where those show the same.

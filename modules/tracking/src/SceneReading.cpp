@@ -175,8 +175,16 @@ std::vector<cv::Point> end_of_bent(const std::vector<cv::Point>& area, const cv:
   return part;
 }
 
-void read_tools(const SceneMap& map, SceneClass which, int image_width, int image_height,
-                std::vector<SceneTool>& tools) {
+// Whether a holding pipette that ends there holds one of the cells.
+bool is_at(const std::vector<SceneCell>& cells, const Eigen::Vector2d& end) {
+  return std::any_of(cells.begin(), cells.end(), [&](const SceneCell& cell) {
+    const double away = (cell.center - end).norm() / cell.radius_px;
+    return cell.share > kLeastCellShare && away > kNearestEnd_ratio && away < kFarthestEnd_ratio;
+  });
+}
+
+void read_tools(const SceneMap& map, SceneClass which, const std::vector<SceneCell>& cells, int image_width,
+                int image_height, std::vector<SceneTool>& tools) {
   const cv::Mat1f share = view(map.share(which)), tips = view(map.tip);
   const Eigen::Vector2d middle(0.5 * (image_width - 1), 0.5 * (image_height - 1));
   for (const std::vector<cv::Point>& whole : areas(share > kCertain)) {
@@ -200,7 +208,7 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
       from = std::min(from, along);
       to = std::max(to, along);
     }
-    // The end that is nearer to the image's border is where it comes in.
+    // The end that is nearer to the image's border is where it comes in, unless a cell is held there.
     const auto to_border = [&](double along) {
       const Eigen::Vector2d p = map.to_image(mean + along * direction);
       return std::min({p.x(), p.y(), image_width - 1 - p.x(), image_height - 1 - p.y()});
@@ -208,8 +216,12 @@ void read_tools(const SceneMap& map, SceneClass which, int image_width, int imag
     const double a = to_border(from), b = to_border(to);
     const std::optional<Eigen::Vector2d> entry = middle_of_border(whole, share);
     const bool is_end = area.size() < whole.size();  // of a bent one: away from where the whole comes in
+    const auto holds_at = [&](double along) { return is_at(cells, map.to_image(mean + along * direction)); };
+    // A part of one, as where the map has the rest for a needle.
+    const bool is_part = is_holder && !entry && holds_at(from) != holds_at(to);
     const bool turned =
         is_end && entry ? (mean + to * direction - *entry).norm() < (mean + from * direction - *entry).norm()
+        : is_part       ? holds_at(from)
         : std::abs(a - b) > 2.0 * map.pitch_px ? b < a
                                                : (map.to_image(mean + to * direction) - middle).norm() >
                                                      (map.to_image(mean + from * direction) - middle).norm();
@@ -294,8 +306,8 @@ bool is_worked_on(const SceneReading& seen, const Eigen::Vector2d& center, doubl
 SceneReading read_scene(const SceneMap& map, int image_width, int image_height) {
   SceneReading reading;
   read_cells(map, reading.cells);
-  read_tools(map, SceneClass::kNeedle, image_width, image_height, reading.needles);
-  read_tools(map, SceneClass::kHolder, image_width, image_height, reading.holders);
+  read_tools(map, SceneClass::kNeedle, reading.cells, image_width, image_height, reading.needles);
+  read_tools(map, SceneClass::kHolder, reading.cells, image_width, image_height, reading.holders);
   take_marked_for_needle(reading);
   return reading;
 }
