@@ -116,7 +116,7 @@ TEST(TipReading, InContactATipDoesNotLeapAcrossItsNeedle) {
   NeedleTracker free = needle;
   EXPECT_TRUE(free.read_tip(network, image, 1.0));
   EXPECT_GT(across_px(free), 6.0);
-  EXPECT_TRUE(needle.read_tip_in_contact(network, image, nullptr));
+  EXPECT_TRUE(needle.read_tip_in_contact(network, image, {}, nullptr));
   EXPECT_LT(across_px(needle), 1.0);
 }
 
@@ -137,7 +137,7 @@ TEST(TipReading, WhereLinesRanAwayTheTipIsReadWhereItWasBefore) {
   EXPECT_GT(network.read(image, {piece.tip, piece.direction()}, kShaftHalfWidth_px).share, 0.5)
       << "the network does not take it for a tip";
   needle.hold({90.0, 0.5});
-  EXPECT_TRUE(needle.read_tip_in_contact(network, image, nullptr));
+  EXPECT_TRUE(needle.read_tip_in_contact(network, image, {}, nullptr));
   EXPECT_LT((needle.estimate().tip - d.tip).norm(), 2.0);
 }
 

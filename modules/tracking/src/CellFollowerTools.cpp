@@ -24,6 +24,8 @@ constexpr double kApexSigma_px = 0.15;
 constexpr double kHaloLines = 4.0;
 // The tip is in the clear that far from the resting outline, and further by so many blurs beyond a sharp needle's.
 constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
+// Before the resting outline by so much, the tip touches nothing; so far behind tip or outline, the shaft is in view.
+constexpr double kUntouched_px = 1.0, kBeyondCell_px = 6.0;
 
 // A holder of the scene is as wide as the one found by lines when their logarithms are as near; one of its walls alone,
 // when they are so far apart; how well the scene shows a width, likewise.
@@ -245,6 +247,8 @@ NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2
   cue.in_the_clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
   cue.command = frame.command;
   cue.scene_jump_px = scene_jump_;
+  cue.is_free = contact_.state() == CellState::kFree && tip_depth() < -kUntouched_px;
+  cue.covered_px = kBeyondCell_px + std::max(0.0, tip_depth());
   if (zone().is_shade) cue.body = reach_of_cell();
   // Through the membrane, its line crosses the shaft and says nothing about the end.
   if (cue.in_the_clear || cue.body || contact_.state() == CellState::kPunctured) return cue;
@@ -276,9 +280,9 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
         is_read_ || (is_asked && !zone().is_shade && !needle_.is_where_read(frame.networks->tips(), frame.image));
     if (is_asked && is_elsewhere && !needle_.is_read()) {
       if (is_free) {
-        needle_.read_tip(frame.networks->tips(), frame.image, 1.0);
+        needle_.read_tip(frame.networks->tips(), frame.image, 1.0, &cue);
       } else {
-        needle_.read_tip_in_contact(frame.networks->tips(), frame.image, is_pushing ? frame.command : nullptr);
+        needle_.read_tip_in_contact(frame.networks->tips(), frame.image, cue, is_pushing ? frame.command : nullptr);
       }
     }
     compare_with_command(frame, seen);

@@ -47,6 +47,11 @@ constexpr int kLeaps = 2, kSettled_frames = 3;
 // So far in a frame, px, what lines follow may have run away along the needle: no needle leaps so far, and the reading
 // where it was before counts if it has this share of the other's sureness. Looked at on validation film 54982.
 constexpr double kRunAway_px = 10.0, kAsSure = 0.8;
+// Readings beside a shaft whose place is known: so many standard deviations apart, the tip is read elsewhere; so many
+// in a row while nothing is touched, and the shaft is not what was learnt. What a reading's standard deviation is times
+// in a dimple.
+constexpr double kMisreadSigmas = 3.0, kCoveredSigma = 1.5;
+constexpr int kMostMisreadings = 6;
 constexpr double kRests_px = 1.0;  // a frame: a needle slower than this does not draw back
 // So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
 // the edges followed differ from it by less than this, or than its standard deviation, they are the outline.
@@ -134,13 +139,56 @@ void NeedleTracker::take(const TipReading& seen, double share) {
   now_.is_disputed = false;
   now_.confidence = confidence();
   now_.tip_half_width = model_.cone.tip_radius();
+  if (is_by_shaft_) now_.evidence = now_.evidence | kKnownCone;
   take_width();
 }
 
-bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share) {
+// A reading held against where the shaft has the tip, and the shaft learnt where nothing is touched. A rigid needle
+// ends where its shaft says: what is read far from there is another end, and a reading that is not sure is none.
+TipReading NeedleTracker::beside_shaft(const FrameSampler& image, const TipReading& read, const NeedleCue& cue) {
+  const Eigen::Vector2d aside = beside_ * axis_.across(), before = axis_before_.tip + cue.scene_jump_px + aside;
+  NeedleAxis due{due_ + aside, axis_.direction};
+  std::optional<ShaftMotion::Place> place = shaft_motion_.find(image, due, cue.covered_px);
+  if (!place && (due.tip - before).norm() > kRests_px) {
+    // What was followed may have run away.
+    due.tip = before;
+    place = shaft_motion_.find(image, due, cue.covered_px);
+  }
+  const bool is_sure = read.share >= kLeastTipShare;
+  TipReading seen = read;
+  is_by_shaft_ = false;
+  if (place && shaft_motion_.is_known()) {
+    const Eigen::Vector2d by_shaft = due.tip + place->ahead_px * due.direction + place->across_px * due.across();
+    const double apart_px = (read.tip - by_shaft).dot(due.direction);
+    const double read_px = (cue.is_free ? 1.0 : kCoveredSigma) * read.along_sigma_px, shaft_px = place->sigma_px;
+    const bool is_apart = is_sure && std::abs(apart_px) > kMisreadSigmas * std::hypot(read_px, shaft_px);
+    if (is_apart && cue.is_free) {
+      // In the clear readings are right.
+      if (++misreadings_ >= kMostMisreadings) shaft_motion_ = {};
+      return read;
+    }
+    misreadings_ = 0;
+    is_by_shaft_ = true;
+    if (is_apart || !is_sure) {
+      seen.tip = by_shaft;
+      seen.along_sigma_px = shaft_px;
+      seen.share = std::max(read.share, kLeastTipShare);
+    } else {
+      seen.tip -= read_px * read_px / (read_px * read_px + shaft_px * shaft_px) * apart_px * due.direction;
+      seen.along_sigma_px = read_px * shaft_px / std::hypot(read_px, shaft_px);
+    }
+  }
+  if (cue.is_free && is_sure)
+    shaft_motion_.learn(image, due, place, read.tip, read.along_sigma_px,
+                        is_read() ? read_half_width_ : width_behind(image));
+  return seen;
+}
+
+bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share, const NeedleCue* cue) {
   if (!valid_) return false;
-  const std::optional<TipReading> seen = best_reading(network, image, share);
+  std::optional<TipReading> seen = best_reading(network, image, share);
   if (!seen) return false;
+  if (cue) seen = beside_shaft(image, *seen, *cue);
   sprung_readings_ = 0;
   take(*seen, share);
   return true;
@@ -164,13 +212,14 @@ double NeedleTracker::leap_across_px(const Eigen::Vector2d& read, const Eigen::V
   return std::min(std::abs(off_px), std::abs(since_px)) > most_px ? off_px : 0.0;
 }
 
-bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image,
+bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue,
                                         const CommandedMotion* command) {
   doubted_.reset();
   if (!valid_) return false;
   double share = 1.0;
   std::optional<TipReading> seen = best_reading(network, image, share);
-  if (!seen) return false;
+  seen = beside_shaft(image, seen.value_or(TipReading{}), cue);
+  if (seen->share < kLeastTipShare) return false;
   seen->tip -= leap_across_px(seen->tip, tip()) * axis_.across();
   const double back_px = (tip() - seen->tip).dot(axis_.direction);
   const double went_back_px = std::max(0.0, (axis_before_.tip - axis_.tip).dot(axis_.direction));
@@ -270,6 +319,8 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
     if (there.share > seen.share) seen = there;
     if (seen.share >= kLeastTipShare) break;
   }
+  due_ = axis_.tip + expected;
+  seen = beside_shaft(image, seen, cue);
   if (seen.share < kLeastTipShare) {
     now_.confidence *= 0.5;
     motion_.setZero();
@@ -304,7 +355,9 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   now_.edge_blur = kReadBlur_px;
   now_.tip_sigma = seen.along_sigma_px;
   now_.confidence = seen.share;
-  now_.evidence = sent ? kTipEnd | kCommandedMotion : kTipEnd;
+  now_.evidence = kTipEnd;
+  if (sent) now_.evidence = now_.evidence | kCommandedMotion;
+  if (is_by_shaft_) now_.evidence = now_.evidence | kKnownCone;
   return true;
 }
 

@@ -107,6 +107,7 @@ bool NeedleTracker::start(const FrameSampler& image, NeedleGuess guess, double n
 bool NeedleTracker::track(const FrameSampler& image, double noise, const NeedleCue& cue) {
   if (!valid_) return false;
   learn_confidence();
+  is_by_shaft_ = false;
   const NeedleAxis before = axis_;
   axis_before_ = before;
   const double unit = model_.unit_px;

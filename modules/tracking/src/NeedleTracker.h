@@ -10,6 +10,7 @@
 #include "NeedleModel.h"
 #include "NeedleStart.h"
 #include "ShaftFit.h"
+#include "ShaftMotion.h"
 #include "TipFinder.h"
 #include "TipNetwork.h"
 #include "TipWidthNetwork.h"
@@ -44,6 +45,8 @@ struct NeedleCue {
   std::optional<contour::Circle> body;
   MembraneBackdrop* membrane = nullptr;  ///< what the tip is seen against; null: plain medium
   double depth_px = 0.0;                 ///< how far the tip was past the resting membrane
+  bool is_free = false;                  ///< nothing is touched
+  double covered_px = 0.0;               ///< so far behind the tip the cell reaches
 };
 
 /// Follows the injection needle. Across, by the learnt look of the shaft (ShaftFit). Along, by a Kalman filter of place
@@ -80,7 +83,8 @@ class NeedleTracker {
   /// Reads the tip's place, moves the tip by `share` of the way to it, and learns how far from the tip its edges end,
   /// as a bevel's or a spike's end earlier, and how far beside the axis it lies. False, and nothing happens, where the
   /// network isn't sure.
-  bool read_tip(TipNetwork& network, const FrameSampler& image, double share);
+  /// `cue` (may be null) says where its shaft is seen, which is then held against the reading.
+  bool read_tip(TipNetwork& network, const FrameSampler& image, double share, const NeedleCue* cue = nullptr);
 
   /// The same for a needle found just now, which may end anywhere along it up to beside `last`, px.
   bool find_tip(TipNetwork& network, const FrameSampler& image, const Eigen::Vector2d& last);
@@ -88,7 +92,8 @@ class NeedleTracker {
   /// The same for a needle in contact, whose tip a membrane that springs back seems to take along: where the shaft has
   /// not gone back with it, such a reading is doubted until it lasts. `command` (may be null) doubts it longer, and by
   /// less.
-  bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image, const CommandedMotion* command);
+  bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue,
+                           const CommandedMotion* command);
   /// Takes this frame's doubted reading after all: the membrane has not sprung back. Nothing happens without one.
   void believe_reading();
 
@@ -146,6 +151,7 @@ class NeedleTracker {
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);
+  TipReading beside_shaft(const FrameSampler& image, const TipReading& read, const NeedleCue& cue);
   // How far across the needle a reading has leapt from where it is due; 0: it hasn't.
   double leap_across_px(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const;
   Eigen::Vector2d tip() const;
@@ -190,6 +196,9 @@ class NeedleTracker {
   int width_readings_ = 0;
   int leaps_ = 0, read_frames_ = 0;  // of a tip known by readings alone: leaps in a row, frames followed
   bool is_across_known_ = false;     // likewise: where it lies across the needle
+  ShaftMotion shaft_motion_;         // of a needle that networks read
+  int misreadings_ = 0;              // by that, in a row
+  bool is_by_shaft_ = false;         // where the tip was last read
   int sprung_readings_ = 0;          // in a row, not believed
   std::optional<TipReading> doubted_;
   bool clear_seen_ = false;
