@@ -164,7 +164,9 @@ TipReading NeedleTracker::beside_shaft(const FrameSampler& image, const TipReadi
     const bool is_apart = is_sure && std::abs(apart_px) > kMisreadSigmas * std::hypot(read_px, shaft_px);
     if (is_apart && cue.is_free) {
       // In the clear readings are right.
-      if (++misreadings_ >= kMostMisreadings) shaft_motion_ = {};
+      if (++misreadings_ < kMostMisreadings) return read;
+      misreadings_ = 0;
+      shaft_motion_ = {};
       return read;
     }
     misreadings_ = 0;
