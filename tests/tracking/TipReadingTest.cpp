@@ -24,11 +24,24 @@ Drawing fine_needle() {
   return d;
 }
 
-NeedleTracker followed(const Picture& picture, const Drawing& d) {
-  const FrameSampler image(picture.view());
+// A needle that its lines are followed by, in a picture that a test may change.
+struct Followed {
+  explicit Followed(const Drawing& d) : drawing(d), picture(draw(d)), noise(noise_level(image())) {
+    needle.start(image(), test::tool_of(d), noise);
+  }
+  FrameSampler image() const { return FrameSampler(picture.view()); }
+
+  Drawing drawing;
+  Picture picture;
+  double noise;
   NeedleTracker needle;
-  needle.start(image, test::tool_of(d), noise_level(image));
-  return needle;
+  TipNetwork network;
+};
+
+Drawing fine_needle_at(double x_px) {
+  Drawing d = fine_needle();
+  d.tip.x() = x_px;
+  return d;
 }
 
 // The first `width_px` columns of another picture.
@@ -97,48 +110,66 @@ TEST(TipReading, AnEndWithNothingAheadStaysTheEnd) {
 
 // The last 30 px of a needle, moved aside by 10 px: as if another corner of it were taken for its tip.
 TEST(TipReading, InContactATipDoesNotLeapAcrossItsNeedle) {
-  Drawing d = fine_needle();
-  d.tip = {200.3, 171.6};
-  Picture picture = draw(d);
-  TipNetwork network;
-  const double noise = noise_level(FrameSampler(picture.view()));
-  NeedleTracker needle = followed(picture, d);
-  ASSERT_TRUE(needle.valid());
-  Drawing aside = d;
-  aside.tip.y() += 10.0;
-  show_left(draw(aside), 230, picture);
-  const FrameSampler image(picture.view());
-  ASSERT_TRUE(needle.track(image, noise, {}));
-  const auto across_px = [&](const NeedleTracker& n) { return std::abs(n.estimate().tip.y() - d.tip.y()); };
-  const std::optional<Eigen::Vector2d> read = needle.tip_read(network, image);
+  Followed f(fine_needle_at(200.3));
+  ASSERT_TRUE(f.needle.valid());
+  const Eigen::Vector2d tip = f.drawing.tip;
+  f.drawing.tip.y() += 10.0;
+  show_left(draw(f.drawing), 230, f.picture);
+  ASSERT_TRUE(f.needle.track(f.image(), f.noise, {}));
+  const auto across_px = [&](const NeedleTracker& n) { return std::abs(n.estimate().tip.y() - tip.y()); };
+  const std::optional<Eigen::Vector2d> read = f.needle.tip_read(f.network, f.image());
   ASSERT_TRUE(read);
-  ASSERT_GT(std::abs(read->y() - d.tip.y()), 6.0) << "the network does not take it for the tip";
-  NeedleTracker free = needle;
-  EXPECT_TRUE(free.read_tip(network, image, 1.0));
+  ASSERT_GT(std::abs(read->y() - tip.y()), 6.0) << "the network does not take it for the tip";
+  NeedleTracker free = f.needle;
+  EXPECT_TRUE(free.read_tip(f.network, f.image(), 1.0));
   EXPECT_GT(across_px(free), 6.0);
-  EXPECT_TRUE(needle.read_tip_in_contact(network, image, {}, nullptr));
-  EXPECT_LT(across_px(needle), 1.0);
+  EXPECT_TRUE(f.needle.read_tip_in_contact(f.network, f.image(), {}, nullptr));
+  EXPECT_LT(across_px(f.needle), 1.0);
 }
 
 // What was followed has run 90 px ahead, to a piece of glass that ends as a needle does; the needle is where it was.
 TEST(TipReading, WhereLinesRanAwayTheTipIsReadWhereItWasBefore) {
-  Drawing d = fine_needle();
-  d.tip = {240.3, 171.6};
-  Picture picture = draw(d);
-  TipNetwork network;
-  const double noise = noise_level(FrameSampler(picture.view()));
-  NeedleTracker needle = followed(picture, d);
-  ASSERT_TRUE(needle.valid());
-  ASSERT_TRUE(needle.track(FrameSampler(picture.view()), noise, {}));
-  Drawing piece = d;
-  piece.tip.x() -= 90.0;
-  show_left(draw(piece), 190, picture);
-  const FrameSampler image(picture.view());
-  EXPECT_GT(network.read(image, {piece.tip, piece.direction()}, kShaftHalfWidth_px).share, 0.5)
+  Followed f(fine_needle_at(240.3));
+  ASSERT_TRUE(f.needle.valid());
+  ASSERT_TRUE(f.needle.track(f.image(), f.noise, {}));
+  const Drawing piece = fine_needle_at(150.3);
+  show_left(draw(piece), 190, f.picture);
+  EXPECT_GT(f.network.read(f.image(), {piece.tip, piece.direction()}, kShaftHalfWidth_px).share, 0.5)
       << "the network does not take it for a tip";
-  needle.hold({90.0, 0.5});
-  EXPECT_TRUE(needle.read_tip_in_contact(network, image, {}, nullptr));
-  EXPECT_LT((needle.estimate().tip - d.tip).norm(), 2.0);
+  f.needle.hold({90.0, 0.5});
+  EXPECT_TRUE(f.needle.read_tip_in_contact(f.network, f.image(), {}, nullptr));
+  EXPECT_LT((f.needle.estimate().tip - f.drawing.tip).norm(), 2.0);
+}
+
+// Its last 16 px are hidden from then on, and the network reads its end where they begin.
+TEST(TipReading, InContactTheShaftKeepsATipThatIsHidden) {
+  Followed f(Drawing{.tip = {220.3, 171.6}});
+  ASSERT_TRUE(f.needle.valid());
+  NeedleCue cue{.is_free = true, .covered_px = 6.0};
+  const auto advance = [&](bool is_hidden) {
+    f.drawing.tip.x() -= 3.0;
+    ++f.drawing.seed;
+    f.picture = draw(f.drawing);
+    Drawing nothing = f.drawing;
+    nothing.depth = 0.0;
+    if (is_hidden) show_left(draw(nothing), static_cast<int>(f.drawing.tip.x() + 16.0), f.picture);
+    return f.needle.track(f.image(), f.noise, cue);
+  };
+  for (int frame = 0; frame < 6; ++frame) {
+    ASSERT_TRUE(advance(false));
+    ASSERT_TRUE(f.needle.read_tip(f.network, f.image(), 1.0, &cue));
+  }
+  cue = {.covered_px = 24.0};
+  const auto short_px = [&](const NeedleTracker& n) { return n.estimate().tip.x() - f.drawing.tip.x(); };
+  for (int frame = 0; frame < 6; ++frame) {
+    advance(true);
+    NeedleTracker alone = f.needle;
+    ASSERT_TRUE(alone.read_tip(f.network, f.image(), 1.0));
+    EXPECT_GT(short_px(alone), 8.0) << "the network does not take that for its end";
+    EXPECT_TRUE(f.needle.read_tip_in_contact(f.network, f.image(), cue, nullptr));
+    EXPECT_LT(std::abs(short_px(f.needle)), 2.0) << frame;
+    EXPECT_NE(f.needle.estimate().evidence & kKnownCone, 0U);
+  }
 }
 
 // Known by its tip alone, which then seems to go back by 14 px within a frame. Of a needle in the clear, or one that

@@ -316,12 +316,12 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   const Eigen::Vector2d going = sent ? Eigen::Vector2d(sent->ahead_px * axis_.direction) : kGoesOn * motion_;
   const Eigen::Vector2d expected = going + cue.scene_jump_px;
   TipReading seen;
-  for (const Eigen::Vector2d& from : {Eigen::Vector2d(axis_.tip + expected), axis_.tip}) {
+  due_ = axis_.tip + expected;
+  for (const Eigen::Vector2d& from : {due_, axis_.tip}) {
     const TipReading there = network.read(image, {from, axis_.direction}, read_half_width_);
     if (there.share > seen.share) seen = there;
     if (seen.share >= kLeastTipShare) break;
   }
-  due_ = axis_.tip + expected;
   seen = beside_shaft(image, seen, cue);
   if (seen.share < kLeastTipShare) {
     now_.confidence *= 0.5;
@@ -329,19 +329,18 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
     return false;
   }
   // A leap that no motion of late announces is believed when a second frame shows it.
-  const Eigen::Vector2d due = axis_before_.tip + expected;
   is_across_known_ = is_across_known_ || read_frames_ > kSettled_frames;
-  if (!cue.in_the_clear && is_across_known_) seen.tip -= leap_across_px(seen.tip, due) * axis_.across();
-  const double leap_px = (seen.tip - due).norm();
+  if (!cue.in_the_clear && is_across_known_) seen.tip -= leap_across_px(seen.tip, due_) * axis_.across();
+  const double leap_px = (seen.tip - due_).norm();
   const bool is_leap = leap_px > std::max(kLeap_px, kLeapHalfWidths * read_half_width_);
   leaps_ = is_leap ? leaps_ + 1 : 0;
   // In a dimple, one that leaps back while the needle does not draw back may be the membrane's, which has sprung back:
   // the needle is seen no worse.
   const bool may_have_sprung = cue.depth_px > kSprung_px && motion_.dot(axis_.direction) > -kRests_px &&
-                               (due - seen.tip).dot(axis_.direction) > kSprung_px;
+                               (due_ - seen.tip).dot(axis_.direction) > kSprung_px;
   if (is_leap && leaps_ < kLeaps && read_frames_ > kSettled_frames) {
-    axis_.tip = due;
-    now_.tip = due;
+    axis_.tip = due_;
+    now_.tip = due_;
     now_.tip_sigma = std::max(now_.tip_sigma, kLeapSigma * leap_px);
     if (!may_have_sprung) now_.confidence *= 0.5;
     motion_ = expected - cue.scene_jump_px;

@@ -175,11 +175,15 @@ std::vector<cv::Point> end_of_bent(const std::vector<cv::Point>& area, const cv:
   return part;
 }
 
-// Whether a holding pipette that ends there holds one of the cells.
-bool is_at(const std::vector<SceneCell>& cells, const Eigen::Vector2d& end) {
+// Whether a holding pipette that ends there may hold the cell.
+bool ends_at(const Eigen::Vector2d& end, const Eigen::Vector2d& center, double radius_px) {
+  const double away = (center - end).norm() / radius_px;
+  return away > kNearestEnd_ratio && away < kFarthestEnd_ratio;
+}
+
+bool ends_at_one(const Eigen::Vector2d& end, const std::vector<SceneCell>& cells) {
   return std::any_of(cells.begin(), cells.end(), [&](const SceneCell& cell) {
-    const double away = (cell.center - end).norm() / cell.radius_px;
-    return cell.share > kLeastCellShare && away > kNearestEnd_ratio && away < kFarthestEnd_ratio;
+    return cell.share > kLeastCellShare && ends_at(end, cell.center, cell.radius_px);
   });
 }
 
@@ -216,7 +220,7 @@ void read_tools(const SceneMap& map, SceneClass which, const std::vector<SceneCe
     const double a = to_border(from), b = to_border(to);
     const std::optional<Eigen::Vector2d> entry = middle_of_border(whole, share);
     const bool is_end = area.size() < whole.size();  // of a bent one: away from where the whole comes in
-    const auto holds_at = [&](double along) { return is_at(cells, map.to_image(mean + along * direction)); };
+    const auto holds_at = [&](double along) { return ends_at_one(map.to_image(mean + along * direction), cells); };
     // A part of one, as where the map has the rest for a needle.
     const bool is_part = is_holder && !entry && holds_at(from) != holds_at(to);
     const bool turned =
@@ -293,14 +297,13 @@ bool points_into(const SceneTool& needle, const Eigen::Vector2d& center, double 
 }
 
 bool is_worked_on(const SceneReading& seen, const Eigen::Vector2d& center, double radius_px) {
-  const auto ends_at = [&](const SceneTool& holder) {
-    const double away = (center - holder.tip).norm() / radius_px;
-    return away > kNearestEnd_ratio && away < kFarthestEnd_ratio &&
-           holder.direction.dot(center - holder.tip) > kAimed * away * radius_px;
+  const auto holds = [&](const SceneTool& holder) {
+    const Eigen::Vector2d way = center - holder.tip;
+    return ends_at(holder.tip, center, radius_px) && holder.direction.dot(way) > kAimed * way.norm();
   };
   const auto aims_at = [&](const SceneTool& needle) { return points_into(needle, center, radius_px); };
   return std::any_of(seen.needles.begin(), seen.needles.end(), aims_at) ||
-         std::any_of(seen.holders.begin(), seen.holders.end(), ends_at);
+         std::any_of(seen.holders.begin(), seen.holders.end(), holds);
 }
 
 SceneReading read_scene(const SceneMap& map, int image_width, int image_height) {

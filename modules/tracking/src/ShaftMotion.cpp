@@ -145,7 +145,7 @@ std::optional<ShaftMotion::Place> ShaftMotion::find(const FrameSampler& image, c
   place.ahead_px = (axis.tip - begun.tip).dot(axis.direction);
   place.across_px = (axis.tip - begun.tip).dot(axis.across());
   const bool is_shaft = contrasts.minCoeff() > kLeastContrast && contrasts.maxCoeff() < kMostContrast;
-  place.sigma_px = std::hypot(place.sigma_px, drift_per_px() * std::abs(along_of(axis) - way_.mean()));
+  place.sigma_px = std::hypot(place.sigma_px, drift_per_px() * std::abs(along_of(axis) - way_.mean_px));
   if (place.sigma_px > kVague_px) return std::nullopt;
   return is_shaft && place.likeness > kAlike * likeness_ && std::abs(place.ahead_px) < kFarthest_px
              ? std::optional(place)

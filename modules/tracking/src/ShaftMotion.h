@@ -51,7 +51,6 @@ class ShaftMotion {
   struct Way {
     int count = 0;
     double mean_px = 0.0, mean_apart_px = 0.0, squares = 0.0, products = 0.0;
-    double mean() const noexcept { return mean_px; }
     void add(double way_px, double apart_px);
   };
 
