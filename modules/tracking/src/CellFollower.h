@@ -165,8 +165,9 @@ class CellFollower {
   Eigen::Vector2d tip_way() const { return needle_.motion() + scene_jump_; }  // px, with the last frame
   void follow_rigid_motion(const FrameInput& frame, const Eigen::Vector2d& jump);
   void follow_contours(const FrameInput& frame, const Eigen::Vector2d& shift);
+  bool go_on(const FrameInput& frame, const NeedleZone* needle);
   void read_where_it_was(const FrameInput& frame, const NeedleZone* needle);
-  void read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
+  bool read_sprung_back(const FrameInput& frame, const NeedleZone& needle);
   void follow_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_unpushed(const FrameInput& frame, const NeedleZone* needle);
   void read_dimples(const FrameInput& frame);
@@ -264,6 +265,7 @@ class CellFollower {
   bool walls_slide_ = false;  // the holder's, along themselves
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, times_astray_ = 0, frames_followed_ = 0;
+  int frames_since_reading_ = 0;  // of the boundaries
   int unseen_frames_ = 0;   // without a needle
   int pressed_frames_ = 0;  // by what was taken for the holder
 };

@@ -14,6 +14,9 @@ namespace {
 // place.
 constexpr int kRoundsLive = 1, kRoundsHigh = 2;
 constexpr double kPoorReading = 0.6;
+// Frames at most, of one cell that is pushed and of another, that go on with what was read last; the first ones are all
+// read.
+constexpr int kMostGoneOnPushed = 5, kMostGoneOn = 7, kFirstReadings = 12;
 // Of the radius: a dimple from which on a membrane may be seen to have sprung back.
 constexpr double kSprungDepth_ratio = 0.06;
 // By how much of its depth of late, and px, a reading that nothing ties to the tip must have come back, with the tip at
@@ -47,6 +50,8 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   BoundaryNetwork& network = frame.reader->boundaries();
   const int rounds = options_.quality == TrackerOptions::Quality::kHigh ? kRoundsHigh : kRoundsLive;
   snakes_.predict(shift, tip_way(), needle);
+  if (go_on(frame, needle)) return;
+  frames_since_reading_ = 0;
   snakes_.read(frame.image, network, needle, rounds);
   quality_ = quality_now();
   if (needle && touching_ && needle_.is_clear()) read_sprung_back(frame, *needle);
@@ -56,6 +61,22 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
     read_unpushed(frame, needle);
   if (quality_ < kPoorReading) read_where_it_was(frame, needle);
   if (needle && touching_ && is_pushed()) mend_dimple(frame, *needle);
+  snakes_.keep_reading(frame.image);
+}
+
+// By what was read last and has moved since, where that was seen well and shows where it is. Beside a needle that pushes
+// a picture that has changed may be a membrane that has given way.
+bool CellFollower::go_on(const FrameInput& frame, const NeedleZone* needle) {
+  const int most = contact_.state() == CellState::kContact ? kMostGoneOnPushed : kMostGoneOn;
+  const bool is_due = frames_since_reading_ >= most || frames_followed_ <= kFirstReadings || quality_ < kPoorReading;
+  if (is_due || options_.quality == TrackerOptions::Quality::kHigh) return false;
+  const BoundaryMotion::Sight sight = snakes_.go_on(frame.image, frame.noise, needle);
+  if (sight == BoundaryMotion::Sight::kUnlike) return false;
+  ++frames_since_reading_;
+  if (sight == BoundaryMotion::Sight::kChangedAtNeedle && touching_ && needle_.is_clear() &&
+      read_sprung_back(frame, *needle))
+    snakes_.keep_reading(frame.image);
+  return true;
 }
 
 void CellFollower::read_where_it_was(const FrameInput& frame, const NeedleZone* needle) {
@@ -73,8 +94,8 @@ void CellFollower::read_where_it_was(const FrameInput& frame, const NeedleZone* 
 // resting outline and with nothing that wraps the tip. In a steep dimple such a reading is too shallow, but alike from
 // frame to frame: it goes deeper with the needle, and only a membrane that springs back lets it fall while the tip
 // stays. For that the normals about the needle are enough; once it has fallen, all of them say what is there.
-void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
-  if (measure_membrane_depth() < kSprungDepth_ratio * rest_.outer_radius) return;
+bool CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
+  if (measure_membrane_depth() < kSprungDepth_ratio * rest_.outer_radius) return false;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
   const SnakeContour resting_outer = at_rest(outer, rest_.outer_radius);
   NeedleZone loose = needle;
@@ -91,10 +112,10 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
     const bool has_sprung = !is_pushed();
     if (has_sprung && local_score() > tied_score) {
       quality_ = quality_now();
-      return;
+      return true;
     }
     snakes_.restore(outer, inner);
-    if (has_sprung) return;
+    if (has_sprung) return false;
     // It has lost the dimple: from now on this is what it shows of one that is pushed.
     untied_depth_ = depth;
   }
@@ -103,6 +124,7 @@ void CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& n
     untied_depth_ = depth;
     tip_at_untied_depth_ = tip_depth();
   }
+  return false;
 }
 
 // A dimple that no tip is at the bottom of may be one that the contour has stayed in: once more from the resting

@@ -1,14 +1,15 @@
 #pragma once
 #include <Eigen/Core>
-#include <limits>
 #include <optional>
 #include <vector>
 
+#include "BoundaryMotion.h"
 #include "BoundaryNetwork.h"
 #include "CellDetector.h"
 #include "EdgeTemplate.h"
 #include "FrameSampler.h"
 #include "MembraneBackdrop.h"
+#include "NeedleZone.h"
 #include "NormalStrip.h"
 #include "Snake.h"
 #include "pellucida/tracking/TrackerOptions.h"
@@ -19,45 +20,10 @@ namespace pellucida {
 inline constexpr double kSoftRigidity = 20.0;
 /// Of the predicted shape's own bending that the snake resists.
 inline constexpr double kShapeShare = 0.1;
-/// px: half width of the needle's own dark edge, with its halo.
-inline constexpr double kNeedleMargin = 2.5;
-
 /// px beside a pushing tip over which the membrane goes with it: standard deviation of a bell.
 inline double wrapped_px(double tip_half_width_px) noexcept {
   return 3.0 * tip_half_width_px + 8.0;
 }
-
-/// What the snakes need to know of the needle: where its own dark edges would be taken for a membrane.
-struct NeedleZone {
-  Eigen::Vector2d tip = Eigen::Vector2d::Zero();         ///< px
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< shaft to tip
-  double tip_half_width = 0.0;                           ///< px
-  double widening = 0.0;                                 ///< half width gained per px behind the tip
-  bool touching = false;                                 ///< the membrane is known to wrap the tip
-  double tip_sigma = 0.5;                                ///< px
-  /// px: what is read farther from the outline than this, beside a tip that pushes, is another edge.
-  double trust_px = std::numeric_limits<double>::infinity();
-  bool is_shade = false;  ///< so far out of focus that membranes show through it and its edges are like none of theirs
-
-  /// Whether `p` lies on the shaft or within `margin` px of its edges; nothing does while it is a mere shade.
-  bool covers(const Eigen::Vector2d& p, double margin) const noexcept {
-    if (is_shade) return false;
-    const Eigen::Vector2d d = p - tip;
-    const double behind = -d.dot(direction);
-    if (behind < -margin) return false;
-    const double across = std::abs(direction.x() * d.y() - direction.y() * d.x());
-    return across < tip_half_width + widening * std::max(behind, 0.0) + margin;
-  }
-  /// True only if nothing from `p` to `q` is covered: both lie beyond the same edge.
-  bool is_beside(const Eigen::Vector2d& p, const Eigen::Vector2d& q, double margin) const noexcept {
-    const Eigen::Vector2d across(-direction.y(), direction.x());
-    const auto beyond = [&](const Eigen::Vector2d& point, double side) {
-      const Eigen::Vector2d d = point - tip;
-      return side * d.dot(across) > tip_half_width + widening * std::max(-d.dot(direction), 0.0) + margin;
-    };
-    return (beyond(p, 1.0) && beyond(q, 1.0)) || (beyond(p, -1.0) && beyond(q, -1.0));
-  }
-};
 
 /// One snake: contour, what its edge looks like, and how well it was seen.
 struct SnakeContour {
@@ -106,6 +72,12 @@ class MembraneSnakes {
   /// One round of the outer contour alone, on the normals near `place` (px); it stays elsewhere.
   void read_near(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone& needle,
                  const Eigen::Vector2d& place);
+
+  /// What was read in this frame counts: the next ones are held against it (`go_on`).
+  void keep_reading(const FrameSampler& image);
+  /// Moves both contours, from where `predict` has put them, to where what was read last has gone since. Where that is
+  /// unlike what is seen now, nothing happens.
+  BoundaryMotion::Sight go_on(const FrameSampler& image, double noise, const NeedleZone* needle);
 
   const SnakeContour& outer() const noexcept { return outer_; }
   const SnakeContour& inner() const noexcept { return inner_; }
@@ -173,6 +145,8 @@ class MembraneSnakes {
   TrackerOptions options_;
   SnakeContour outer_, inner_;
   Look outer_look_, inner_look_;
+  BoundaryMotion outer_motion_, inner_motion_;
+  Eigen::VectorXd outer_read_sigma_px_, inner_read_sigma_px_;
   double sureness_ = 0.0;
   double thickness_ = 0.0;        ///< median distance between the two, px
   double thickness_sigma_ = 0.0;  ///< how far single places differ from it, px
