@@ -279,9 +279,7 @@ void CellFollower::follow_needle(const FrameInput& frame, const Eigen::Vector2d&
     const bool is_elsewhere =
         is_read_ || (is_asked && !zone().is_shade && !needle_.is_where_read(frame.networks->tips(), frame.image));
     if (is_asked && is_elsewhere && !needle_.is_read()) {
-      const bool goes_on = is_read_ && seen && !is_poor && needle_.go_on_by_shaft(frame.image, cue);
-      if (goes_on) {
-      } else if (is_free) {
+      if (is_free) {
         needle_.read_tip(frame.networks->tips(), frame.image, 1.0, &cue);
       } else {
         needle_.read_tip_in_contact(frame.networks->tips(), frame.image, cue, is_pushing ? frame.command : nullptr);

@@ -52,9 +52,6 @@ constexpr double kRunAway_px = 10.0, kAsSure = 0.8;
 // in a dimple.
 constexpr double kMisreadSigmas = 3.0, kCoveredSigma = 1.5;
 constexpr int kMostMisreadings = 6;
-// Frames between two readings, at most, in which a shaft says where the tip is, and how surely, px.
-constexpr int kMostByShaft = 3;
-constexpr double kSureShaft_px = 0.6;
 constexpr double kRests_px = 1.0;  // a frame: a needle slower than this does not draw back
 // So many readings of a tip's width say what there is to be said; none is surer than this, nor are all together. Where
 // the edges followed differ from it by less than this, or than its standard deviation, they are the outline.
@@ -146,40 +143,20 @@ void NeedleTracker::take(const TipReading& seen, double share) {
   take_width();
 }
 
-// Where the tip is by the shaft, from where it was due: `due` becomes that.
-std::optional<ShaftMotion::Place> NeedleTracker::find_shaft(const FrameSampler& image, const NeedleCue& cue,
-                                                            NeedleAxis& due) const {
+// A reading held against where the shaft has the tip, and the shaft learnt where nothing is touched. A rigid needle
+// ends where its shaft says: what is read far from there is another end, and a reading that is not sure is none.
+TipReading NeedleTracker::beside_shaft(const FrameSampler& image, const TipReading& read, const NeedleCue& cue) {
   const Eigen::Vector2d aside = beside_ * axis_.across(), before = axis_before_.tip + cue.scene_jump_px + aside;
-  due = {due_ + aside, axis_.direction};
+  NeedleAxis due{due_ + aside, axis_.direction};
   std::optional<ShaftMotion::Place> place = shaft_motion_.find(image, due, cue.covered_px);
   if (!place && (due.tip - before).norm() > kRests_px) {
     // What was followed may have run away.
     due.tip = before;
     place = shaft_motion_.find(image, due, cue.covered_px);
   }
-  return place;
-}
-
-bool NeedleTracker::go_on_by_shaft(const FrameSampler& image, const NeedleCue& cue) {
-  if (!valid_ || !shaft_motion_.is_known() || frames_by_shaft_ >= kMostByShaft) return false;
-  NeedleAxis due;
-  const std::optional<ShaftMotion::Place> place = find_shaft(image, cue, due);
-  if (!place || place->sigma_px > kSureShaft_px) return false;
-  ++frames_by_shaft_;
-  is_by_shaft_ = true;
-  take({due.tip + place->ahead_px * due.direction + place->across_px * due.across(), place->sigma_px, 1.0}, 1.0);
-  return true;
-}
-
-// A reading held against where the shaft has the tip, and the shaft learnt where nothing is touched. A rigid needle
-// ends where its shaft says: what is read far from there is another end, and a reading that is not sure is none.
-TipReading NeedleTracker::beside_shaft(const FrameSampler& image, const TipReading& read, const NeedleCue& cue) {
-  NeedleAxis due;
-  const std::optional<ShaftMotion::Place> place = find_shaft(image, cue, due);
   const bool is_sure = read.share >= kLeastTipShare;
   TipReading seen = read;
   is_by_shaft_ = false;
-  frames_by_shaft_ = 0;
   if (place && shaft_motion_.is_known()) {
     const Eigen::Vector2d by_shaft = due.tip + place->ahead_px * due.direction + place->across_px * due.across();
     const double apart_px = (read.tip - by_shaft).dot(due.direction);

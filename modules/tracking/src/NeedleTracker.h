@@ -94,9 +94,6 @@ class NeedleTracker {
   /// less.
   bool read_tip_in_contact(TipNetwork& network, const FrameSampler& image, const NeedleCue& cue,
                            const CommandedMotion* command);
-  /// Takes the tip to where its shaft has it, without a reading. False, and nothing happens, where that does not say
-  /// surely where it is, or was believed often enough since the last reading. `cue`: of this frame.
-  bool go_on_by_shaft(const FrameSampler& image, const NeedleCue& cue);
   /// Takes this frame's doubted reading after all: the membrane has not sprung back. Nothing happens without one.
   void believe_reading();
 
@@ -154,7 +151,6 @@ class NeedleTracker {
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
   std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
   void take(const TipReading& seen, double share);
-  std::optional<ShaftMotion::Place> find_shaft(const FrameSampler& image, const NeedleCue& cue, NeedleAxis& due) const;
   TipReading beside_shaft(const FrameSampler& image, const TipReading& read, const NeedleCue& cue);
   // How far across the needle a reading has leapt from where it is due; 0: it hasn't.
   double leap_across_px(const Eigen::Vector2d& read, const Eigen::Vector2d& due) const;
@@ -203,7 +199,6 @@ class NeedleTracker {
   ShaftMotion shaft_motion_;         // of a needle that networks read
   int misreadings_ = 0;              // by that, in a row
   bool is_by_shaft_ = false;         // where the tip was last read
-  int frames_by_shaft_ = 0;          // since it was read
   int sprung_readings_ = 0;          // in a row, not believed
   std::optional<TipReading> doubted_;
   bool clear_seen_ = false;
