@@ -159,8 +159,7 @@ bool BoundaryMotion::is_changed_at_needle(double pixel_variance) {
     farthest_px = std::max(farthest_px, std::abs(shift_px_[row]));
   }
   const double unlike = all > 0.0 ? misfit / all : 0.0;
-  const bool has_grown =
-      unlike_at_needle_ && unlike > std::max(kLeastGrown_ratio, kGrowth * *unlike_at_needle_);
+  const bool has_grown = unlike_at_needle_ && unlike > std::max(kLeastGrown_ratio, kGrowth * *unlike_at_needle_);
   unlike_at_needle_ = unlike;
   return has_grown || unlike > kOther_ratio || farthest_px > kJump_px;
 }

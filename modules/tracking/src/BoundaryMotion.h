@@ -22,7 +22,7 @@ class BoundaryMotion {
   /// What the picture shows of it now.
   enum class Sight : std::uint8_t {
     kAlike,            ///< where it is
-    kChangedAtNeedle,  ///< the same, but beside a needle that touches it the picture is another one: it may be elsewhere
+    kChangedAtNeedle,  ///< the same, but beside a needle that touches it the picture is another one
     kUnlike            ///< nothing: it has to be read anew
   };
   /// Finds it near `points` (2 x n), where the same points are expected now; `noise`: standard deviation of a pixel.

@@ -266,8 +266,8 @@ class CellFollower {
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, times_astray_ = 0, frames_followed_ = 0;
   int frames_since_reading_ = 0;  // of the boundaries
-  int unseen_frames_ = 0;   // without a needle
-  int pressed_frames_ = 0;  // by what was taken for the holder
+  int unseen_frames_ = 0;         // without a needle
+  int pressed_frames_ = 0;        // by what was taken for the holder
 };
 
 }  // namespace pellucida

@@ -64,8 +64,8 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   snakes_.keep_reading(frame.image);
 }
 
-// By what was read last and has moved since, where that was seen well and shows where it is. Beside a needle that pushes
-// a picture that has changed may be a membrane that has given way.
+// By what was read last and has moved since, where that was seen well and shows where it is. Beside a needle that
+// pushes a picture that has changed may be a membrane that has given way.
 bool CellFollower::go_on(const FrameInput& frame, const NeedleZone* needle) {
   const int most = contact_.state() == CellState::kContact ? kMostGoneOnPushed : kMostGoneOn;
   const bool is_due = frames_since_reading_ >= most || frames_followed_ <= kFirstReadings || quality_ < kPoorReading;
