@@ -265,9 +265,10 @@ class CellFollower {
   bool walls_slide_ = false;  // the holder's, along themselves
   bool is_read_ = false;      // membranes and tip are read by networks, not followed by what they look like
   int bad_frames_ = 0, poor_frames_ = 0, astray_frames_ = 0, times_astray_ = 0, frames_followed_ = 0;
-  int frames_since_reading_ = 0;  // of the boundaries
-  int unseen_frames_ = 0;         // without a needle
-  int pressed_frames_ = 0;        // by what was taken for the holder
+  double moved_by_reading_px_ = 0.0;  // the outer contour, RMS, by the last one
+  int frames_since_reading_ = 0;      // of the boundaries
+  int unseen_frames_ = 0;             // without a needle
+  int pressed_frames_ = 0;            // by what was taken for the holder
 };
 
 }  // namespace pellucida

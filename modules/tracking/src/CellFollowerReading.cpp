@@ -15,8 +15,10 @@ namespace {
 constexpr int kRoundsLive = 1, kRoundsHigh = 2;
 constexpr double kPoorReading = 0.6;
 // Frames at most, of one cell that is pushed and of another, that go on with what was read last; the first ones are all
-// read.
+// read, for the mean thickness. Px, and of the radius: a reading that moves the contour by more (RMS) has not got to
+// where it leads, as in a dimple that deepens fast.
 constexpr int kMostGoneOnPushed = 5, kMostGoneOn = 7, kFirstReadings = 12;
+constexpr double kSettledReading_px = 0.25, kSettledReading_ratio = 0.003;
 // Of the radius: a dimple from which on a membrane may be seen to have sprung back.
 constexpr double kSprungDepth_ratio = 0.06;
 // By how much of its depth of late, and px, a reading that nothing ties to the tip must have come back, with the tip at
@@ -47,12 +49,12 @@ constexpr double kTrusted_ratio = 0.06;
 // Both boundaries as the network sees them, from where they are expected; or, should the cell not have moved as was
 // thought, from where they were.
 void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* needle, const Eigen::Vector2d& shift) {
-  BoundaryNetwork& network = frame.reader->boundaries();
-  const int rounds = options_.quality == TrackerOptions::Quality::kHigh ? kRoundsHigh : kRoundsLive;
   snakes_.predict(shift, tip_way(), needle);
   if (go_on(frame, needle)) return;
   frames_since_reading_ = 0;
-  snakes_.read(frame.image, network, needle, rounds);
+  const bool is_live = options_.quality == TrackerOptions::Quality::kLive;
+  snakes_.read(frame.image, frame.reader->boundaries(), needle, is_live ? kRoundsLive : kRoundsHigh);
+  moved_by_reading_px_ = snakes_.moved_px();
   quality_ = quality_now();
   if (needle && touching_ && needle_.is_clear()) read_sprung_back(frame, *needle);
   const bool has_given_way = contact_.state() == CellState::kPunctured;
@@ -68,8 +70,11 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
 // pushes a picture that has changed may be a membrane that has given way.
 bool CellFollower::go_on(const FrameInput& frame, const NeedleZone* needle) {
   const int most = contact_.state() == CellState::kContact ? kMostGoneOnPushed : kMostGoneOn;
-  const bool is_due = frames_since_reading_ >= most || frames_followed_ <= kFirstReadings || quality_ < kPoorReading;
-  if (is_due || options_.quality == TrackerOptions::Quality::kHigh) return false;
+  const bool is_settled =
+      quality_ >= kPoorReading &&
+      moved_by_reading_px_ < std::max(kSettledReading_px, kSettledReading_ratio * rest_.outer_radius);
+  const bool is_due = frames_since_reading_ >= most || frames_followed_ <= kFirstReadings;
+  if (is_due || !is_settled || options_.quality == TrackerOptions::Quality::kHigh) return false;
   const BoundaryMotion::Sight sight = snakes_.go_on(frame.image, frame.noise, needle);
   if (sight == BoundaryMotion::Sight::kUnlike) return false;
   ++frames_since_reading_;

@@ -103,6 +103,7 @@ void MembraneSnakes::relax_on(const BoundaryPlaces& places, bool is_outer, doubl
   const Eigen::VectorXd& u = snake_.relax(outer_.points, normals_, edges_, sigmas_, rigidity_, shape_share_,
                                           {options_.elasticity, 3.0 * kLeastSpreadShare * radius_px});
   even_ = outer_.points + normals_ * u.asDiagonal();
+  if (is_outer) moved_px_ = std::sqrt(u.squaredNorm() / static_cast<double>(n));
   const Eigen::VectorXd& deviation = snake_.deviation(edges_);
   snake.sigma_px = deviation.cwiseMax(kLeastSpreadShare * radius_px);
   snake.points = even_;

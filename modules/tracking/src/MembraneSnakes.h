@@ -73,6 +73,8 @@ class MembraneSnakes {
   void read_near(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone& needle,
                  const Eigen::Vector2d& place);
 
+  /// How far the last round of a reading has moved the outer contour, px, RMS.
+  double moved_px() const noexcept { return moved_px_; }
   /// What was read in this frame counts: the next ones are held against it (`go_on`).
   void keep_reading(const FrameSampler& image);
   /// Moves both contours, from where `predict` has put them, to where what was read last has gone since. Where that is
@@ -147,6 +149,7 @@ class MembraneSnakes {
   Look outer_look_, inner_look_;
   BoundaryMotion outer_motion_, inner_motion_;
   Eigen::VectorXd outer_read_sigma_px_, inner_read_sigma_px_;
+  double moved_px_ = 0.0;
   double sureness_ = 0.0;
   double thickness_ = 0.0;        ///< median distance between the two, px
   double thickness_sigma_ = 0.0;  ///< how far single places differ from it, px
