@@ -8,7 +8,7 @@ namespace pellucida {
 /// the cell; what follows the cell is a ratio of its radius.
 struct TrackerOptions {
   /// kLive: as fast as the camera. kHigh: for recordings, where time does not count: detection always by level sets,
-  /// more rounds for each contour.
+  /// more rounds for each contour, and each frame read where networks read them.
   enum class Quality { kLive, kHigh };
   Quality quality = Quality::kLive;
 
