@@ -93,11 +93,11 @@ double off_px(const Sought& sought, const RingDrawing& truth) {
   return std::sqrt(squares / kPoints);
 }
 
-NeedleZone needle_at(const RingDrawing& drawing, bool is_touching) {
+NeedleZone needle_pushing(const RingDrawing& drawing) {
   NeedleZone needle;
   needle.tip = drawing.center - Eigen::Vector2d(kBoundary_px - drawing.dimple_px, 0.0);
   needle.tip_half_width = 3.0;
-  needle.touching = is_touching;
+  needle.touching = true;
   return needle;
 }
 
@@ -120,9 +120,12 @@ TEST(BoundaryMotion, LightDoesNotMatter) {
   RingDrawing now = then;
   now.center.x() += 0.7;
   now.seed = 2;
-  const double as_bright_px = off_px(seek(then, now, then), now);
+  const Sought as_bright = seek(then, now, then);
   now.contrast = 0.6;
-  EXPECT_LT(off_px(seek(then, now, then), now), 1.5 * as_bright_px + 0.05);
+  const Sought darker = seek(then, now, then);
+  ASSERT_EQ(as_bright.sight, Sight::kAlike);
+  ASSERT_EQ(darker.sight, Sight::kAlike);
+  EXPECT_LT(off_px(darker, now), 1.5 * off_px(as_bright, now) + 0.05);
 }
 
 TEST(BoundaryMotion, IsNotFoundWhereThePictureIsAnotherOne) {
@@ -146,16 +149,22 @@ TEST(BoundaryMotion, NothingIsFoundOfWhatWasNotRead) {
   EXPECT_EQ(motion.find(image, drawing.outline().leftCols(64), kPixelNoise, nullptr), Sight::kUnlike);
 }
 
-TEST(BoundaryMotion, ADimpleGoesWithTheNeedleThatPushesIt) {
+// Expected 0.5 px too far out at the tip and elsewhere: what is seen says so, but not of what the needle covers.
+TEST(BoundaryMotion, WhatATouchingNeedleCoversGoesWithIt) {
   RingDrawing then;
   then.dimple_px = 6.0;
-  RingDrawing now = then;
-  now.dimple_px = 7.5;
+  RingDrawing now = then, expected = then;
+  now.dimple_px = expected.dimple_px = 7.5;
+  now.bulge_px = 0.5;
   now.seed = 2;
-  const NeedleZone needle = needle_at(now, true);
-  const Sought sought = seek(then, now, now, &needle);
-  ASSERT_EQ(sought.sight, Sight::kAlike);
-  EXPECT_LT(off_px(sought, now), 0.1);
+  const NeedleZone needle = needle_pushing(expected);
+  const Sought pushed = seek(then, now, expected, &needle), alone = seek(then, now, expected);
+  ASSERT_NE(pushed.sight, Sight::kUnlike);
+  ASSERT_NE(alone.sight, Sight::kUnlike);
+  EXPECT_LT(off_px(alone, now), 0.15);
+  EXPECT_NEAR(alone.motion.shift_px()[kPoints / 2], -0.5, 0.15);
+  EXPECT_NEAR(pushed.motion.shift_px()[kPoints / 2], 0.0, 0.25);
+  EXPECT_NEAR(pushed.motion.shift_px()[0], 0.5, 0.15);
 }
 
 // The membrane beside the tip may have given way; where no needle touches it, another body is there.
@@ -165,7 +174,7 @@ TEST(BoundaryMotion, WhatHasChangedBesideATouchingNeedleIsReported) {
   RingDrawing now = then;
   now.is_split = true;
   now.seed = 2;
-  NeedleZone needle = needle_at(then, true);
+  NeedleZone needle = needle_pushing(then);
   needle.tip_half_width = 10.0;
   EXPECT_EQ(seek(then, now, then, &needle).sight, Sight::kChangedAtNeedle);
   EXPECT_EQ(seek(then, now, then).sight, Sight::kUnlike);

@@ -34,14 +34,6 @@ void BoundaryMotion::sample(const FrameSampler& image, const Eigen::Matrix2Xd& p
   strip_.sample(image, points, normals_, to_both_sides_px, to_both_sides_px, step_px_);
 }
 
-float BoundaryMotion::strip_at(int row, double offset_px) const noexcept {
-  const double at = strip_.column_of(offset_px);
-  const int whole = static_cast<int>(at);
-  const auto t = static_cast<float>(at - whole);
-  const float* profile = strip_.profile(row);
-  return profile[whole] + t * (profile[whole + 1] - profile[whole]);
-}
-
 void BoundaryMotion::set(const FrameSampler& image, const Eigen::Matrix2Xd& points) {
   rows_ = points.cols();
   unlike_at_needle_.reset();
@@ -53,7 +45,7 @@ void BoundaryMotion::set(const FrameSampler& image, const Eigen::Matrix2Xd& poin
   information_.resize(rows_);
   const auto per_px = static_cast<float>(0.5 / step_px_);
   for (int row = 0; row < rows_; ++row) {
-    const auto at = [&](int k) { return strip_at(row, k * step_px_); };
+    const auto at = [&](int k) { return static_cast<float>(strip_.value(row, strip_.column_of(k * step_px_))); };
     for (int k = -kTapsAside; k <= kTapsAside; ++k) {
       look_(k + kTapsAside, row) = at(k);
       slope_(k + kTapsAside, row) = per_px * (at(k + 1) - at(k - 1));
@@ -109,7 +101,8 @@ bool BoundaryMotion::settle(double pixel_variance, bool is_touched) {
         if (is_touched) solver_.diagonal()[row] += taken;
         continue;
       }
-      for (int k = 0; k < kMotionTaps; ++k) seen_[k] = strip_at(row, shift_px_[row] + (k - kTapsAside) * step_px_);
+      const double first = strip_.column_of(shift_px_[row]) - kTapsAside;
+      for (int k = 0; k < kMotionTaps; ++k) seen_[k] = static_cast<float>(strip_.value(row, first + k));
       seen_.array() -= seen_.mean();
       const auto look = look_.col(row);
       const auto slope = slope_.col(row);

@@ -41,7 +41,6 @@ class BoundaryMotion {
   enum class Place : std::uint8_t { kOpen, kBesideNeedle, kCovered };
 
   void sample(const FrameSampler& image, const Eigen::Matrix2Xd& points);
-  float strip_at(int row, double offset_px) const noexcept;
   void place_needle(const Eigen::Matrix2Xd& points, const NeedleZone* needle);
   bool settle(double pixel_variance, bool is_touched);
   bool is_alike(double pixel_variance) const;

@@ -28,11 +28,6 @@ void MembraneSnakes::learn_strength(const FrameSampler& image, SnakeContour& sna
   constexpr int kLook = 33;
   const double kLookStep = 0.25 * snake.scale_px;
   Eigen::VectorXd mean_profile = Eigen::VectorXd::Zero(kLook);
-  const auto value_at = [&](int i, double column) {
-    const int whole = std::clamp(static_cast<int>(column), 0, strip_.columns() - 2);
-    const double t = std::clamp(column - whole, 0.0, 1.0);
-    return (1.0 - t) * strip_.profile(i)[whole] + t * strip_.profile(i)[whole + 1];
-  };
   double aligned = 0.0;
   for (int i = 0; i < strip_.rows(); ++i) {
     if (needle && needle->covers(snake.points.col(i), 6.0)) continue;
@@ -40,7 +35,8 @@ void MembraneSnakes::learn_strength(const FrameSampler& image, SnakeContour& sna
     const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
     heights.push_back(peak.height);
     if (peak.curvature >= 0.0) continue;
-    for (int k = 0; k < kLook; ++k) mean_profile[k] += value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
+    for (int k = 0; k < kLook; ++k)
+      mean_profile[k] += strip_.value(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
     aligned += 1.0;
   }
   if (aligned > 20.0 && snake.kind.step == 0.0) {
@@ -73,7 +69,7 @@ void MembraneSnakes::learn_strength(const FrameSampler& image, SnakeContour& sna
       row = feature_.row(i).transpose();
       const Peak peak = climb_to_peak(row.data(), strip_.columns(), middle, reach);
       Eigen::VectorXd own(kLook);
-      for (int k = 0; k < kLook; ++k) own[k] = value_at(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
+      for (int k = 0; k < kLook; ++k) own[k] = strip_.value(i, peak.position + (k - kLook / 2) * kLookStep / kStep);
       own.array() -= own.mean();
       const double norm = own.norm();
       alike += norm > 0.0 ? std::max(0.0, own.dot(look) / norm) : 0.0;

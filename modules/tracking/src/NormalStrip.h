@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "EdgeProfile.h"
@@ -32,6 +33,12 @@ class NormalStrip {
   double offset_of(double column) const noexcept { return column * step_px_ - inward_px_; }
   double column_of(double offset) const noexcept { return (offset + inward_px_) / step_px_; }
   double step_px() const noexcept { return step_px_; }
+  /// Between the samples, linearly; beyond them the last one.
+  double value(int row, double column) const noexcept {
+    const int whole = std::clamp(static_cast<int>(column), 0, columns() - 2);
+    const double t = std::clamp(column - whole, 0.0, 1.0);
+    return (1.0 - t) * values_(whole, row) + t * values_(whole + 1, row);
+  }
   const float* profile(int row) const noexcept { return values_.col(row).data(); }
 
  private:
