@@ -58,10 +58,12 @@ TEST(OutOfRound, AnOvalIsFoundWithinAThousandthOfItsRadius) {
 
 TEST(OutOfRound, NoiseIsNotTheShapeAndALimbElsewhereCountsAQuarter) {
   const OutOfRound round = OutOfRound::of(outline(1.0, 0.0, 0.3), kCircle);
-  const OutOfRound oval = OutOfRound::of(outline(1.1, 0.0, 0.3, 12.0), kCircle);
-  for (double angle = 0.0; angle < 6.2; angle += 0.3) {
-    EXPECT_NEAR(round.at(toward(angle)), 0.0, 0.2);
-    EXPECT_NEAR(kRadius + oval.at(toward(angle)), ellipse_at(1.1, angle), 0.25 * 12.0) << angle;
+  for (double angle = 0.0; angle < 6.2; angle += 0.3) EXPECT_NEAR(round.at(toward(angle)), 0.0, 0.2);
+  const OutOfRound::Fit oval = OutOfRound::fit(outline(1.1, 0.0, 0.3, 12.0), kCircle);
+  const Eigen::Matrix2Xd without = outline(1.1, 0.0);
+  for (int i = 0; i < kOutlinePoints; ++i) {
+    const Eigen::Vector2d d = without.col(i) - oval.circle.center;
+    EXPECT_NEAR(oval.circle.radius + oval.shape.at(d.normalized()), d.norm(), 0.25 * 12.0) << i;
   }
 }
 
@@ -69,6 +71,22 @@ TEST(OutOfRound, WhatNoCellIsCountsAsRound) {
   const OutOfRound shape = OutOfRound::of(outline(1.8, 0.0), kCircle);
   EXPECT_EQ(shape.at(toward(0.0)), 0.0);
   EXPECT_EQ(OutOfRound::of(outline(1.1, 0.0).leftCols(10), kCircle).at(toward(0.0)), 0.0);
+}
+
+// As a circle fitted robustly does: on the near flat side, larger than the cell.
+TEST(OutOfRound, ACircleThatHasSettledOnOneSideOfAnOvalMovesToItsMiddle) {
+  constexpr double kAspect = 1.2;
+  const Eigen::Matrix2Xd points = outline(kAspect, 0.4, 0.1);
+  const contour::Circle settled{kCenter + 0.16 * kRadius * toward(0.4 + 0.5 * std::numbers::pi), 1.1 * kRadius, 0.4,
+                                1.0};
+  const OutOfRound::Fit oval = OutOfRound::fit(points, settled);
+  EXPECT_LT((oval.circle.center - kCenter).norm(), 0.04 * kRadius);
+  EXPECT_LT(oval.misfit_px, 0.01 * kRadius);
+  for (int i = 0; i < kOutlinePoints; ++i) {
+    const Eigen::Vector2d d = points.col(i) - oval.circle.center;
+    EXPECT_NEAR(oval.circle.radius + oval.shape.at(d.normalized()), d.norm(), 0.04 * kRadius);
+  }
+  EXPECT_EQ(OutOfRound::fit(points, settled, 0).circle.center, settled.center);
 }
 
 TEST(RestGeometry, ANeedleEntersAnOvalWhereItsOutlineIs) {

@@ -47,17 +47,20 @@ void CellFollower::learn_holder_motion(const FrameInput& frame) {
 }
 
 void CellFollower::learn_rest(const FrameInput& frame) {
-  const OutOfRound shape = OutOfRound::of(snakes_.outer().points, circle_of(snakes_.outer().points));
-  const auto round = [&](const SnakeContour& snake) { return circle_of(shape.rounded(snake.points, center_now())); };
+  const Eigen::Matrix2Xd& points = snakes_.outer().points;
+  const OutOfRound::Fit oval = OutOfRound::fit(points, circle_of(points));
+  const auto round = [&](const SnakeContour& snake) {
+    return circle_of(oval.shape.rounded(snake.points, oval.circle.center));
+  };
   const contour::Circle outer = round(snakes_.outer());
   const double inner_radius = snakes_.has_inner() ? round(snakes_.inner()).radius : 0.0;
   const bool elsewhere = (outer.center - center_now()).norm() > kElsewhere_ratio * rest_.outer_radius;
   if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
-  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, shape.turned_back(motion_.angle_rad),
+  rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, oval.shape.turned_back(motion_.angle_rad),
               outer_sigma());
   if (snakes_.has_inner() || zona_.valid() || rest_.thin_zona.is_full()) return;
   const NeedleZone needle_zone = zone();
-  rest_.thin_zona.add(ThinZona::read(frame.image, snakes_.outer().points, snakes_.outer().kind, snakes_.line_width_px(),
+  rest_.thin_zona.add(ThinZona::read(frame.image, points, snakes_.outer().kind, snakes_.line_width_px(),
                                      needle_.valid() ? &needle_zone : nullptr));
 }
 

@@ -224,6 +224,7 @@ class CellFollower {
   void begin_watch(const FrameInput& frame, const contour::Circle& circle);
   void watch_facing(const FrameInput& frame);
   void forget_depths();
+  void rest_at_first_sight(const contour::Circle& circle);
   void rest_now_at(const Eigen::Vector2d& center);
   bool has_drifted_here() const;
   bool is_drift_nearer_to_walls() const;

@@ -32,6 +32,9 @@ constexpr double kSmallest_ratio = 0.4, kLargest_ratio = 2.5;
 // is that one: what a needle dents, or where another boundary is read, moves the circle through it by less.
 constexpr double kSamePlace_ratio = 0.3, kSameSize_ratio = 0.8;
 
+// Of an outline, on its circle at most, and, px and of the radius, off the oval at most (RMS), for a cell that is one.
+constexpr double kFewOnCircle = 0.6, kOvalMisfit_px = 0.8, kOvalMisfit_ratio = 0.01;
+
 }  // namespace
 
 // What was found, by the network that has seen cells and other things; a bubble's rim is as clear as a membrane.
@@ -88,8 +91,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   if (is_judged && !is_cell(frame, circle, cell.score)) return false;
   if (!is_sized(frame, circle)) return refuse(frame, circle);
   rest_ = {};
-  rest_.center = circle.center;
-  rest_.outer_radius = circle.radius;
+  rest_at_first_sight(circle);
   rest_.inner_radius = snakes_.has_inner() ? circle_of(snakes_.inner().points).radius : 0.0;
   rest_.outer_sigma_px = outer_sigma();
   // Membranes that are not one inside the other are none.
@@ -101,7 +103,7 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   scene_.update(frame.image);
   astray_frames_ = times_astray_ = 0;
   walls_slip_ = 0.0;
-  seat_ = circle.center;
+  seat_ = rest_.center;
   learn_holder_motion(frame);
   if (is_read_ && needle_.valid() && tip_depth() > kEntered_px) read_dimples(frame);
   membrane_depth_ = measure_membrane_depth();
@@ -120,6 +122,21 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   flank_noise_ = kUnknownFlankNoise_px;
   resting_bulge_ = 0.0;
   return true;
+}
+
+// An outline that most of lies off its circle, and that runs all round as an oval does, is that of a cell at rest,
+// however far a needle at its flat side seems to be past the circle.
+void CellFollower::rest_at_first_sight(const contour::Circle& circle) {
+  rest_.center = circle.center;
+  rest_.outer_radius = circle.radius;
+  const OutOfRound::Fit oval = OutOfRound::fit(snakes_.outer().points, circle);
+  const bool is_clear = !needle_.valid() || (needle_.estimate().tip - circle.center).norm() > circle.radius;
+  const bool is_oval = circle.inlier_ratio < kFewOnCircle &&
+                       oval.misfit_px < std::max(kOvalMisfit_px, kOvalMisfit_ratio * circle.radius);
+  if (!is_clear && !is_oval) return;
+  rest_.center = oval.circle.center;
+  rest_.outer_radius = oval.circle.radius;
+  rest_.shape = oval.shape;
 }
 
 // The cell at rest lies there in this frame: its motion counts from here on.

@@ -9,9 +9,13 @@ namespace pellucida {
 /// px. An oval cell's is the second; one drawn into its holder has all three.
 class OutOfRound {
  public:
+  struct Fit;
   /// Of an outline (2 x n, n >= 24) about a circle near it, by least squares whose weights fall off with the distance
-  /// from the fit (a tenth of the outline that lies elsewhere still moves it by a quarter of that). Nothing where the
-  /// outline is farther from round than a cell is (`kMost_ratio` of the radius).
+  /// from the fit (a tenth of the outline that lies elsewhere still moves it by a quarter of that). A circle that has
+  /// settled on one side of an oval moves to its middle, in `moves` steps at most. No shape where the outline is
+  /// farther from round than a cell is (`kMost_ratio` of the radius).
+  static Fit fit(const Eigen::Matrix2Xd& outline, const contour::Circle& circle, int moves = kMoves);
+  /// The shape of that alone.
   static OutOfRound of(const Eigen::Matrix2Xd& outline, const contour::Circle& circle);
 
   /// Beyond the circle along `outward` (unit), px, in a cell that has turned by `angle_rad` since it was learnt.
@@ -26,13 +30,20 @@ class OutOfRound {
   /// Moves towards another by a share.
   void mix(const OutOfRound& other, double share) { terms_ += share * (other.terms_ - terms_); }
 
+  static constexpr int kLowest = 2, kHighest = 4;  ///< harmonics
+  static constexpr int kMoves = 4;
   static constexpr double kMost_ratio = 0.15;
   static constexpr double kBump_ratio = 0.04;  ///< of the radius: what bulges out so far is no part of the outline
 
  private:
-  static constexpr int kLowest = 2, kHighest = 4;
   // Cosine and sine of each.
   Eigen::Matrix<double, 2, kHighest - kLowest + 1> terms_ = Eigen::Matrix<double, 2, kHighest - kLowest + 1>::Zero();
+};
+
+struct OutOfRound::Fit {
+  contour::Circle circle;
+  OutOfRound shape;
+  double misfit_px = 0.0;  ///< RMS distance of the outline from both
 };
 
 }  // namespace pellucida
