@@ -23,19 +23,19 @@ from torch import nn
 
 from training import Feed, TipSamples, UNetwork, arguments_of, export, normalised, sampled, spacing_of, train, varied
 
-WIDTH, HEIGHT, AHEAD_OF = 96, 64, 56
 LABEL_SIGMA = 1.0
 WITH_DROPLET = 0.12    # share of the pictures
 
 
-def tip_network(widths=(12, 24, 40, 56)):
-    """Input (n, 2, HEIGHT, WIDTH), output (n, 1, HEIGHT, WIDTH): logits of the tip's place."""
+def tip_network(widths):
+    """Input (n, 2, HEIGHT, WIDTH), output (n, 1, HEIGHT, WIDTH): logits of the tip's place. A level for each of `widths`."""
     stem = nn.Sequential(nn.Conv2d(2, widths[0], 5, 2, 2, bias=False), nn.BatchNorm2d(widths[0]), nn.ReLU())
     return UNetwork(stem, widths, nn.ConvTranspose2d(widths[0], 1, 4, 2, 1))
 
 
 class Samples(TipSamples):
     """How the whole end is looked at, and from how far off the tip may be supposed, along and across, in samples."""
+    WIDTH, HEIGHT, AHEAD_OF, LEVELS = 96, 64, 56, (12, 24, 40, 56)
     WIDTH_SAMPLES, LEAST_PX, MOST_PX, ERROR = 5.0, 0.5, 3.0, (9, 3)
     ANEW = 0.0  # with half of them drawn anew, tips inside an ooplasm were read 4 um short
 
@@ -56,10 +56,10 @@ class Samples(TipSamples):
         error = np.clip(error, (-36, -26), (50, 26))
         at = tip + spacing * (error[0] * way + error[1] * across)
         back = tip - at
-        truth = np.array([AHEAD_OF + back @ way / spacing, (HEIGHT - 1) / 2 + back @ across / spacing])
-        if np.any((truth < 0) | (truth >= (WIDTH, HEIGHT))):
+        truth = np.array([self.AHEAD_OF + back @ way / spacing, (self.HEIGHT - 1) / 2 + back @ across / spacing])
+        if np.any((truth < 0) | (truth >= (self.WIDTH, self.HEIGHT))):
             return None
-        reach = int(np.ceil(spacing * np.hypot(WIDTH, HEIGHT))) + 8
+        reach = int(np.ceil(spacing * np.hypot(self.WIDTH, self.HEIGHT))) + 8
         low = np.maximum(np.floor(at).astype(int) - reach, 0)
         high = np.minimum(np.ceil(at).astype(int) + reach, image.shape[::-1])
         if np.any(high - low < 8):
@@ -68,7 +68,7 @@ class Samples(TipSamples):
         if random.random() < WITH_DROPLET:
             part = with_droplet(part, tip - low, way, half, random)
         part = varied(part, spacing, random)
-        u, v = np.meshgrid(np.arange(WIDTH) - AHEAD_OF, np.arange(HEIGHT) - (HEIGHT - 1) / 2)
+        u, v = np.meshgrid(np.arange(self.WIDTH) - self.AHEAD_OF, np.arange(self.HEIGHT) - (self.HEIGHT - 1) / 2)
         x, y = ((at - low)[k] + spacing * (u * way[k] + v * across[k]) for k in (0, 1))
         grey = normalised(sampled(part, x, y))
         return np.stack([grey, np.full_like(grey, spacing_of(spacing))]).astype(np.float32), truth.astype(np.float32)
@@ -78,6 +78,12 @@ class FineSamples(Samples):
     """The same from nearer by, once the tip is known to a few of the samples above."""
     WIDTH_SAMPLES, LEAST_PX, MOST_PX, ERROR = 12.0, 0.5, 1.5, (4, 3)
     ANEW, ANY_NEEDLE = 0.5, 0.7
+
+
+class QuickSamples(Samples):
+    """A small look, for tips that were read a few frames ago."""
+    WIDTH, HEIGHT, AHEAD_OF, LEVELS = 64, 48, 40, (12, 20, 32)
+    WIDTH_SAMPLES, LEAST_PX, MOST_PX, ERROR = 8.0, 0.5, 2.0, (4, 2)
 
 
 def with_droplet(part, tip, way, half, random):
@@ -96,25 +102,26 @@ def with_droplet(part, tip, way, half, random):
 
 
 def loss_of(logits, truth):
-    n = len(logits)
-    u, v = (torch.arange(size, dtype=torch.float32, device=logits.device) for size in (WIDTH, HEIGHT))
+    n, _, height, width = logits.shape
+    u, v = (torch.arange(size, dtype=torch.float32, device=logits.device) for size in (width, height))
     v = v[:, None]
     spot = torch.exp(-0.5 * (((u - truth[:, 0, None, None]) ** 2 + (v - truth[:, 1, None, None]) ** 2)
                              / LABEL_SIGMA ** 2)).reshape(n, -1)
     logs = torch.log_softmax(logits.reshape(n, -1), 1)
     crossed = -(spot / spot.sum(1, keepdim=True).clamp(min=1e-6) * logs).sum(1)
-    share = torch.exp(logs).reshape(n, HEIGHT, WIDTH)
+    share = torch.exp(logs).reshape(n, height, width)
     mean = torch.stack([(share * u).sum((1, 2)), (share * v).sum((1, 2))], 1)
     off = (mean - truth).norm(dim=1)
     return (crossed + 0.5 * torch.minimum(off, 1 + 0.2 * off)).mean(), off.detach().median()
 
 
 def main():
-    options = arguments_of(__doc__, 30, {"fine": "the network that looks from nearer by (tip_fine.onnx)"})
-    samples = (FineSamples if options.fine else Samples)(options.samples)
-    network = tip_network()
+    options = arguments_of(__doc__, 30, {"fine": "the network that looks from nearer by (tip_fine.onnx)",
+                                         "quick": "the small network for the frames between (tip_quick.onnx)"})
+    samples = (FineSamples if options.fine else QuickSamples if options.quick else Samples)(options.samples)
+    network = tip_network(samples.LEVELS)
     train(network, options, samples, Feed(samples.draw, options.batch or 16, options.workers), loss_of)
-    export(network, options.output, (1, 2, HEIGHT, WIDTH), "patch", "tip")
+    export(network, options.output, (1, 2, samples.HEIGHT, samples.WIDTH), "patch", "tip")
 
 
 if __name__ == "__main__":

@@ -246,6 +246,7 @@ NeedleCue CellFollower::needle_cue(const FrameInput& frame, const Eigen::Vector2
   NeedleCue cue;
   cue.in_the_clear = contact_.state() == CellState::kFree && tip_depth() < -clear_px;
   cue.command = frame.command;
+  cue.is_quick = options_.quality == TrackerOptions::Quality::kLive;
   cue.scene_jump_px = scene_jump_;
   cue.is_free = contact_.state() == CellState::kFree && tip_depth() < -kUntouched_px;
   cue.covered_px = kBeyondCell_px + std::max(0.0, tip_depth());

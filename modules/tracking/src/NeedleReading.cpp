@@ -94,10 +94,10 @@ bool NeedleTracker::is_where_read(TipNetwork& network, const FrameSampler& image
 }
 
 // Read where it is expected, or where that leads; `share` becomes 1 where what was followed has run away.
-std::optional<TipReading> NeedleTracker::best_reading(TipNetwork& network, const FrameSampler& image,
-                                                      double& share) const {
+std::optional<TipReading> NeedleTracker::best_reading(TipNetwork& network, const FrameSampler& image, bool is_quick,
+                                                      double& share) {
   const double half_width = width_behind(image);
-  TipReading seen = network.read(image, axis_, half_width);
+  TipReading seen = tip_follower_.read(network, image, {tip(), axis_.direction}, half_width, is_quick);
   const double went_px = (axis_.tip - axis_before_.tip).dot(axis_.direction);
   const bool has_leapt = std::abs(went_px) > std::max(kRunAway_px, kLeapHalfWidths * half_width);
   if (seen.share < kLeastTipShare || has_leapt) {
@@ -188,7 +188,7 @@ TipReading NeedleTracker::beside_shaft(const FrameSampler& image, const TipReadi
 
 bool NeedleTracker::read_tip(TipNetwork& network, const FrameSampler& image, double share, const NeedleCue* cue) {
   if (!valid_) return false;
-  std::optional<TipReading> seen = best_reading(network, image, share);
+  std::optional<TipReading> seen = best_reading(network, image, cue && cue->is_quick, share);
   if (!seen) return false;
   if (cue) seen = beside_shaft(image, *seen, *cue);
   sprung_readings_ = 0;
@@ -219,7 +219,7 @@ bool NeedleTracker::read_tip_in_contact(TipNetwork& network, const FrameSampler&
   doubted_.reset();
   if (!valid_) return false;
   double share = 1.0;
-  std::optional<TipReading> seen = best_reading(network, image, share);
+  std::optional<TipReading> seen = best_reading(network, image, cue.is_quick, share);
   seen = beside_shaft(image, seen.value_or(TipReading{}), cue);
   if (seen->share < kLeastTipShare) return false;
   seen->tip -= leap_across_px(seen->tip, tip()) * axis_.across();
@@ -249,7 +249,7 @@ void NeedleTracker::believe_reading() {
 bool NeedleTracker::take_bevel(TipNetwork& network, const FrameSampler& image) {
   if (!valid_ || is_read()) return false;
   double share = 1.0;
-  const std::optional<TipReading> seen = best_reading(network, image, share);
+  const std::optional<TipReading> seen = best_reading(network, image, false, share);
   if (!seen) return false;
   const Eigen::Vector2d off = seen->tip - tip();
   const double half_width = now_.tip_half_width, across = std::abs(off.dot(axis_.across()));
@@ -318,7 +318,8 @@ bool NeedleTracker::follow_read(TipNetwork& network, const FrameSampler& image, 
   TipReading seen;
   due_ = axis_.tip + expected;
   for (const Eigen::Vector2d& from : {due_, axis_.tip}) {
-    const TipReading there = network.read(image, {from, axis_.direction}, read_half_width_);
+    const TipReading there =
+        tip_follower_.read(network, image, {from, axis_.direction}, read_half_width_, cue.is_quick);
     if (there.share > seen.share) seen = there;
     if (seen.share >= kLeastTipShare) break;
   }

@@ -12,6 +12,7 @@
 #include "ShaftFit.h"
 #include "ShaftMotion.h"
 #include "TipFinder.h"
+#include "TipFollower.h"
 #include "TipNetwork.h"
 #include "TipWidthNetwork.h"
 #include "ToolFinder.h"
@@ -47,6 +48,7 @@ struct NeedleCue {
   double depth_px = 0.0;                 ///< how far the tip was past the resting membrane
   bool is_free = false;                  ///< nothing is touched
   double covered_px = 0.0;               ///< so far behind the tip the cell reaches
+  bool is_quick = false;                 ///< the small tip network may read frames between those of the large ones
 };
 
 /// Follows the injection needle. Across, by the learnt look of the shaft (ShaftFit). Along, by a Kalman filter of place
@@ -149,7 +151,7 @@ class NeedleTracker {
   void set_zero();
   bool is_end_plain() const;
   void learn_end(const FrameSampler& image, double noise, const ShaftResult& shaft);
-  std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, double& share) const;
+  std::optional<TipReading> best_reading(TipNetwork& network, const FrameSampler& image, bool is_quick, double& share);
   void take(const TipReading& seen, double share);
   TipReading beside_shaft(const FrameSampler& image, const TipReading& read, const NeedleCue& cue);
   // How far across the needle a reading has leapt from where it is due; 0: it hasn't.
@@ -196,7 +198,8 @@ class NeedleTracker {
   int width_readings_ = 0;
   int leaps_ = 0, read_frames_ = 0;  // of a tip known by readings alone: leaps in a row, frames followed
   bool is_across_known_ = false;     // likewise: where it lies across the needle
-  ShaftMotion shaft_motion_;         // of a needle that networks read
+  TipFollower tip_follower_;         // of a needle that networks read
+  ShaftMotion shaft_motion_;         // likewise
   int misreadings_ = 0;              // by that, in a row
   bool is_by_shaft_ = false;         // where the tip was last read
   int sprung_readings_ = 0;          // in a row, not believed

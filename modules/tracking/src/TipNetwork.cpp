@@ -9,9 +9,8 @@
 namespace pellucida {
 namespace {
 
-// As in training: samples along the needle and across, the supposed tip's place along.
-constexpr int kAlong = 96, kAcross = 64, kSupposed = 56;
-constexpr double kMiddle = 0.5 * (kAcross - 1);
+// Samples along the needle and across, at most.
+constexpr int kMostAlong = 96, kMostAcross = 64;
 constexpr float kLeastWeight = 1e-12F;
 constexpr int kAboutPeak = 4;  // samples about the peak that count as there
 // A needle at least so wide, px, half its width, is looked at once more from nearer by; what is seen there counts where
@@ -56,14 +55,31 @@ class TipNetwork::Impl {
     return refined(image, reading, axis.direction, half_width_px);
   }
 
+  TipReading read_quickly(const FrameSampler& image, const NeedleAxis& axis, double half_width_px) {
+    const double spacing_px = quick_.spacing_px(half_width_px);
+    TipReading reading = read(image, axis, spacing_px, quick_);
+    if (quick_.is_at_edge(reading, axis, spacing_px)) reading.share = 0.0;
+    return reading;
+  }
+
  private:
-  // As in training: samples to the half width, and the finest and coarsest they lie, px.
+  // As in training: samples along the needle and across, the supposed tip's place along; samples to the half width, and
+  // the finest and coarsest they lie, px.
   struct Look {
     cv::dnn::Net network;
+    int along, across, supposed;
     double half_width_samples, finest_px, coarsest_px;
+    cv::Mat1f grey = cv::Mat1f(across, along);
 
+    double middle() const { return 0.5 * (across - 1); }
     double spacing_px(double half_width_px) const {
       return std::clamp(half_width_px / half_width_samples, finest_px, coarsest_px);
+    }
+    bool is_at_edge(const TipReading& reading, const NeedleAxis& from, double spacing_px) const {
+      const Eigen::Vector2d way = (reading.tip - from.tip) / spacing_px;
+      const auto is_outside = [](double at, int count) { return at < kEdge_samples || at > count - 1 - kEdge_samples; };
+      return is_outside(supposed + way.dot(from.direction), along) ||
+             is_outside(middle() + way.dot(from.across()), across);
     }
   };
 
@@ -73,13 +89,13 @@ class TipNetwork::Impl {
     for (int look = 1; look <= kLooksAhead && (look - 1) * kAhead_samples * spacing_px < most_px; ++look) {
       const NeedleAxis from{end.at(-look * kAhead_samples * spacing_px, 0.0), end.direction};
       if (!image.inside(from.tip, 1.0)) break;
-      const TipReading seen = read(image, from, spacing_px, whole_.network);
+      const TipReading seen = read(image, from, spacing_px, whole_);
       const double ahead_px = (seen.tip - end.tip).dot(end.direction);
       const bool is_farther = ahead_px > kFarther_samples * spacing_px && ahead_px < most_px;
-      if (seen.share < kSureShare || !is_farther || is_at_edge(seen, from, spacing_px)) continue;
+      if (seen.share < kSureShare || !is_farther || whole_.is_at_edge(seen, from, spacing_px)) continue;
       const auto is_seen_from = [&](double behind_samples) {
         const NeedleAxis nearer{seen.tip - behind_samples * spacing_px * end.direction, end.direction};
-        const TipReading again = read(image, nearer, spacing_px, whole_.network);
+        const TipReading again = read(image, nearer, spacing_px, whole_);
         return again.share > kSureShare && (again.tip - seen.tip).norm() < kSamePlace_samples * spacing_px;
       };
       if (is_seen_from(0.0) && is_seen_from(kAgain_samples)) return seen;
@@ -91,63 +107,60 @@ class TipNetwork::Impl {
                      double half_width_px) {
     const double spacing_px = whole_.spacing_px(half_width_px);
     if (half_width_px < kWide_px || reading.share < kLeastFineShare) return reading;
-    const TipReading fine = read(image, {reading.tip, direction}, near_.spacing_px(half_width_px), near_.network);
+    const TipReading fine = read(image, {reading.tip, direction}, near_.spacing_px(half_width_px), near_);
     if (fine.share < kLeastFineShare || (fine.tip - reading.tip).norm() > kRefined_samples * spacing_px) return reading;
     reading.tip = fine.tip;
     reading.along_sigma_px = fine.along_sigma_px;
     return reading;
   }
 
-  static bool is_at_edge(const TipReading& reading, const NeedleAxis& from, double spacing_px) {
-    const Eigen::Vector2d way = (reading.tip - from.tip) / spacing_px;
-    const auto is_outside = [](double at, int count) { return at < kEdge_samples || at > count - 1 - kEdge_samples; };
-    return is_outside(kSupposed + way.dot(from.direction), kAlong) ||
-           is_outside(kMiddle + way.dot(from.across()), kAcross);
-  }
-
   // The tip may lie beyond the patch: the next look is from where the last one pointed.
   TipReading follow(const FrameSampler& image, const NeedleAxis& axis, double spacing_px) {
     NeedleAxis from = axis;
     for (int look = 0; look < kLooks; ++look) {
-      const TipReading reading = read(image, from, spacing_px, whole_.network);
-      if (!is_at_edge(reading, from, spacing_px)) return reading;
+      const TipReading reading = read(image, from, spacing_px, whole_);
+      if (!whole_.is_at_edge(reading, from, spacing_px)) return reading;
       if (!image.inside(reading.tip, 1.0)) break;
       from.tip = reading.tip + kJump_samples * spacing_px * (reading.tip - from.tip).normalized();
     }
-    return {axis.tip, kAlong * spacing_px, 0.0};
+    return {axis.tip, whole_.along * spacing_px, 0.0};
   }
 
-  TipReading read(const FrameSampler& image, const NeedleAxis& axis, double spacing_px, cv::dnn::Net& network) {
-    for (int row = 0; row < kAcross; ++row)
-      sample_blurred(image, axis.at(kSupposed * spacing_px, (row - kMiddle) * spacing_px), spacing_px * axis.direction,
-                     kAlong, grey_.ptr<float>(row));
-    normalise(grey_);
-    const int sizes[] = {1, 2, kAcross, kAlong};
+  static TipReading read(const FrameSampler& image, const NeedleAxis& axis, double spacing_px, Look& look) {
+    for (int row = 0; row < look.across; ++row)
+      sample_blurred(image, axis.at(look.supposed * spacing_px, (row - look.middle()) * spacing_px),
+                     spacing_px * axis.direction, look.along, look.grey.ptr<float>(row));
+    normalise(look.grey);
+    const int sizes[] = {1, 2, look.across, look.along};
     cv::Mat patch(4, sizes, CV_32F);
-    std::copy(grey_.begin(), grey_.end(), patch.ptr<float>(0, 0));
-    std::fill_n(patch.ptr<float>(0, 1), kAcross * kAlong, spacing_code(spacing_px));
-    network.setInput(patch);
-    const cv::Mat out = network.forward();
+    std::copy(look.grey.begin(), look.grey.end(), patch.ptr<float>(0, 0));
+    std::fill_n(patch.ptr<float>(0, 1), look.across * look.along, spacing_code(spacing_px));
+    look.network.setInput(patch);
+    const cv::Mat out = look.network.forward();
 
     // The answer summed along and across, each with its own peak.
-    const Eigen::Map<const Eigen::Array<float, kAcross, kAlong, Eigen::RowMajor>> logits(out.ptr<float>(0, 0));
-    const Eigen::Array<float, kAcross, kAlong, Eigen::RowMajor> weights = (logits - logits.maxCoeff()).exp();
-    const Eigen::Array<float, 1, kAlong> along = weights.colwise().sum().max(kLeastWeight).log();
-    const Eigen::Array<float, kAcross, 1> across = weights.rowwise().sum().max(kLeastWeight).log();
-    const PeakPlace u = peak_of(along.data(), kAlong), v = peak_of(across.data(), kAcross);
+    using Weights = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostAcross, kMostAlong>;
+    const Eigen::Map<const Weights> logits(out.ptr<float>(0, 0), look.across, look.along);
+    const Weights weights = (logits - logits.maxCoeff()).exp();
+    const Eigen::Array<float, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMostAlong> along =
+        weights.colwise().sum().max(kLeastWeight).log();
+    const Eigen::Array<float, Eigen::Dynamic, 1, Eigen::ColMajor, kMostAcross, 1> across =
+        weights.rowwise().sum().max(kLeastWeight).log();
+    const PeakPlace u = peak_of(along.data(), look.along), v = peak_of(across.data(), look.across);
     TipReading reading;
-    reading.tip = axis.at((kSupposed - u.mean) * spacing_px, (v.mean - kMiddle) * spacing_px);
-    reading.along_sigma_px = spread_about(along.data(), kAlong, u.mean) * spacing_px;
+    reading.tip = axis.at((look.supposed - u.mean) * spacing_px, (v.mean - look.middle()) * spacing_px);
+    reading.along_sigma_px = spread_about(along.data(), look.along, u.mean) * spacing_px;
     const int row = static_cast<int>(std::lround(v.mean)), column = static_cast<int>(std::lround(u.mean));
     const int top = std::max(0, row - kAboutPeak), left = std::max(0, column - kAboutPeak);
-    const int height = std::min(kAcross, row + kAboutPeak + 1) - top,
-              width = std::min(kAlong, column + kAboutPeak + 1) - left;
+    const int height = std::min(look.across, row + kAboutPeak + 1) - top,
+              width = std::min(look.along, column + kAboutPeak + 1) - left;
     reading.share = double{weights.block(top, left, height, width).sum()} / double{weights.sum()};
     return reading;
   }
 
-  Look whole_{read_network("tip"), 5.0, 0.5, 3.0}, near_{read_network("tip_fine"), 12.0, 0.5, 1.5};
-  cv::Mat1f grey_ = cv::Mat1f(kAcross, kAlong);
+  Look whole_{read_network("tip"), 96, 64, 56, 5.0, 0.5, 3.0},
+      near_{read_network("tip_fine"), 96, 64, 56, 12.0, 0.5, 1.5},
+      quick_{read_network("tip_quick"), 64, 48, 40, 8.0, 0.5, 2.0};
 };
 
 TipNetwork::TipNetwork() : impl_(std::make_unique<Impl>()) {}
@@ -162,6 +175,10 @@ TipReading TipNetwork::read(const FrameSampler& image, const NeedleAxis& axis, d
 TipReading TipNetwork::find(const FrameSampler& image, const NeedleAxis& axis, double half_width_px,
                             const Eigen::Vector2d& last) {
   return impl_->find(image, axis, half_width_px, last);
+}
+
+TipReading TipNetwork::read_quickly(const FrameSampler& image, const NeedleAxis& axis, double half_width_px) {
+  return impl_->read_quickly(image, axis, half_width_px);
 }
 
 }  // namespace pellucida
