@@ -12,7 +12,7 @@ Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn
 The patch has WIDTH samples along the needle, the supposed tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of
 them are the needle's half width, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. --fine trains a
 second network that looks at wide needles from nearer by; half of what it sees is drawn from outlines alone (any_contrast.py),
-most of it with needles of any width and end. Its two
+most of it with needles of any width and end. --quick trains a small one, for the frames between two readings by these. The two
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes. Some pictures show a droplet that
 the needle has expelled.
 """
