@@ -137,6 +137,7 @@ LinesVerdict judge_lines(CellFollower& by_lines, const SceneReading& scene, cons
   verdict.is_fine = seen.apart_px < std::max(kLeastFine_px, fine_ratio * radius_px(outline_of(by_lines))) ||
                     (is_even && verdict.is_same_outline);
   verdict.is_lone_edge = !is_even && !by_lines.zona().valid() && !by_lines.snakes().has_inner();
+  verdict.is_soft = by_lines.zona().valid();
   verdict.is_same_inner = is_same_inner(by_lines, seen);
   verdict.confidence = seen.confidence;
   verdict.is_strange = seen.confidence < kStrangeScore;

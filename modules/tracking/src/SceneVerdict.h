@@ -18,9 +18,10 @@ struct LinesVerdict {
   bool is_clear = false;      ///< the lines were seen so well, or are so even, that neither noise nor optics move them
   bool is_sure = false;       ///< the lines were seen well enough to be believed at all
   bool is_lone_edge = false;  ///< one membrane alone, by an edge: the oolemma's too, where the zona does not show
+  bool is_soft = false;       ///< they follow the oolemma, and round it a soft edge that has no dimple (`SoftZona`)
   bool is_same() const noexcept { return is_same_cell && is_same_outline && is_same_inner; }
   /// Both see the same cell, and the lines measure it the more finely.
-  bool is_by_lines() const noexcept { return is_same() && is_fine && is_clear; }
+  bool is_by_lines() const noexcept { return is_same() && is_fine && is_clear && !is_soft; }
   /// Lines and networks see the same cell, and the same needle too; a network that hardly knows the look confirms only
   /// what it reads right there. What both take for the zona may be the oolemma where no second membrane shows.
   bool is_confirmed() const noexcept {
