@@ -131,9 +131,10 @@ void add_analyze_command(CLI::App& app) {
                    "angle between the meridians of the 3-D mesh, degrees, a divisor of 360")
       ->capture_default_str();
   command
-      ->add_option("--quality", arguments->quality,
-                   "live: as fast as the camera; high: the cell is found with level sets as well, for recordings where "
-                   "time does not matter")
+      ->add_option(
+          "--quality", arguments->quality,
+          "live: as fast as the camera; high: the cell is found with level sets as well, and networks read each frame "
+          "in full, for recordings where time does not matter")
       ->check(CLI::IsMember({"live", "high"}))
       ->capture_default_str();
   add_detection_option(*command, arguments->pipeline);

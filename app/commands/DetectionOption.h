@@ -17,7 +17,8 @@ inline void add_detection_option(CLI::App& command, PipelineOptions& pipeline) {
           "--detection",
           [&pipeline](const std::string& name) { pipeline.tracker.detection = *detection_from_string(name); },
           "how cell and needle are found. lines: by dark lines, the most precise where membranes are such; scene: by a "
-          "network that knows relief and phase contrast as well, ten times slower; auto: by lines where the network "
+          "network that knows relief and phase contrast as well, two to three times slower; auto: by lines where the "
+          "network "
           "sees the same, else by the network")
       ->check(CLI::IsMember({"auto", "lines", "scene"}))
       ->default_str("auto");

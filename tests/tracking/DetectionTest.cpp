@@ -1,6 +1,7 @@
 // Finding the cell in one image: with no hint, with a click, with a drawn outline; sizes; what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -8,7 +9,10 @@
 #include <vector>
 
 #include "CellDetector.h"
+#include "CellFollower.h"
 #include "RegionBorder.h"
+#include "SceneVerdict.h"
+#include "tracking/PixelView.h"
 
 namespace pellucida {
 namespace {
@@ -189,6 +193,29 @@ TEST(Detection, ASoftZonaOfBothSignsIsFoundRoundItsOolemma) {
   EXPECT_LT(mean_off(cell->outer.points, zona_center, 125.0), 3.0);
   const FoundEdge& oolemma = cell->oolemma ? *cell->oolemma : *cell->inner;
   EXPECT_LT(mean_off(oolemma.points, center, 85.0), 1.5);
+}
+
+// Its edge goes along with the oolemma that lines follow, and has no dimple.
+TEST(Detection, LinesThatHaveASoftZonaAreJudgedSo) {
+  const Eigen::Vector2d center(200.0, 180.0);
+  SceneReader reader;
+  for (const double relief : {0.08, 0.0}) {
+    Field field(400, 360);
+    field.add_relief_disc({203.0, 178.0}, 125.0, relief, 2.0);
+    field.add_line(center, 85.0, 0.25);
+    const std::optional<DetectedCell> cell = detect_cell(field.image(), {});
+    ASSERT_TRUE(cell);
+    std::vector<std::uint8_t> pixels;
+    for (const float p : field.image().pixels)
+      pixels.push_back(static_cast<std::uint8_t>(std::clamp(255.0F * p, 0.0F, 255.0F)));
+    const ImageView view = test::view_of_bytes(pixels, 400, 360, 1.0);
+    TrackerTimings timings;
+    FrameInput frame{.view = view, .image = FrameSampler(view), .timings = &timings};
+    frame.noise = noise_level(frame.image);
+    CellFollower follower{TrackerOptions{}};
+    ASSERT_TRUE(follower.start(frame, *cell));
+    EXPECT_EQ(judge_lines(follower, {}, frame.image, reader).is_soft, relief > 0.0);
+  }
 }
 
 TEST(Detection, ACellWithoutZonaGetsNone) {

@@ -97,9 +97,9 @@ bool NeedleTracker::is_where_read(TipNetwork& network, const FrameSampler& image
 std::optional<TipReading> NeedleTracker::best_reading(TipNetwork& network, const FrameSampler& image, bool is_quick,
                                                       double& share) {
   const double half_width = width_behind(image);
-  TipReading seen = tip_follower_.read(network, image, {tip(), axis_.direction}, half_width, is_quick);
   const double went_px = (axis_.tip - axis_before_.tip).dot(axis_.direction);
   const bool has_leapt = std::abs(went_px) > std::max(kRunAway_px, kLeapHalfWidths * half_width);
+  TipReading seen = tip_follower_.read(network, image, {tip(), axis_.direction}, half_width, is_quick && !has_leapt);
   if (seen.share < kLeastTipShare || has_leapt) {
     // What was followed may have run away: there where it was before?
     NeedleAxis earlier = axis_;
