@@ -28,8 +28,8 @@ constexpr double kClear_px = 6.0, kClearBlurs = 3.0, kSharp_px = 1.5;
 constexpr double kUntouched_px = 1.0, kBeyondCell_px = 6.0;
 
 // A holder of the scene is as wide as the one found by lines when their logarithms are as near; one of its walls alone,
-// when they are so far apart; how well the scene shows a width, likewise.
-constexpr double kSameHolderWidth = 0.25, kOneWall = -0.6, kSceneWidthSigma = 0.35;
+// when they are so far apart.
+constexpr double kSameHolderWidth = 0.25, kOneWall = -0.6;
 // Edges more even than this are the holder's (docs/method.md, 1.3).
 constexpr double kEvenHolder = 0.4;
 // Of the cell's radius: half the width of the narrowest pipette that holds it.

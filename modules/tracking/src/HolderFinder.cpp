@@ -102,6 +102,7 @@ std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vecto
     holder.direction = tool.direction;
     holder.offset = tool.offset();
     holder.half_width = tool.half_width();
+    holder.half_width_sigma = tool.width_sigma;
     double sure = 0.5;
     // Its edges close up; where they can't be followed, the lines voted for have to do.
     const std::optional<NeedleGuess> guess = guess_needle(image, tool, noise);
@@ -118,6 +119,7 @@ std::optional<HolderFit> find_holder(const FrameSampler& image, const std::vecto
       if (half_width > least_ratio * cell.radius &&
           std::abs(half_width - tool.half_width()) < 0.4 * tool.half_width()) {
         holder.half_width = half_width;
+        holder.half_width_sigma = 0.0;
         holder.unevenness = guess->model.look.unevenness();
         sure = 1.0;
       }

@@ -135,6 +135,7 @@ FoundTool found_tool(const SceneTool& needle) {
   tool.offset_from = -needle.half_width_px;
   tool.offset_to = needle.half_width_px;
   tool.strength = needle.length_px;
+  tool.width_sigma = kSceneWidthSigma;
   return tool;
 }
 

@@ -42,7 +42,10 @@ DetectedCell detected(const SceneCell& cell);
 /// One whose outline (2 x n, n >= 3, px) a person has drawn.
 DetectedCell detected(const Eigen::Matrix2Xd& outline);
 
-/// A needle of the scene as a tool to be followed; offsets count from its tip.
+/// How well a scene shows how wide a tool is: standard deviation of the logarithm.
+inline constexpr double kSceneWidthSigma = 0.35;
+
+/// A tool of the scene as one to be followed; offsets count from its tip.
 FoundTool found_tool(const SceneTool& needle);
 
 /// Where its tip is expected.

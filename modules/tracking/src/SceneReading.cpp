@@ -25,6 +25,7 @@ constexpr double kLeastTool = 6.0;     // map pixels: area of a tool
 constexpr double kLeastLength = 4.0;   // map pixels: length of a tool
 constexpr double kLeastCircle = 0.45;  // 4 pi area / perimeter^2 of a cell's outline
 constexpr double kSlender = 1.5;       // length over width of a tool
+constexpr double kStub = 0.5;         // cosine between its longest axis and its way in, of a stub that is wider than long
 constexpr double kBent = 1.3;        // as wide as its area spreads, over what its area and length make, of a bent tool
 constexpr double kBentWidths = 2.2;  // widths of such a tool that are taken for straight
 constexpr int kTipReach = 3;         // map pixels round a tool's end in which the tip's mark counts
@@ -175,6 +176,12 @@ std::vector<cv::Point> end_of_bent(const std::vector<cv::Point>& area, const cv:
   return part;
 }
 
+// Whether an area comes in over the length of its longest axis: a pipette wider than what is in view of it is long.
+bool is_stub(const LongAxis& axis, const Eigen::Vector2d& entry) {
+  const Eigen::Vector2d in = axis.mean - entry;
+  return std::abs(in.dot(axis.direction)) < kStub * in.norm();
+}
+
 // Whether a holding pipette that ends there may hold the cell.
 bool ends_at(const Eigen::Vector2d& end, const Eigen::Vector2d& center, double radius_px) {
   const double away = (center - end).norm() / radius_px;
@@ -200,11 +207,11 @@ void read_tools(const SceneMap& map, SceneClass which, const std::vector<SceneCe
     const double length = axis.length, width = axis.width;
     Eigen::Vector2d direction = axis.direction;
     if (length < kLeastLength) continue;
-    const bool is_short = length < kSlender * width;
+    const std::optional<Eigen::Vector2d> from_border = middle_of_border(area, share);
+    const bool is_short = length < kSlender * width || (is_holder && from_border && is_stub(axis, *from_border));
     if (is_short) {
-      const std::optional<Eigen::Vector2d> entry = middle_of_border(area, share);
-      if (!is_holder || !entry || (mean - *entry).norm() < 0.25 * kLeastLength) continue;
-      direction = (mean - *entry).normalized();
+      if (!is_holder || !from_border || (mean - *from_border).norm() < 0.25 * kLeastLength) continue;
+      direction = (mean - *from_border).normalized();
     }
     double from = 0.0, to = 0.0;
     for (const cv::Point& p : area) {

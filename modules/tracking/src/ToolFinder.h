@@ -14,6 +14,7 @@ struct FoundTool {
   double offset_from = 0.0;  ///< signed distances of its outermost edges from the cell's centre, across `direction`
   double offset_to = 0.0;    ///< (positive towards (-direction.y, direction.x)); from <= to
   double strength = 0.0;     ///< px of edge that support it
+  double width_sigma = 0.0;  ///< standard deviation of its width's logarithm; 0: as edges show it
 
   double offset() const noexcept { return 0.5 * (offset_from + offset_to); }
   double half_width() const noexcept { return 0.5 * (offset_to - offset_from); }
