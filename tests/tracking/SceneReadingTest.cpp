@@ -96,6 +96,17 @@ TEST_F(SceneReadingTest, AHolderOfWhichLittleIsInViewIsOne) {
   EXPECT_GT(reading.holders.front().direction.y(), 0.94);
 }
 
+// However much wider than long.
+TEST_F(SceneReadingTest, AHolderMuchWiderThanLongComesInFromTheBorder) {
+  fill(SceneClass::kHolder, [](int x, int y) { return y < 16 && x >= 30 && x < 66; });
+  const SceneReading reading = read();
+  ASSERT_EQ(reading.holders.size(), 1U);
+  const SceneTool& holder = reading.holders.front();
+  EXPECT_TRUE(holder.is_short);
+  EXPECT_GT(holder.direction.y(), 0.94);
+  EXPECT_NEAR(holder.half_width_px, 18.0 * kPitch_px, 0.1 * 18.0 * kPitch_px);
+}
+
 // The direction of its end, not of the whole arc.
 TEST_F(SceneReadingTest, ABentHolderPointsAsItsEndDoes) {
   // A quarter of a circle about the corner (99, 79), in from the right border, with its mouth pointing down.
