@@ -88,8 +88,8 @@ void GeometryEstimate::update(const Observation& o) {
   // No wider than a tool on this cell can be.
   const double radius_um = geometry_.mid_radius_um;
   // What reads a tip knows how wide tips are: to draw it towards the usual one would count that twice.
-  const Length tip = tip_.count > 0 ? Length{std::exp(tip_.log_um), tip_.sigma}
-                                    : Length{profile_->tip_radius_um, kBenchTip_ratio};
+  const Length tip =
+      tip_.count > 0 ? Length{std::exp(tip_.log_um), tip_.sigma} : Length{profile_->tip_radius_um, kBenchTip_ratio};
   const Length holder = known(holder_, {profile_->holder_ring_um + profile_->holder_half_width_um, kBenchHolder_ratio},
                               kSeenHolder_ratio);
   geometry_.tip_radius_um = std::min(tip.length_um, 0.45 * radius_um);

@@ -25,9 +25,10 @@ constexpr double kBroad_px = 2.4;       // width from which on that is a fixed s
 // Of the zona's thickness: how thin it may be under a tip, and how thick by what was learnt of it. A line further in is
 // the oolemma, beyond a perivitelline gap, and often the stronger one.
 constexpr double kThinnest_ratio = 0.45, kThickest_ratio = 1.3;
-constexpr double kCrowded = 0.258;   // width over thickness at which the doubt about the centre doubles
-constexpr int kReach = 6;            // samples to both sides of the prediction
-constexpr double kSettled_px = 0.6;  // displacement after which the profiles are not sampled again
+constexpr double kAnother_ratio = 1.1;  // in the mean round the cell, of one in whose stead another line was found
+constexpr double kCrowded = 0.258;      // width over thickness at which the doubt about the centre doubles
+constexpr int kReach = 6;               // samples to both sides of the prediction
+constexpr double kSettled_px = 0.6;     // displacement after which the profiles are not sampled again
 constexpr int kMostRounds = 4;
 constexpr double kLeastScoreRatio = 0.85;  // of the usual score: below, the contours are sought anew
 constexpr double kLooseRatio = 0.08;       // share of edges not found within reach: above, the same
@@ -292,6 +293,13 @@ bool MembraneSnakes::follow(const FrameSampler& image, double noise, const Needl
   return wrong < kLooseRatio * static_cast<double>(gaps_.size());
 }
 
+// No zona thickens from frame to frame: the inner contour has gone over to the oolemma.
+bool MembraneSnakes::is_on_another_line() {
+  if (!has_inner()) return false;
+  measure_gaps();
+  return gaps_.mean() > kAnother_ratio * thickness_;
+}
+
 // The cell moves with its holder, the dimple with the needle.
 void MembraneSnakes::predict(const Eigen::Vector2d& shift, const Eigen::Vector2d& push, const NeedleZone* needle) {
   for (SnakeContour* snake : {&outer_, &inner_}) {
@@ -313,22 +321,24 @@ double MembraneSnakes::track(const FrameSampler& image, double noise, const Eige
   // From the prediction alone, as long as that goes well; else by a search of the whole band.
   const bool fresh = frames_ < kFreshFrames;
   const bool near = search_px <= options_.search_px && !fresh;
-  bool good = false;
-  if (near) {
-    outer_kept_ = outer_.points;
-    inner_kept_ = inner_.points;
-    good = follow(image, noise, needle, true);
-    if (!good) {
-      outer_.points = outer_kept_;
-      inner_.points = inner_kept_;
-    }
-  }
+  const auto put_back = [&] {
+    outer_.points = outer_kept_;
+    inner_.points = inner_kept_;
+  };
+  outer_kept_ = outer_.points;
+  inner_kept_ = inner_.points;
+  bool good = near && follow(image, noise, needle, true);
+  if (near && !good) put_back();
   if (good) {
     vain_frames_ = std::max(0, vain_frames_ - 1);
   } else {
     vain_frames_ = 0;
     search(image, needle, search_px);
     good = follow(image, noise, needle, false);
+    if (fresh && search_px <= options_.search_px && is_on_another_line()) {
+      put_back();
+      good = follow(image, noise, needle, false);
+    }
     if (near && !good) vain_frames_ = kVainFrames;
   }
   ++frames_;

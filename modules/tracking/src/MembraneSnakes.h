@@ -125,6 +125,7 @@ class MembraneSnakes {
   void learn_strength(const FrameSampler& image, SnakeContour& snake, const NeedleZone* needle);
   void learn_looks(const FrameSampler& image, double noise, const NeedleZone* needle);
   void measure_gaps();
+  bool is_on_another_line();
   void learn_thickness(const NeedleZone* needle, double share);
 
   // Each frame.
