@@ -13,6 +13,9 @@ namespace {
 constexpr double kMostOfOneWay = 0.75;
 // A tip less surely known (standard deviation) may well be 3 px off, which no frame that is sure should be.
 constexpr double kVagueTip_px = 1.0;
+// Nor one whose edges are as dark as this far beyond the glass (standard deviation, px): a fringe of the optics may lie
+// 3 px before it.
+constexpr double kBroadEdge_px = 2.2;
 
 // Flanks of a dimple: so far beside the needle's line through the centre, of the radius; shallower ones say nothing,
 // px; how their depth of late fades, per frame; what share of it is back; what the tip must have kept of its depth
@@ -231,7 +234,8 @@ double CellFollower::past_sigma() const {
 
 double CellFollower::confidence() const {
   const NeedleEstimate& n = needle_.estimate();
-  const bool is_tip_vague = needle_.valid() && (needle_.is_read() || n.is_disputed || n.tip_sigma > kVagueTip_px);
+  const bool is_tip_vague = needle_.valid() && (needle_.is_read() || n.is_disputed || n.tip_sigma > kVagueTip_px ||
+                                                n.edge_blur > kBroadEdge_px);
   return is_tip_vague ? std::min(kMostOfOneWay, membranes_confidence()) : membranes_confidence();
 }
 
