@@ -95,6 +95,27 @@ TEST(Specimens, WhatTouchesAnUntouchedCellHoldsIt) {
   }
 }
 
+// Round a perivitelline gap: the inner contour went over from the zona's faint inner edge to the oolemma, 7 px farther
+// in, and the force was 25 % of the peak off.
+TEST(Specimens, TheInnerContourKeepsToTheZonaBesideAStrongerOolemma) {
+  RandomFilm film =
+      draw_film(Split::kTuning, 88354, 640, {PELLUCIDA_SOURCE_DIR "/tests/data/hard_specimens/specimen-5775"});
+  film.drawing = true;
+  const FilmRun run = run_film(film, {});
+  ASSERT_TRUE(run.specimen);
+  for (const FrameError& error : run.errors) EXPECT_LT(error.inner_px, 1.0);
+  EXPECT_LT(run.specimen->given_percent, 5.0);
+}
+
+// Less of it is in view than it is wide, and it was measured across, as surely as by its edges: the force was 23 % of
+// the peak off. Now it is known to a third, and the contours say how wide it is.
+TEST(Specimens, AHoldingPipetteWiderThanLongIsNotMeasuredAcross) {
+  const FilmRun run = run_film(
+      draw_film(Split::kValidation, 55035, 640, {PELLUCIDA_SOURCE_DIR "/tests/data/hard_specimens/specimen-5758"}), {});
+  EXPECT_GT(run.pushed_force_rms_percent, 0.0);
+  EXPECT_LT(run.pushed_force_rms_percent, 8.0);
+}
+
 // Without a needle in view all the while, and the force 0: what was taken for the holding pipette dents the cell.
 TEST(Specimens, WhatPressesTheCellIsItsNeedle) {
   const FilmRun run = run_hard("specimen-4379", 83093);

@@ -109,22 +109,6 @@ TEST(PunctureVerdict, ALagOfTheMembraneWithinItsNoiseIsNoPuncture) {
   EXPECT_FALSE(verdict.judge(sight(20.5, 0.5, 14.0, 3.0)));
 }
 
-TEST(PunctureVerdict, AShallowDimpleThatGoesIsAPunctureAndOneThatAlwaysLagsIsNone) {
-  // By 1.55 um and more, where noise explains 1.3: a tip's roundness may explain 2, but the two were together before.
-  PunctureVerdict verdict = pushed(3.0, 0.1);
-  bool is_through = false;
-  for (const double membrane_um : {1.75, 1.5, 1.4, 1.4})
-    is_through = verdict.judge(sight(3.3, 0.26, membrane_um, 0.35));
-  EXPECT_TRUE(is_through);
-  EXPECT_FALSE(verdict.judge(sight(-1.0, 0.2, 0.0, 0.2)));
-
-  PunctureVerdict lags;
-  for (double tip_um = 2.0; tip_um < 8.0; tip_um += 0.5) {
-    EXPECT_FALSE(lags.judge(sight(tip_um, 0.26, tip_um - 1.8, 0.35))) << tip_um;
-    lags.add(tip_um, 0.1 * tip_um);
-  }
-}
-
 TEST(PunctureVerdict, ATipFoundAgainOnTheMembraneIsAContactAgain) {
   PunctureVerdict verdict = pushed(30.0, 0.1);
   EXPECT_TRUE(verdict.judge(sight(30.5, 0.2, 20.0, 0.2)));

@@ -9,8 +9,6 @@ namespace {
 /// What a membrane that follows the tip may differ by beside the noise: the tip's roundness, an edge's blur.
 constexpr double kUsual_um = 2.0;
 constexpr double kSigmas = 4.0;
-/// The same of how much farther apart the two are than when the membrane was deepest: what lasts drops out.
-constexpr double kParted_um = 1.2, kPartedSigmas = 3.0;
 /// A dimple shallower than this is no puncture when it goes.
 constexpr double kShallowest_um = 1.5;
 /// Probability from which on the membrane is through; and that something is amiss from which on a contact is in doubt.
@@ -55,18 +53,10 @@ bool PunctureVerdict::is_apart(const Sight& now) noexcept {
   return now.tip_um - now.membrane_um > std::max(kUsual_um, kSigmas * sigma_um);
 }
 
-bool PunctureVerdict::has_parted(const Sight& now) const noexcept {
-  const double before_um = std::max(0.0, tip_at_deepest_um_ - deepest_um_);
-  const double sigma_um = std::hypot(now.tip_sigma_um, now.membrane_sigma_um);
-  const bool has_grown =
-      deepest_um_ > 0.0 && now.tip_um - now.membrane_um - before_um > std::max(kParted_um, kPartedSigmas * sigma_um);
-  return has_grown || is_apart(now);
-}
-
 bool PunctureVerdict::judge(const Sight& now) noexcept {
   is_doubted_ = is_revoked_ = is_pushed_ = false;
   confidence_ = now.confidence;
-  is_apart_ = now.has_depths && has_parted(now);
+  is_apart_ = now.has_depths && is_apart(now);
   if (through_ && !(now.has_depths && may_end(now))) return true;
   // Without a contact before, or a look at it, there is only the tracker's word, and whether the membrane is at rest.
   if (!has_contact_) {
@@ -114,7 +104,7 @@ bool PunctureVerdict::may_end(const Sight& now) noexcept {
   const bool is_flank_back = is_flank_known && now.flank_um < kFlankBack_ratio * flanks_.most_um();
   // Flanks as deep as before are pushed, wherever the contour under the tip is.
   const bool is_flank_deep = is_flank_known && now.flank_um > (1.0 - kFlankLeaving_ratio) * flanks_.most_um();
-  const bool is_together = is_flank_deep || is_pushed_again(now) || !(has_parted(now) || is_flank_back);
+  const bool is_together = is_flank_deep || is_pushed_again(now) || !(is_apart(now) || is_flank_back);
   together_frames_ = is_together ? together_frames_ + 1 : 0;
   if (now.tip_um >= 0.0 && together_frames_ < kTogetherFrames) return false;
   if (now.tip_um < 0.0 || now.membrane_um < kShallowest_um || !has_contact_) {
@@ -149,7 +139,7 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now, const Push
   PunctureOdds::Evidence evidence{.back_ratio = back_um / deepest_um_,
                                   .back_sigma_ratio = usual_um / deepest_um_,
                                   .confidence = now.confidence,
-                                  .is_apart = has_parted(now),
+                                  .is_apart = is_apart(now),
                                   .is_astray = lies_beyond_tip(now)};
   evidence.flank_ratio = flank.back;
   evidence.flank_sigma_ratio = flank.sigma;

@@ -86,7 +86,6 @@ class PunctureVerdict {
   void release() noexcept;
 
  private:
-  bool has_parted(const Sight& now) const noexcept;
   bool may_end(const Sight& now) noexcept;
   bool is_pushed_again(const Sight& now) noexcept;
   PunctureOdds::Evidence evidence_of(const Sight& now, const PushedShape::Share& flank,
