@@ -8,7 +8,7 @@ wide the needle is there, in any contrast, and how surely.
     python3 train_tip_width.py samples,fine tip_width.onnx --minutes 25
 
 Needs Debian's python3-torch, python3-opencv and python3-numpy. Trained on drawn pictures of the tuning and wide families,
-half of them drawn from the samples' outlines alone (any_contrast.py).
+a third of them drawn from the samples' outlines alone (any_contrast.py).
 The patch has WIDTH samples along the needle, the tip on sample AHEAD_OF, and HEIGHT across; WIDTH_SAMPLES of them are
 the needle's half width some way behind, unless that is less than LEAST_PX or more than MOST_PX pixels a sample. Its two
 planes: grey values (median 0, mean deviation 1), and how many pixels a sample takes. The answer: the logarithm of half
@@ -40,6 +40,8 @@ class WidthNetwork(nn.Module):
 
 
 class Samples(TipSamples):
+    ANEW = 0.35  # share of the pictures drawn from the outlines alone
+
     def keep(self, item):
         (self.held_out if len(self.tables.known) % HELD_OUT == 0 else self.items).append(item)
 

@@ -90,8 +90,8 @@ void GeometryEstimate::update(const Observation& o) {
   // What reads a tip knows how wide tips are: to draw it towards the usual one would count that twice.
   const Length tip =
       tip_.count > 0 ? Length{std::exp(tip_.log_um), tip_.sigma} : Length{profile_->tip_radius_um, kBenchTip_ratio};
-  const Length holder = known(holder_, {profile_->holder_ring_um + profile_->holder_half_width_um, kBenchHolder_ratio},
-                              kSeenHolder_ratio);
+  const Length holder =
+      known_holder(holder_, {profile_->holder_ring_um + profile_->holder_half_width_um, kBenchHolder_ratio});
   geometry_.tip_radius_um = std::min(tip.length_um, 0.45 * radius_um);
   geometry_.holder_radius_um = std::min(holder.length_um, 0.9 * radius_um);
   tip_sigma_ = tip.sigma;
@@ -100,12 +100,13 @@ void GeometryEstimate::update(const Observation& o) {
 
 // A holder seen less surely than edges show it is drawn towards the bench's usual one: by Bayes' rule, for that part of
 // its variance that comes on top.
-GeometryEstimate::Length GeometryEstimate::known(const Seen& seen, const Length& usual, double surest) {
+GeometryEstimate::Length GeometryEstimate::known_holder(const Seen& seen, const Length& usual) {
   if (seen.count == 0) return usual;
-  const double excess = std::max(0.0, seen.sigma * seen.sigma - surest * surest), own = usual.sigma * usual.sigma;
+  const double excess = std::max(0.0, seen.sigma * seen.sigma - kSeenHolder_ratio * kSeenHolder_ratio),
+               own = usual.sigma * usual.sigma;
   const double share = own / (own + excess);
   return {std::exp(share * seen.log_um + (1.0 - share) * std::log(usual.length_um)),
-          std::hypot(std::min(seen.sigma, surest), std::sqrt(share * excess))};
+          std::hypot(std::min(seen.sigma, kSeenHolder_ratio), std::sqrt(share * excess))};
 }
 
 double GeometryEstimate::force_sigma_ratio(std::optional<double> by_solid) const noexcept {

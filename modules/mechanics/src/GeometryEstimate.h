@@ -49,7 +49,7 @@ class GeometryEstimate {
     double length_um = 0.0, sigma = 0.0;
   };
   bool is_likely_holder(double radius_um) const noexcept;
-  static Length known(const Seen& seen, const Length& usual, double surest);
+  static Length known_holder(const Seen& seen, const Length& usual);
 
   const CellProfile* profile_;
   MembraneGeometry geometry_;

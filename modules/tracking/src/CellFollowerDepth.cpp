@@ -14,7 +14,7 @@ constexpr double kMostOfOneWay = 0.75;
 // A tip less surely known (standard deviation) may well be 3 px off, which no frame that is sure should be.
 constexpr double kVagueTip_px = 1.0;
 // Nor one whose edges are as dark as this far beyond the glass (standard deviation, px): a fringe of the optics may lie
-// 3 px before it.
+// 3 px before it. Set on validation film 55995 and plain ones (1.5 at most).
 constexpr double kBroadEdge_px = 2.2;
 
 // Flanks of a dimple: so far beside the needle's line through the centre, of the radius; shallower ones say nothing,

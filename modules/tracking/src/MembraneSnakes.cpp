@@ -25,10 +25,11 @@ constexpr double kBroad_px = 2.4;       // width from which on that is a fixed s
 // Of the zona's thickness: how thin it may be under a tip, and how thick by what was learnt of it. A line further in is
 // the oolemma, beyond a perivitelline gap, and often the stronger one.
 constexpr double kThinnest_ratio = 0.45, kThickest_ratio = 1.3;
-constexpr double kAnother_ratio = 1.1;  // in the mean round the cell, of one in whose stead another line was found
-constexpr double kCrowded = 0.258;      // width over thickness at which the doubt about the centre doubles
-constexpr int kReach = 6;               // samples to both sides of the prediction
-constexpr double kSettled_px = 0.6;     // displacement after which the profiles are not sampled again
+// In the mean round the cell, where another line was found in its stead. Set on plain film 88354.
+constexpr double kAnother_ratio = 1.1;
+constexpr double kCrowded = 0.258;   // width over thickness at which the doubt about the centre doubles
+constexpr int kReach = 6;            // samples to both sides of the prediction
+constexpr double kSettled_px = 0.6;  // displacement after which the profiles are not sampled again
 constexpr int kMostRounds = 4;
 constexpr double kLeastScoreRatio = 0.85;  // of the usual score: below, the contours are sought anew
 constexpr double kLooseRatio = 0.08;       // share of edges not found within reach: above, the same

@@ -25,8 +25,9 @@ constexpr double kLeastTool = 6.0;     // map pixels: area of a tool
 constexpr double kLeastLength = 4.0;   // map pixels: length of a tool
 constexpr double kLeastCircle = 0.45;  // 4 pi area / perimeter^2 of a cell's outline
 constexpr double kSlender = 1.5;       // length over width of a tool
-constexpr double kStub = 0.5;  // cosine between its longest axis and its way in, of a stub that is wider than long
-constexpr double kBent = 1.3;  // as wide as its area spreads, over what its area and length make, of a bent tool
+// Cosine between its longest axis and its way in, of a stub that is wider than long. Set on validation film 55035.
+constexpr double kStub = 0.5;
+constexpr double kBent = 1.3;        // as wide as its area spreads, over what its area and length make, of a bent tool
 constexpr double kBentWidths = 2.2;  // widths of such a tool that are taken for straight
 constexpr int kTipReach = 3;         // map pixels round a tool's end in which the tip's mark counts
 
