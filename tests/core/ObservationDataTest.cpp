@@ -45,6 +45,7 @@ Observation full_observation() {
   o.dimple_radius_um = 9.1;
   o.rest_beyond_um = -1.1 / 3.0;
   o.side_bulge_um = 1.3 / 3.0;
+  o.pierced_probability = 0.2 / 3.0;
   o.needle.emplace();
   o.needle->tip_um << 351.1, 200.7;
   o.needle->direction << -std::cos(0.1), -std::sin(0.1);

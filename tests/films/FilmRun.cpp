@@ -50,6 +50,7 @@ FrameSight sight_of(const Observation& seen, const Observation& truth, const For
     sight.tip_sigma_um = seen.needle->tip_sigma_um;
     sight.flank_um = flank_depth_um(seen, needle_contact(seen));
     sight.side_um = seen.side_bulge_um;
+    sight.pierced_probability = seen.pierced_probability;
     sight.rest_radius_um = seen.rest_outer_radius_um;
     sight.membrane_um = seen.indentation_um;
     sight.membrane_sigma_um = seen.indentation_sigma_um;

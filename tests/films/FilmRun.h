@@ -28,6 +28,7 @@ struct FrameSight {
   bool is_doubted = false, has_needle = false;
   double confidence = 0.0, needle_confidence = 0.0;
   double tip_um = 0.0, tip_sigma_um = 0.0, membrane_um = 0.0, membrane_sigma_um = 0.0, depth_um = 0.0;
+  double pierced_probability = -1.0;
   double true_tip_um = 0.0, true_membrane_um = 0.0;
   double center_ahead_um = 0.0;                ///< the resting centre along the needle, less the true one
   double outer_sigma_um = 0.0;                 ///< usual standard deviation of the outer contour

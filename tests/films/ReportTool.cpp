@@ -252,7 +252,7 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
   out << "seed,frame,truth,tracked,judged,is_doubted,confidence,has_needle,needle_confidence,tip_um,tip_sigma_um,"
          "membrane_um,membrane_sigma_um,depth_um,true_tip_um,true_membrane_um,residual_um,dimple_residual_um,noise_um,"
          "flank_um,side_um,rest_radius_um,outer_px,tip_px,pixel_size_um,force_uN,lower_uN,upper_uN,expected_uN,"
-         "true_uN,stiffening_effect,stiffening_effect_sigma,sizes_ratio,center_ahead_um,outer_sigma_um\n";
+         "true_uN,stiffening_effect,stiffening_effect_sigma,sizes_ratio,center_ahead_um,outer_sigma_um,pierced\n";
   for (const FilmRun& run : runs) {
     for (std::size_t k = 0; k < run.sights.size(); ++k) {
       const test::FrameSight& s = run.sights[k];
@@ -264,7 +264,8 @@ void write_sights(const std::string& file, const std::vector<FilmRun>& runs) {
           << ',' << s.rest_radius_um << ',' << run.errors[k].outer_px << ',' << run.errors[k].tip_px << ','
           << run.film.scenario.image.pixel_size_um << ',' << s.force_uN << ',' << s.lower_uN << ',' << s.upper_uN << ','
           << s.expected_uN << ',' << s.true_uN << ',' << s.stiffening_effect << ',' << s.stiffening_effect_sigma << ','
-          << s.sizes_ratio << ',' << s.center_ahead_um << ',' << s.outer_sigma_um << '\n';
+          << s.sizes_ratio << ',' << s.center_ahead_um << ',' << s.outer_sigma_um << ',' << s.pierced_probability
+          << '\n';
     }
   }
   if (!out.flush()) throw OutputError(file + " can't be written");

@@ -1,7 +1,7 @@
 // A developer's tool, not installed and no test: labelled pictures to train a network on, one of each random film of
 // the families of tuning. (Of validation or unseen they are to check with.)
 //   film_samples --out FOLDER [--split tuning|wide|validation|unseen] [--count N] [--first SEED] [--plain yes]
-//                [--specimens FOLDER] [--punctured yes] [--empty yes]
+//                [--specimens FOLDER] [--punctured yes|soon] [--pushed yes] [--empty yes]
 // Writes FOLDER/NNNNN.png (8-bit grey), NNNNN_label.png (0 background, 1 zona, 2 inside the zona's inner boundary,
 // 3 needle, 4 holding pipette, 5 bystander cell or bubble), samples_SEED.csv, and contours_SEED.csv (file; outer,
 // inner, needle or holder; then x and y of the outline's points, px); NNNNN is the film's seed. Several of them may run
@@ -9,7 +9,8 @@
 // there is no cell. --plain: the virtual microscope's plain drawing instead of a look. --specimens: cells of
 // finite-element tables (tests/specimens), with zonae from thin to thick; else each zona is a tenth of its cell's
 // radius thick. --punctured: those films alone whose membrane gives way, in a frame after that: the needle's tip lies
-// in the ooplasm. --empty: those films alone that show no cell.
+// in the ooplasm; soon: in one of the first four, while the membrane springs back. --pushed: in
+// a frame of those in which the needle has touched the cell. --empty: those films alone that show no cell.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -24,6 +25,7 @@
 
 #include "films/RandomFilm.h"
 #include "pellucida/core/Error.h"
+#include "pellucida/core/NeedleContact.h"
 #include "pellucida/core_vtk/SceneData.h"
 #include "pellucida/simulation/VirtualMicroscope.h"
 
@@ -32,6 +34,7 @@ namespace {
 using namespace pellucida;
 
 constexpr int kWidest_px = 1024;
+constexpr std::uint64_t kSoon_frames = 4;
 
 void fill(cv::Mat& label, const Contour_um& points_um, double pixel_um, int value) {
   constexpr int kShift = 4;
@@ -70,13 +73,25 @@ void write(std::ofstream& csv, const char* stem, const char* which, const Contou
   csv << std::endl;
 }
 
+// The first frame with the needle past the membrane, or on it; past the film's end where it never is.
+long first_touched(const test::RandomFilm& film, bool is_through) {
+  VirtualMicroscope microscope(film.scenario);
+  const long frames = *microscope.info().frame_count;
+  for (long k = 0; k < frames; ++k) {
+    microscope.skip();
+    const CellState state = microscope.truth().observation.state;
+    if (state == CellState::kPunctured || (!is_through && state == CellState::kContact)) return k;
+  }
+  return frames;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   std::filesystem::path out;
   std::uint64_t first = 1, wanted = 100;
   test::Split split = test::Split::kTuning;
-  bool is_plain = false, is_punctured = false, is_empty = false;
+  bool is_plain = false, is_punctured = false, is_soon = false, is_pushed = false, is_empty = false;
   std::vector<std::string> specimens;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = arguments[i], value = arguments[i + 1];
@@ -91,7 +106,9 @@ int main(int count, char** arguments) {
     else if (word == "--plain")
       is_plain = value == "yes";
     else if (word == "--punctured")
-      is_punctured = value == "yes";
+      is_punctured = true, is_soon = value == "soon";
+    else if (word == "--pushed")
+      is_pushed = value == "yes";
     else if (word == "--empty")
       is_empty = value == "yes";
     else if (word == "--specimens")
@@ -109,8 +126,7 @@ int main(int count, char** arguments) {
            1;
   std::ofstream csv(table);
   csv << "file,tip_x_px,tip_y_px,direction_x,direction_y,tip_radius_px,center_x_px,center_y_px,outer_radius_px,"
-         "contrast,"
-         "family,frame\n";
+         "tip_depth_px,membrane_depth_px,contrast,family,frame\n";
   std::ofstream contours(out / ("contours_" + std::to_string(first) + ".csv"));
   contours << std::fixed << std::setprecision(3);
   for (std::uint64_t seed = first; seed < first + wanted; ++seed) {
@@ -121,9 +137,13 @@ int main(int count, char** arguments) {
       VirtualMicroscope microscope =
           is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.
-      const long frames = *microscope.info().frame_count, earliest = is_punctured ? frames / 3 : 0;
+      const long frames = *microscope.info().frame_count;
+      const long earliest = is_punctured ? frames / 3 : is_pushed ? first_touched(film, false) : 0;
+      if (earliest >= frames) continue;
       const long wanted_frame =
-          earliest + static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(frames - earliest));
+          is_soon ? first_touched(film, true) + static_cast<long>(seed % kSoon_frames)
+                  : earliest + static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(frames - earliest));
+      if (wanted_frame >= frames) continue;
       for (long k = 0; k + 1 < wanted_frame; ++k) microscope.skip();
       if (wanted_frame > 0) film.look.camera.interlaced ? void(microscope.next()) : void(microscope.skip());
       const std::optional<Frame> frame = microscope.next();
@@ -132,6 +152,7 @@ int main(int count, char** arguments) {
                          static_cast<std::size_t>(view.row_bytes));
       const Observation& seen = microscope.truth().observation;
       if (is_punctured && seen.state != CellState::kPunctured) continue;
+      if (is_pushed && seen.state == CellState::kFree) continue;
       char stem[24];
       std::snprintf(stem, sizeof stem, "%05llu", static_cast<unsigned long long>(seed));
       if (std::filesystem::exists(out / (std::string(stem) + ".png")))
@@ -147,9 +168,10 @@ int main(int count, char** arguments) {
           << seen.needle->tip_radius_um / pixel_um << ',';
       if (seen.outer)
         csv << seen.center_um.x() / pixel_um << ',' << seen.center_um.y() / pixel_um << ','
-            << seen.rest_outer_radius_um / pixel_um << ',';
+            << seen.rest_outer_radius_um / pixel_um << ',' << needle_contact(seen).tip_depth_um / pixel_um << ','
+            << seen.indentation_um / pixel_um << ',';
       else
-        csv << ",,,";
+        csv << ",,,,,";
       if (seen.outer) write(contours, stem, "outer", seen.outer->points_um, pixel_um);
       if (seen.inner) write(contours, stem, "inner", seen.inner->points_um, pixel_um);
       write(contours, stem, "needle", seen.needle->outline_um, pixel_um);

@@ -30,6 +30,7 @@ PunctureVerdict::Sight sight_of(const Observation& o, const NeedleContact& conta
   sight.membrane_sigma_um = has_sigma ? o.indentation_sigma_um : kDefaultDepthSigma_um;
   sight.rest_radius_um = o.rest_outer_radius_um;
   if (o.side_bulge_um > 0.0) sight.side_um = o.side_bulge_um;
+  if (o.pierced_probability >= 0.0) sight.pierced_probability = std::min(1.0, o.pierced_probability);
   sight.flank_um = flank_depth_um(o, contact);
   if (o.outer) sight.shape_sigma_um = kShapeSigma_ratio * usual_sigma_um(*o.outer);
   // A needle's confidence is a product of several, each of which says how well it was seen.

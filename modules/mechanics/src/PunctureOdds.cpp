@@ -36,6 +36,12 @@ constexpr double kDrawnBack_ratio = 0.2;
 constexpr double kCuts_ratio = 0.02;
 /// Of punctures, those in which the contour is still tied to the tip.
 constexpr double kTied_ratio = 0.5;
+/// What a picture about the tip that is sure of one leaves the other: it may be a look like none before.
+constexpr double kPictureLeaves = 0.04;
+/// Of the frames in contact, those in which the picture begins to mislead, and those in which that is over.
+constexpr double kMisled_rate = 0.004, kMisledOver_rate = 0.05;
+/// Of misreadings, those of the tip, which leave no membrane on it; else the picture about it shows what is so.
+constexpr double kTipMisread_ratio = 0.5;
 /// A dimple deepens as long as something pushes it; behind a needle that is through it seems to so often.
 constexpr double kDeepensThrough_ratio = 0.1;
 /// What even an impossible frame leaves a hypothesis.
@@ -76,6 +82,11 @@ double normal(double off, double sigma) {
 }  // namespace
 
 void PunctureOdds::advance(double misread_rate, double lasting) noexcept {
+  const double misled = contact_ * kMisled_rate, shown = misled_ * kMisledOver_rate;
+  const double through_it = misled_ * kPuncture_rate;
+  contact_ += shown - misled;
+  misled_ += misled - shown - through_it;
+  punctured_ += through_it;
   const double over = (1.0 - lasting) * misread_;
   const double began = contact_ * misread_rate, through = contact_ * kPuncture_rate;
   // A misreading hides what happens under it, as long as it lasts.
@@ -86,10 +97,11 @@ void PunctureOdds::advance(double misread_rate, double lasting) noexcept {
 }
 
 void PunctureOdds::normalise() noexcept {
-  const double sum = contact_ + misread_ + punctured_;
-  contact_ /= sum;
-  misread_ /= sum;
-  punctured_ /= sum;
+  const double all = sum();
+  contact_ /= all;
+  misled_ /= all;
+  misread_ /= all;
+  punctured_ /= all;
 }
 
 void PunctureOdds::weigh(const Evidence& now) noexcept {
@@ -104,14 +116,22 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   advance(std::min(kMostMisread_rate, kMisread_rate * std::pow(10.0, (1.0 - confidence) / kTenfold)),
           std::max(0.0, 1.0 - std::pow(confidence / kMisread_over, 2)));
 
+  const bool has_picture = !std::isnan(now.pierced);
+  Odds picture;
+  if (has_picture) {
+    const double pierced = std::clamp(now.pierced, 0.0, 1.0);
+    picture = {.contact = 2.0 * (1.0 - pierced) + kPictureLeaves, .punctured = 2.0 * pierced + kPictureLeaves};
+    picture.misread = kTipMisread_ratio * 1.0 + (1.0 - kTipMisread_ratio) * picture.contact;
+  }
   // Of the membrane under the tip: while the flanks are back a contour may stay tied there, as in contact, or be
   // anywhere on its way.
-  const double tied = has_flank || has_side ? kTied_ratio : 0.0;
+  const bool has_other = has_flank || has_side || has_picture;
+  const double tied = has_other ? kTied_ratio : 0.0;
   const double on_tip = 2.0 * normal(back, now.back_sigma_ratio);
-  const double cuts = has_flank || has_side ? kCuts_ratio : 0.0;
+  const double cuts = has_other ? kCuts_ratio : 0.0;
   Odds axis{.contact = (1.0 - cuts) * on_tip + cuts * of_misread(back),
             .misread = of_misread(back),
-            .punctured = tied * 0.5 * (on_tip + 1.0) + (1.0 - tied) * (now.is_apart ? gone(back) : 0.0)};
+            .punctured = tied * 0.5 * (on_tip + 1.0) + (1.0 - tied) * (now.is_apart || has_picture ? gone(back) : 0.0)};
   Odds flanks;
   if (has_flank)
     flanks = {.contact = 2.0 * normal(flank, now.flank_sigma_ratio),
@@ -132,16 +152,19 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const double shown = std::max({flank, side, now.is_apart ? back : 0.0});
   const double power = is_odd && shown_before_ > kSame_ratio * shown ? kRepeated : 1.0;
   shown_before_ = shown;
-  const double contact =
-      (1.0 - kDrawnBack_ratio) * axis.contact * flanks.contact * sides.contact * anywhere + kDrawnBack_ratio * together;
-  const double misread = axis.misread * flanks.misread * sides.misread * anywhere + kFloor;
+  const auto contact = [&](double by_picture) {
+    const double on_it = axis.contact * flanks.contact * sides.contact * by_picture * anywhere;
+    return (1.0 - kDrawnBack_ratio) * on_it + kDrawnBack_ratio * together + kFloor;
+  };
+  const double misread = axis.misread * flanks.misread * sides.misread * picture.misread * anywhere + kFloor;
   const double deepening = now.is_deepening ? kDeepensThrough_ratio : 1.0;
-  const double punctured =
-      deepening * axis.punctured * flanks.punctured * sides.punctured * normal(share, stays) * stays / kStays_sigma +
-      kFloor;
+  const double punctured = deepening * axis.punctured * flanks.punctured * sides.punctured * picture.punctured *
+                               normal(share, stays) * stays / kStays_sigma +
+                           kFloor;
   const double either =
       (misread_ * misread + punctured_ * punctured) / std::max(misread_ + punctured_, kFloor * kFloor);
-  contact_ *= contact + kFloor;
+  contact_ *= contact(picture.contact);
+  misled_ *= contact(1.0);
   misread_ *= std::pow(misread, power) * std::pow(either, 1.0 - power);
   punctured_ *= std::pow(punctured, power) * std::pow(either, 1.0 - power);
   normalise();

@@ -3,8 +3,9 @@
 
 namespace pellucida {
 
-/// A sequential test (Wald) over the frames of a contact, by Bayes' rule on three hypotheses:
+/// A sequential test (Wald) over the frames of a contact, by Bayes' rule on four hypotheses:
 /// - contact: the membrane lies on the tip, or both went back together (slipped, drawn back);
+/// - misled: the same, and the picture about the tip is one that looks pierced (a look like none before);
 /// - misread: contour or tip is not where it seems (tracker confused, needle wrongly placed);
 /// - punctured: the membrane went back and the tip, beyond it, did not.
 /// A misreading is the rarer the better the frame was seen, so that one frame decides alone where it was seen well; and
@@ -27,6 +28,8 @@ class PunctureOdds {
     /// Likewise of the bulge of the cell's sides, which no misreading under the tip reaches.
     double side_ratio = std::numeric_limits<double>::quiet_NaN();
     double side_sigma_ratio = 0.1;
+    /// How likely the tip is through, by the picture about it alone, 0..1; NaN: that wasn't read.
+    double pierced = std::numeric_limits<double>::quiet_NaN();
     bool is_deepening = false;  ///< the flanks went deeper, against the frame before, by more than noise
   };
 
@@ -34,15 +37,16 @@ class PunctureOdds {
   void reset() noexcept { *this = PunctureOdds{}; }
 
   /// Probability that the membrane is through.
-  double probability() const noexcept { return punctured_ / (contact_ + misread_ + punctured_); }
+  double probability() const noexcept { return punctured_ / sum(); }
   /// That it isn't a contact as usual.
-  double doubt() const noexcept { return 1.0 - contact_ / (contact_ + misread_ + punctured_); }
+  double doubt() const noexcept { return (misread_ + punctured_) / sum(); }
 
  private:
   void advance(double misread_rate, double lasting) noexcept;
   void normalise() noexcept;
+  double sum() const noexcept { return contact_ + misled_ + misread_ + punctured_; }
 
-  double contact_ = 1.0, misread_ = 0.0, punctured_ = 0.0;
+  double contact_ = 1.0, misled_ = 0.0, misread_ = 0.0, punctured_ = 0.0;
   double shown_before_ = 0.0;  // back by so much, in the frame before
 };
 

@@ -143,6 +143,7 @@ PunctureOdds::Evidence PunctureVerdict::evidence_of(const Sight& now, const Push
                                   .is_astray = lies_beyond_tip(now)};
   evidence.flank_ratio = flank.back;
   evidence.flank_sigma_ratio = flank.sigma;
+  evidence.pierced = now.pierced_probability;
   evidence.side_ratio = side.back;
   evidence.side_sigma_ratio = side.sigma;
   if (!std::isnan(flank.back)) way_um = std::max(way_um, flank.back * deepest_um_);

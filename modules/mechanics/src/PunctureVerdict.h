@@ -36,6 +36,8 @@ class PunctureVerdict {
     double flank_um = std::numeric_limits<double>::quiet_NaN();
     /// How far the cell's sides bulge (`Observation::side_bulge_um`); NaN: not seen.
     double side_um = std::numeric_limits<double>::quiet_NaN();
+    /// By the picture about the tip (`Observation::pierced_probability`); NaN: not read.
+    double pierced_probability = std::numeric_limits<double>::quiet_NaN();
     double shape_sigma_um =
         0.0;  ///< standard deviation of both, by what the contour says of itself; 0: it says nothing
     double rest_radius_um = 0.0;  ///< of the outline that all depths are taken from

@@ -19,11 +19,8 @@ constexpr double kUnforeseen_px = 1.0, kBent_px = 0.03, kTakenAlong_px = 0.1, kF
 // Of what is seen, the share that no motion explains where it is another picture; over so many points to both sides.
 constexpr double kOther_ratio = 0.25;
 constexpr Eigen::Index kOtherAside = 4;
-// Beside a needle, px from its outline, its own edges are in the picture too. There it has changed where that share is
-// as large; where it has grown to so many times what it was in the frame before, from this on; or where the boundary
-// goes so far, px. In the frames of 22 punctures and the one after, of 24 validation films (55305 to 55480), it grew 5
-// times and more in 20; before, in 295 frames, the share was 0.05 in the median and 0.2 in three of four.
-constexpr double kBesideNeedle_px = 8.0, kGrowth = 3.0, kLeastGrown_ratio = 0.02, kJump_px = 0.75;
+// Beside a needle, px from its outline, its own edges are in the picture too.
+constexpr double kBesideNeedle_px = 8.0;
 constexpr double kLeastContrastKept = 0.25, kMostContrastKept = 4.0;
 
 }  // namespace
@@ -36,7 +33,6 @@ void BoundaryMotion::sample(const FrameSampler& image, const Eigen::Matrix2Xd& p
 
 void BoundaryMotion::set(const FrameSampler& image, const Eigen::Matrix2Xd& points) {
   rows_ = points.cols();
-  unlike_at_needle_.reset();
   const double radius_px = std::sqrt(std::abs(contour::signed_area(points)) / M_PI);
   step_px_ = std::clamp(radius_px / kStepsOfRadius, kFinestStep_px, kCoarsestStep_px);
   sample(image, points);
@@ -56,15 +52,14 @@ void BoundaryMotion::set(const FrameSampler& image, const Eigen::Matrix2Xd& poin
   }
 }
 
-BoundaryMotion::Sight BoundaryMotion::find(const FrameSampler& image, const Eigen::Matrix2Xd& points, double noise,
-                                           const NeedleZone* needle) {
-  if (rows_ == 0 || rows_ != points.cols()) return Sight::kUnlike;
+bool BoundaryMotion::find(const FrameSampler& image, const Eigen::Matrix2Xd& points, double noise,
+                          const NeedleZone* needle) {
+  if (rows_ == 0 || rows_ != points.cols()) return false;
   sample(image, points);
   place_needle(points, needle);
-  const bool is_touched = needle && needle->touching;
-  if (!settle(noise * noise, is_touched) || !is_alike(noise * noise)) return Sight::kUnlike;
+  if (!settle(noise * noise, needle && needle->touching) || !is_alike(noise * noise)) return false;
   solver_.inverse_diagonal(variance_px2_.data());
-  return is_changed_at_needle(noise * noise) && is_touched ? Sight::kChangedAtNeedle : Sight::kAlike;
+  return true;
 }
 
 void BoundaryMotion::place_needle(const Eigen::Matrix2Xd& points, const NeedleZone* needle) {
@@ -140,21 +135,6 @@ bool BoundaryMotion::is_alike(double pixel_variance) const {
     if (misfit > kOther_ratio * all) return false;
   }
   return true;
-}
-
-bool BoundaryMotion::is_changed_at_needle(double pixel_variance) {
-  const double by_noise = pixel_variance * kMotionTaps;
-  double misfit = 0.0, all = 0.0, farthest_px = 0.0;
-  for (Eigen::Index row = 0; row < rows_; ++row) {
-    if (places_[row] != Place::kBesideNeedle) continue;
-    misfit += std::max(0.0, misfit_[row] - by_noise);
-    all += square_[row] + by_noise;
-    farthest_px = std::max(farthest_px, std::abs(shift_px_[row]));
-  }
-  const double unlike = all > 0.0 ? misfit / all : 0.0;
-  const bool has_grown = unlike_at_needle_ && unlike > std::max(kLeastGrown_ratio, kGrowth * *unlike_at_needle_);
-  unlike_at_needle_ = unlike;
-  return has_grown || unlike > kOther_ratio || farthest_px > kJump_px;
 }
 
 }  // namespace pellucida

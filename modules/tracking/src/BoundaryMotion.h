@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 
 #include "CyclicBandSolver.h"
 #include "FrameSampler.h"
@@ -19,19 +18,13 @@ class BoundaryMotion {
   /// The boundary as it was read on `image`: `points` (2 x n, px, closed, positive area, n >= 5).
   void set(const FrameSampler& image, const Eigen::Matrix2Xd& points);
 
-  /// What the picture shows of it now.
-  enum class Sight : std::uint8_t {
-    kAlike,            ///< where it is
-    kChangedAtNeedle,  ///< the same, but beside a needle that touches it the picture is another one
-    kUnlike            ///< nothing: it has to be read anew
-  };
   /// Finds it near `points` (2 x n), where the same points are expected now; `noise`: standard deviation of a pixel.
-  /// What `needle` (may be null) covers moves as expected while it touches, and with its neighbours else. kUnlike where
-  /// the picture is another than that which was read, has moved further than can be followed, or no boundary of so many
-  /// points was read.
-  Sight find(const FrameSampler& image, const Eigen::Matrix2Xd& points, double noise, const NeedleZone* needle);
+  /// What `needle` (may be null) covers moves as expected while it touches, and with its neighbours else. False, and it
+  /// has to be read anew, where the picture is another than that which was read, has moved further than can be
+  /// followed, or no boundary of so many points was read.
+  bool find(const FrameSampler& image, const Eigen::Matrix2Xd& points, double noise, const NeedleZone* needle);
 
-  /// After `find`, unless it is unlike, (n) each: how far outwards of where it was expected it is, along `normals`, px,
+  /// After a `find` that has found it, (n) each: how far outwards of where it was expected it is, along `normals`, px,
   /// and the variance of that.
   const Eigen::VectorXd& shift_px() const noexcept { return shift_px_; }
   const Eigen::VectorXd& variance_px2() const noexcept { return variance_px2_; }
@@ -44,7 +37,6 @@ class BoundaryMotion {
   void place_needle(const Eigen::Matrix2Xd& points, const NeedleZone* needle);
   bool settle(double pixel_variance, bool is_touched);
   bool is_alike(double pixel_variance) const;
-  bool is_changed_at_needle(double pixel_variance);
 
   Eigen::Index rows_ = 0;
   double step_px_ = 0.5;
@@ -52,7 +44,6 @@ class BoundaryMotion {
   Eigen::MatrixXf look_, slope_;
   Eigen::VectorXd information_;
   Eigen::VectorXd shift_px_, variance_px2_;
-  std::optional<double> unlike_at_needle_;  // in the last frame, since it was read
 
   // Scratch, kept from frame to frame.
   NormalStrip strip_;

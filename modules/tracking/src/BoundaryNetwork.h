@@ -38,10 +38,6 @@ class BoundaryNetwork {
   /// Reads around `outline` (px, closed, positive area, 3 points or more).
   BoundaryReading read(const FrameSampler& image, const Eigen::Matrix2Xd& outline);
 
-  /// Reads only the quarter of the normals that is nearest to `place` (px), in two fifths of the time. Elsewhere the
-  /// boundaries are taken to lie on the outline, to 0.02 of its radius.
-  BoundaryReading read_near(const FrameSampler& image, const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& place);
-
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

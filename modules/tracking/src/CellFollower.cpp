@@ -15,8 +15,6 @@ constexpr double kCircleTolerance_px = 3.0;
 constexpr double kElsewhere_ratio = 0.08;
 // Of the narrow band: where a membrane that is back at rest is looked for.
 constexpr double kAtRest_ratio = 0.5;
-// Of the tip's depth: the contour lies on it.
-constexpr double kOnTip_ratio = 0.85;
 // Of an outline's area, what is left of it in the next frame at least.
 constexpr double kKeptArea_ratio = 0.9;
 
@@ -118,7 +116,7 @@ void CellFollower::follow_contours(const FrameInput& frame, const Eigen::Vector2
   }
   snakes_.track(frame.image, frame.noise, shift, tip_way(), known, options_.search_px);
   quality_ = quality_now();
-  if (contact_.state() == CellState::kPunctured || (touching_ && are_flanks_back()))
+  if (contact_.state() == CellState::kPunctured || (touching_ && (are_flanks_back() || is_seen_through())))
     follow_unpushed(frame, known ? &loose : nullptr);
   const double usual = std::max(0.6, 0.88 * usual_quality_);
   if (quality_ >= usual) return;
@@ -182,6 +180,7 @@ bool CellFollower::follow(const FrameInput& frame) {
 
   const bool punctured = contact_.state() == CellState::kPunctured;
   touching_ = needle_.valid() && !punctured && tip_depth() > 0.5;
+  read_puncture(frame);
   follow_contours(frame, center_now() - center_before);
   const bool good = snakes_.outer().score >= options_.min_tracking_score && plausible();
   bad_frames_ = good ? 0 : bad_frames_ + 1;

@@ -110,6 +110,8 @@ class CellFollower {
   /// taken off, px; needle needed. Nothing that the needle hides or the contour is tied to is in it. 0 where they lie
   /// elsewhere while nothing touches the cell: they say nothing.
   double side_bulge() const;
+  /// What the picture about the needle's tip says of the membrane there; nothing where it wasn't read.
+  const std::optional<PunctureReading>& puncture() const noexcept { return puncture_; }
 
   /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
   double new_dent_ratio() const noexcept { return dent_ - least_dent_; }
@@ -139,6 +141,8 @@ class CellFollower {
   static constexpr double kUnpushedDent_ratio = 0.06;
   // Of the quality: seen about as well.
   static constexpr double kAsWell_ratio = 0.8;
+  // Of the tip's depth: the contour lies on it.
+  static constexpr double kOnTip_ratio = 0.85;
   // Through the part of a contour that nothing dents.
   static contour::Circle circle_of(const Eigen::Matrix2Xd& points);
   bool is_cell(const FrameInput& frame, const contour::Circle& circle, double scene_share) const;
@@ -182,7 +186,11 @@ class CellFollower {
   double inward_px(const Eigen::Vector2d& toward, double from_ratio, double to_ratio) const;
   double flank_depth() const;
   double sides_off_rest() const;
+  bool is_shape_pushed() const;
   bool is_pushed() const;
+  void read_puncture(const FrameInput& frame);
+  bool is_seen_through() const noexcept;
+  bool is_seen_pushed() const noexcept;
   void follow_flanks();
   void follow_bulge();
   bool has_deep_flanks() const;
@@ -258,7 +266,7 @@ class CellFollower {
   double flank_before_ = 0.0, flank_noise_ = 0.0;            // px, of a cell that nothing pushes: from frame to frame
   double resting_bulge_ = 0.0;                               // px, of the sides of a cell that nothing pushes
   double largest_bulge_ = 0.0, tip_at_largest_bulge_ = 0.0;  // likewise, of the sides
-  double untied_depth_ = 0.0, tip_at_untied_depth_ = 0.0;    // likewise, of the contour that nothing ties to the tip
+  std::optional<PunctureReading> puncture_;                  // in this frame
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   double dent_noise_ratio_ = 0.0;  // of an undented cell without a needle: from frame to frame, of late
   bool touching_ = false;

@@ -41,6 +41,9 @@ constexpr double kSide_ratio = 0.85, kLeastBulge_px = 1.0, kPushedBulge_ratio = 
 // contact and after the puncture).
 constexpr double kMostAtRest_px = 1.0;
 
+// What a look at the picture beside the tip says so surely is so.
+constexpr double kSeenSurely = 0.9;
+
 // A new dent of a cell followed by lines without a needle in view: of the radius, and in what dents differ by from
 // frame to frame; the pace of that. Film 80326, whose needle isn't found: 0.0003 from frame to frame, 0.025 3 um deep.
 constexpr double kLeastDented_ratio = 0.03, kDentNoises = 12.0, kDentPace = 0.1;
@@ -128,14 +131,34 @@ double CellFollower::sides_off_rest() const {
   return std::sqrt(std::max(0.0, squares - shift.dot(right)) / count);
 }
 
-// Something pushes the cell, wherever its contour is under the tip: by its sides where a network reads them and they
-// bulge enough to say, else by the dimple's flanks, which lines show from the first frame of a recoil on. Both go with
-// the needle's depth squared.
-bool CellFollower::is_pushed() const {
+void CellFollower::read_puncture(const FrameInput& frame) {
+  puncture_.reset();
+  if (!needle_.valid() || !frame.networks || tip_depth() < PunctureNetwork::kLeastDepth_px) return;
+  const NeedleEstimate& n = needle_.estimate();
+  puncture_ = frame.networks->punctures().read(frame.image, {n.tip, n.direction}, tip_depth(), center_now());
+}
+
+bool CellFollower::is_seen_through() const noexcept {
+  return puncture_ && puncture_->probability > kSeenSurely;
+}
+
+bool CellFollower::is_seen_pushed() const noexcept {
+  return puncture_ && puncture_->probability < 1.0 - kSeenSurely;
+}
+
+// Something pushes the cell, by its sides where a network reads them and they bulge enough to say, else by the dimple's
+// flanks, which lines show from the first frame of a recoil on. Both go with the needle's depth squared.
+bool CellFollower::is_shape_pushed() const {
   if (!needle_.valid()) return false;
   const double kept = std::clamp(tip_depth() / std::max(tip_at_largest_bulge_, 1.0), 0.0, 1.0);
   const double expected = kept * kept * largest_bulge_;
   return is_read_ && expected > kLeastBulge_px ? side_bulge() > kPushedBulge_ratio * expected : are_flanks_pushed();
+}
+
+// Something pushes the cell, wherever its contour is under the tip.
+bool CellFollower::is_pushed() const {
+  if (!needle_.valid() || is_seen_through()) return false;
+  return is_seen_pushed() || is_shape_pushed();
 }
 
 void CellFollower::follow_bulge() {
@@ -156,7 +179,7 @@ void CellFollower::learn_flank_noise() {
 
 void CellFollower::follow_flanks() {
   if (contact_.state() == CellState::kFree || !needle_.valid()) {
-    deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
+    deepest_flank_ = largest_bulge_ = 0.0;
     learn_flank_noise();
     return;
   }

@@ -19,12 +19,6 @@ constexpr double kPoorReading = 0.6;
 // where it leads, as in a dimple that deepens fast.
 constexpr int kMostGoneOnPushed = 5, kMostGoneOn = 7, kFirstReadings = 12;
 constexpr double kSettledReading_px = 0.25, kSettledReading_ratio = 0.003;
-// Of the radius: a dimple from which on a membrane may be seen to have sprung back.
-constexpr double kSprungDepth_ratio = 0.06;
-// By how much of its depth of late, and px, a reading that nothing ties to the tip must have come back, with the tip at
-// this share of its own depth at least. In some 200 frames of contact of 23 tuning and wide films (170001 to 170105) it
-// came back by less than 0.1, in the frame after 19 punctures by 0.19 and more. How that depth fades, per frame.
-constexpr double kSprungFall_ratio = 0.22, kLeastFall_px = 1.2, kTipKept_ratio = 0.8, kUntiedFade = 0.95;
 // Of the radius: a membrane so far ahead of the tip is not pushed by it.
 constexpr double kBeyondTip_ratio = 0.06;
 // Of the radius: half the width of the dimples, none included, that a needle past the outline may have made before the
@@ -66,8 +60,8 @@ void CellFollower::read_boundaries(const FrameInput& frame, const NeedleZone* ne
   snakes_.keep_reading(frame.image);
 }
 
-// By what was read last and has moved since, where that was seen well and shows where it is. Beside a needle that
-// pushes a picture that has changed may be a membrane that has given way.
+// By what was read last and has moved since, where that was seen well and shows where it is. The membrane may have
+// given way meanwhile.
 bool CellFollower::go_on(const FrameInput& frame, const NeedleZone* needle) {
   const int most = contact_.state() == CellState::kContact ? kMostGoneOnPushed : kMostGoneOn;
   const bool is_settled =
@@ -75,12 +69,9 @@ bool CellFollower::go_on(const FrameInput& frame, const NeedleZone* needle) {
       moved_by_reading_px_ < std::max(kSettledReading_px, kSettledReading_ratio * rest_.outer_radius);
   const bool is_due = frames_since_reading_ >= most || frames_followed_ <= kFirstReadings;
   if (is_due || !is_settled || options_.quality == TrackerOptions::Quality::kHigh) return false;
-  const BoundaryMotion::Sight sight = snakes_.go_on(frame.image, frame.noise, needle);
-  if (sight == BoundaryMotion::Sight::kUnlike) return false;
+  if (!snakes_.go_on(frame.image, frame.noise, needle)) return false;
   ++frames_since_reading_;
-  if (sight == BoundaryMotion::Sight::kChangedAtNeedle && touching_ && needle_.is_clear() &&
-      read_sprung_back(frame, *needle))
-    snakes_.keep_reading(frame.image);
+  if (touching_ && needle_.is_clear() && read_sprung_back(frame, *needle)) snakes_.keep_reading(frame.image);
   return true;
 }
 
@@ -95,40 +86,22 @@ void CellFollower::read_where_it_was(const FrameInput& frame, const NeedleZone* 
   quality_ = quality;
 }
 
-// A contour that is held to the tip stays there when the membrane gives way: the outer boundary once more, from the
-// resting outline and with nothing that wraps the tip. In a steep dimple such a reading is too shallow, but alike from
-// frame to frame: it goes deeper with the needle, and only a membrane that springs back lets it fall while the tip
-// stays. For that the normals about the needle are enough; once it has fallen, all of them say what is there.
+// A contour that is held to the tip stays there when the membrane gives way: where the picture about the tip shows it
+// through, both boundaries once more, from the resting outline and with nothing that wraps the tip. That counts if it
+// is seen about as well.
 bool CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
-  if (measure_membrane_depth() < kSprungDepth_ratio * rest_.outer_radius) return false;
+  if (!is_seen_through() || measure_membrane_depth() < kOnTip_ratio * tip_depth()) return false;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();
-  const SnakeContour resting_outer = at_rest(outer, rest_.outer_radius);
   NeedleZone loose = needle;
   loose.touching = false;
-  snakes_.restore(resting_outer, inner);
-  snakes_.read_near(frame.image, frame.reader->boundaries(), loose, entry_point());
-  const double depth = measure_membrane_depth();
+  const double tied_score = local_score();
+  snakes_.restore(at_rest(outer, rest_.outer_radius), at_rest(inner, rest_.inner_radius));
+  snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
+  if (local_score() > tied_score && !is_shape_pushed()) {
+    quality_ = quality_now();
+    return true;
+  }
   snakes_.restore(outer, inner);
-  const double least_fall = std::max(kLeastFall_px, kSprungFall_ratio * untied_depth_);
-  if (untied_depth_ - depth > least_fall && tip_depth() > kTipKept_ratio * tip_at_untied_depth_) {
-    const double tied_score = local_score();
-    snakes_.restore(resting_outer, at_rest(inner, rest_.inner_radius));
-    snakes_.read(frame.image, frame.reader->boundaries(), &loose, kRoundsHigh);
-    const bool has_sprung = !is_pushed();
-    if (has_sprung && local_score() > tied_score) {
-      quality_ = quality_now();
-      return true;
-    }
-    snakes_.restore(outer, inner);
-    if (has_sprung) return false;
-    // It has lost the dimple: from now on this is what it shows of one that is pushed.
-    untied_depth_ = depth;
-  }
-  untied_depth_ *= kUntiedFade;
-  if (depth > untied_depth_) {
-    untied_depth_ = depth;
-    tip_at_untied_depth_ = tip_depth();
-  }
   return false;
 }
 

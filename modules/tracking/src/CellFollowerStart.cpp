@@ -149,7 +149,7 @@ void CellFollower::rest_now_at(const Eigen::Vector2d& center) {
 }
 
 void CellFollower::forget_depths() {
-  deepest_flank_ = untied_depth_ = largest_bulge_ = 0.0;
+  deepest_flank_ = largest_bulge_ = 0.0;
 }
 
 CellFollower::Memory CellFollower::memory(const RigidMove& motion) const {

@@ -144,15 +144,6 @@ double MembraneSnakes::read(const FrameSampler& image, BoundaryNetwork& network,
   return outer_.score;
 }
 
-void MembraneSnakes::read_near(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone& needle,
-                               const Eigen::Vector2d& place) {
-  contour::resample_smooth(outer_.points, options_.contour_point_count, 0.0, even_);
-  outer_.points.swap(even_);
-  const BoundaryReading reading = network.read_near(image, outer_.points, place);
-  contour::outward_normals(outer_.points, normals_);
-  relax_on(reading.outer, true, std::sqrt(std::abs(contour::signed_area(outer_.points)) / M_PI), &needle, outer_);
-}
-
 void MembraneSnakes::keep_reading(const FrameSampler& image) {
   const auto keep = [&](const SnakeContour& snake, BoundaryMotion& motion, Eigen::VectorXd& sigma_px) {
     motion.set(image, snake.points);
@@ -162,19 +153,16 @@ void MembraneSnakes::keep_reading(const FrameSampler& image) {
   if (has_inner()) keep(inner_, inner_motion_, inner_read_sigma_px_);
 }
 
-BoundaryMotion::Sight MembraneSnakes::go_on(const FrameSampler& image, double noise, const NeedleZone* needle) {
-  using Sight = BoundaryMotion::Sight;
-  const Sight outer = outer_motion_.find(image, outer_.points, noise, needle);
-  if (outer == Sight::kUnlike) return outer;
-  const Sight inner = has_inner() ? inner_motion_.find(image, inner_.points, noise, needle) : outer;
-  if (inner == Sight::kUnlike) return inner;
+bool MembraneSnakes::go_on(const FrameSampler& image, double noise, const NeedleZone* needle) {
+  if (!outer_motion_.find(image, outer_.points, noise, needle)) return false;
+  if (has_inner() && !inner_motion_.find(image, inner_.points, noise, needle)) return false;
   const auto move = [](const BoundaryMotion& motion, const Eigen::VectorXd& read_sigma_px, SnakeContour& snake) {
     snake.points += motion.normals() * motion.shift_px().asDiagonal();
     snake.sigma_px = (read_sigma_px.array().square() + motion.variance_px2().array()).sqrt();
   };
   move(outer_motion_, outer_read_sigma_px_, outer_);
   if (has_inner()) move(inner_motion_, inner_read_sigma_px_, inner_);
-  return std::max(outer, inner);
+  return true;
 }
 
 }  // namespace pellucida

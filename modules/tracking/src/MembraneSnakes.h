@@ -69,9 +69,6 @@ class MembraneSnakes {
   /// Moves both contours onto the boundaries that a network reads along their normals, in so many `rounds`, whatever
   /// they look like; near the needle the membrane's rules hold. Returns the outer contour's score. Allocates.
   double read(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone* needle, int rounds);
-  /// One round of the outer contour alone, on the normals near `place` (px); it stays elsewhere.
-  void read_near(const FrameSampler& image, BoundaryNetwork& network, const NeedleZone& needle,
-                 const Eigen::Vector2d& place);
 
   /// How far the last round of a reading has moved the outer contour, px, RMS.
   double moved_px() const noexcept { return moved_px_; }
@@ -79,7 +76,7 @@ class MembraneSnakes {
   void keep_reading(const FrameSampler& image);
   /// Moves both contours, from where `predict` has put them, to where what was read last has gone since. Where that is
   /// unlike what is seen now, nothing happens.
-  BoundaryMotion::Sight go_on(const FrameSampler& image, double noise, const NeedleZone* needle);
+  bool go_on(const FrameSampler& image, double noise, const NeedleZone* needle);
 
   const SnakeContour& outer() const noexcept { return outer_; }
   const SnakeContour& inner() const noexcept { return inner_; }

@@ -83,6 +83,11 @@ TipWidthNetwork& SceneReader::tip_widths() {
   return *tip_widths_;
 }
 
+PunctureNetwork& SceneReader::punctures() {
+  if (!punctures_) punctures_ = std::make_unique<PunctureNetwork>();
+  return *punctures_;
+}
+
 CellNetwork& SceneReader::cells() {
   if (!cells_) cells_ = std::make_unique<CellNetwork>();
   return *cells_;

@@ -5,6 +5,7 @@
 #include "CellDetector.h"
 #include "CellNetwork.h"
 #include "NeedleStart.h"
+#include "PunctureNetwork.h"
 #include "SceneReading.h"
 #include "TipNetwork.h"
 #include "TipWidthNetwork.h"
@@ -23,6 +24,8 @@ class SceneReader {
   BoundaryNetwork& boundaries();
   TipNetwork& tips();
   TipWidthNetwork& tip_widths();
+  /// To read whether the membrane lies on it.
+  PunctureNetwork& punctures();
   /// To judge what is found before it is followed.
   CellNetwork& cells();
 
@@ -34,6 +37,7 @@ class SceneReader {
   std::unique_ptr<BoundaryNetwork> boundaries_;
   std::unique_ptr<TipNetwork> tips_;
   std::unique_ptr<TipWidthNetwork> tip_widths_;
+  std::unique_ptr<PunctureNetwork> punctures_;
   std::unique_ptr<CellNetwork> cells_;
 };
 

@@ -42,9 +42,9 @@ std::optional<std::array<double, N>> numbers_of(vtkPolyData* data, const char* n
 }
 
 /// A component that sessions of earlier versions lack; 0 there.
-double later_number_of(vtkPolyData* data, const char* name, int component) {
+double later_number_of(vtkPolyData* data, const char* name, int component, double missing = 0.0) {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfComponents() > component ? array->GetComponent(0, component) : 0.0;
+  return array && array->GetNumberOfComponents() > component ? array->GetComponent(0, component) : missing;
 }
 
 /// The points of a polyline; the first is not repeated.
@@ -159,7 +159,8 @@ void add_observation(const Observation& o, vtkPolyData* membranes) {
                {"indentation_sigma_um", o.indentation_sigma_um},
                {"dimple_radius_um", o.dimple_radius_um},
                {"rest_beyond_um", o.rest_beyond_um},
-               {"side_bulge_um", o.side_bulge_um}});
+               {"side_bulge_um", o.side_bulge_um},
+               {"pierced_probability", o.pierced_probability}});
 }
 
 void add_poses(const Observation& o, vtkPolyData* tools) {
@@ -212,6 +213,7 @@ std::optional<Observation> read_observation(const vtkPolyData* membranes, const 
   o.dimple_radius_um = numbers->at(5);
   o.rest_beyond_um = later_number_of(contours, array_name::kObservation, 6);
   o.side_bulge_um = later_number_of(contours, array_name::kObservation, 7);
+  o.pierced_probability = later_number_of(contours, array_name::kObservation, 8, Observation{}.pierced_probability);
   o.center_um << center_um->at(0), center_um->at(1);
   o.axis << axis->at(0), axis->at(1);
   o.rest_outer_radius_um = rest_radius_um->at(0);

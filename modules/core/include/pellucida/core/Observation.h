@@ -107,6 +107,9 @@ struct Observation {
   /// more than 0.85 of its radius off the needle's line through the centre, a shift of the whole taken off; 0 when not
   /// measured.
   double side_bulge_um = 0.0;
+  /// 0..1: how likely the needle is through the membrane, by the picture about its tip in this frame alone; below 0
+  /// where that was not read.
+  double pierced_probability = -1.0;
 };
 
 }  // namespace pellucida
