@@ -38,6 +38,8 @@ constexpr double kCuts_ratio = 0.02;
 constexpr double kTied_ratio = 0.5;
 /// What a picture about the tip that is sure of one leaves the other: it may be a look like none before.
 constexpr double kPictureLeaves = 0.04;
+/// Of the frames of a puncture, those in which the membrane, on its way back, still lies near the tip.
+constexpr double kStillNear_ratio = 0.2;
 /// Of the frames in contact, those in which the picture begins to mislead, and those in which that is over.
 constexpr double kMisled_rate = 0.004, kMisledOver_rate = 0.05;
 /// Of misreadings, those of the tip, which leave no membrane on it; else the picture about it shows what is so.
@@ -120,7 +122,8 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   Odds picture;
   if (has_picture) {
     const double pierced = std::clamp(now.pierced, 0.0, 1.0);
-    picture = {.contact = 2.0 * (1.0 - pierced) + kPictureLeaves, .punctured = 2.0 * pierced + kPictureLeaves};
+    const double near = 2.0 * (1.0 - pierced) + kPictureLeaves, away = 2.0 * pierced + kPictureLeaves;
+    picture = {.contact = near, .punctured = kStillNear_ratio * near + (1.0 - kStillNear_ratio) * away};
     picture.misread = kTipMisread_ratio * 1.0 + (1.0 - kTipMisread_ratio) * picture.contact;
   }
   // Of the membrane under the tip: while the flanks are back a contour may stay tied there, as in contact, or be
@@ -152,15 +155,15 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
   const double shown = std::max({flank, side, now.is_apart ? back : 0.0});
   const double power = is_odd && shown_before_ > kSame_ratio * shown ? kRepeated : 1.0;
   shown_before_ = shown;
+  const double stays_there = normal(share, stays) * stays / kStays_sigma;
   const auto contact = [&](double by_picture) {
     const double on_it = axis.contact * flanks.contact * sides.contact * by_picture * anywhere;
     return (1.0 - kDrawnBack_ratio) * on_it + kDrawnBack_ratio * together + kFloor;
   };
   const double misread = axis.misread * flanks.misread * sides.misread * picture.misread * anywhere + kFloor;
   const double deepening = now.is_deepening ? kDeepensThrough_ratio : 1.0;
-  const double punctured = deepening * axis.punctured * flanks.punctured * sides.punctured * picture.punctured *
-                               normal(share, stays) * stays / kStays_sigma +
-                           kFloor;
+  const double punctured =
+      deepening * axis.punctured * flanks.punctured * sides.punctured * picture.punctured * stays_there + kFloor;
   const double either =
       (misread_ * misread + punctured_ * punctured) / std::max(misread_ + punctured_, kFloor * kFloor);
   contact_ *= contact(picture.contact);

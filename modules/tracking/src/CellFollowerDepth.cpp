@@ -155,10 +155,10 @@ bool CellFollower::is_shape_pushed() const {
   return is_read_ && expected > kLeastBulge_px ? side_bulge() > kPushedBulge_ratio * expected : are_flanks_pushed();
 }
 
-// Something pushes the cell, wherever its contour is under the tip.
+// Something pushes the cell, wherever its contour is under the tip. Lines show a recoil sooner than the picture does.
 bool CellFollower::is_pushed() const {
   if (!needle_.valid() || is_seen_through()) return false;
-  return is_seen_pushed() || is_shape_pushed();
+  return (is_read_ && is_seen_pushed()) || is_shape_pushed();
 }
 
 void CellFollower::follow_bulge() {
