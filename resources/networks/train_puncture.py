@@ -84,19 +84,12 @@ class Samples:
         return planes_of(image, at, way, centre, seen, spacing, random), np.float32(truth)
 
 
-def planes_of(image, at, way, centre, depth, spacing, random=None):
+def planes_of(image, at, way, centre, depth, spacing, random):
     across = np.array([-way[1], way[0]])
     reach = int(np.ceil(spacing * 1.45 * TIP)) + 8
     low = np.maximum(np.floor(at).astype(int) - reach, 0)
     high = np.minimum(np.ceil(at).astype(int) + reach, image.shape[::-1])
-    part = image[low[1]:high[1], low[0]:high[0]]
-    if random is not None:
-        part = varied(part, spacing, random)
-    else:
-        part = part.astype(np.float32)
-        if spacing > 1:
-            from training import REDUCING_BLUR
-            part = cv2.GaussianBlur(part, (0, 0), REDUCING_BLUR * spacing)
+    part = varied(image[low[1]:high[1], low[0]:high[0]], spacing, random)
     u, v = np.meshgrid(np.arange(SIZE) - TIP, np.arange(SIZE) - (SIZE - 1) / 2)
     x, y = ((at - low)[k] + spacing * (u * way[k] + v * across[k]) for k in (0, 1))
     grey = normalised(sampled(part, x, y))

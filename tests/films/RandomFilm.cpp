@@ -13,6 +13,7 @@
 #include "pellucida/microscopy/SeededNumbers.h"
 #include "pellucida/simulation/CellReference.h"
 #include "pellucida/simulation/NeedleScript.h"
+#include "pellucida/simulation/VirtualMicroscope.h"
 
 namespace pellucida::test {
 namespace {
@@ -202,6 +203,16 @@ RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px, const std::
   draw_picture(s, radius_um, widest_px, dice);
   draw_motion(s, dice);
   return film;
+}
+
+long first_frame_in(const RandomFilm& film, CellState state) {
+  VirtualMicroscope microscope(film.scenario);
+  const long frames = *microscope.info().frame_count;
+  for (long k = 0; k < frames; ++k) {
+    microscope.skip();
+    if (microscope.truth().observation.state == state) return k;
+  }
+  return frames;
 }
 
 }  // namespace pellucida::test

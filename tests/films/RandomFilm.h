@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pellucida/core/Observation.h"
 #include "pellucida/microscopy/Look.h"
 #include "pellucida/simulation/Scenario.h"
 
@@ -37,6 +38,9 @@ struct RandomFilm {
 /// its mechanics has them, opposite each other; without, the needle is drawn at random and the forces don't fit it.
 RandomFilm draw_film(Split split, std::uint64_t seed, int widest_px = 2048,
                      const std::vector<std::string>& specimens = {});
+
+/// The first frame of a film that is in this state by its truth; the number of its frames where none is.
+long first_frame_in(const RandomFilm& film, CellState state);
 
 /// The tables NAME-geometry.json in a folder, as specimens; sorted. Throws UsageError where there are none.
 std::vector<std::string> specimens_in(const std::string& folder);

@@ -73,18 +73,6 @@ void write(std::ofstream& csv, const char* stem, const char* which, const Contou
   csv << std::endl;
 }
 
-// The first frame with the needle past the membrane, or on it; past the film's end where it never is.
-long first_touched(const test::RandomFilm& film, bool is_through) {
-  VirtualMicroscope microscope(film.scenario);
-  const long frames = *microscope.info().frame_count;
-  for (long k = 0; k < frames; ++k) {
-    microscope.skip();
-    const CellState state = microscope.truth().observation.state;
-    if (state == CellState::kPunctured || (!is_through && state == CellState::kContact)) return k;
-  }
-  return frames;
-}
-
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -106,7 +94,7 @@ int main(int count, char** arguments) {
     else if (word == "--plain")
       is_plain = value == "yes";
     else if (word == "--punctured")
-      is_punctured = true, is_soon = value == "soon";
+      is_soon = value == "soon", is_punctured = is_soon || value == "yes";
     else if (word == "--pushed")
       is_pushed = value == "yes";
     else if (word == "--empty")
@@ -138,10 +126,10 @@ int main(int count, char** arguments) {
           is_plain ? VirtualMicroscope(film.scenario) : VirtualMicroscope(film.scenario, film.look);
       // Any of its frames; of an interlaced camera the one before as well.
       const long frames = *microscope.info().frame_count;
-      const long earliest = is_punctured ? frames / 3 : is_pushed ? first_touched(film, false) : 0;
+      const long earliest = is_punctured ? frames / 3 : is_pushed ? test::first_frame_in(film, CellState::kContact) : 0;
       if (earliest >= frames) continue;
       const long wanted_frame =
-          is_soon ? first_touched(film, true) + static_cast<long>(seed % kSoon_frames)
+          is_soon ? test::first_frame_in(film, CellState::kPunctured) + static_cast<long>(seed % kSoon_frames)
                   : earliest + static_cast<long>((seed * 7919) % static_cast<std::uint64_t>(frames - earliest));
       if (wanted_frame >= frames) continue;
       for (long k = 0; k + 1 < wanted_frame; ++k) microscope.skip();

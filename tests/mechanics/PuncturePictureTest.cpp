@@ -65,5 +65,29 @@ TEST(PuncturePicture, APictureThatMisleadsThroughoutAContactIsNoPuncture) {
   }
 }
 
+// Validation film 55134, frame by frame: its contact looks pierced from a depth of 3 um on, while the tip goes on and
+// the contour with it; flanks read poorly at first go deeper.
+TEST(PuncturePicture, APictureThatComesToMisleadIsNoPuncture) {
+  struct Seen {
+    double tip_um, membrane_um, flank_um, side_um, pierced;
+  };
+  PunctureVerdict verdict;
+  for (const Seen& seen :
+       {Seen{1.84, 1.82, 1.29, 0.22, 0.29}, Seen{2.57, 2.55, 0.42, 0.25, 0.33}, Seen{3.35, 3.30, -0.42, 0.27, 0.73},
+        Seen{4.14, 4.09, -1.91, 0.31, 0.96}, Seen{4.91, 4.85, -0.53, 0.32, 0.75}, Seen{5.62, 5.55, 1.05, 0.38, 0.96},
+        Seen{6.43, 6.34, 1.15, 0.42, 0.98}, Seen{7.19, 7.11, 2.22, 0.42, 0.97}, Seen{7.93, 7.89, 2.05, 0.42, 0.89},
+        Seen{8.70, 8.66, 2.09, 0.44, 0.87}}) {
+    Sight sight = picture_seen(seen.tip_um, seen.membrane_um, seen.pierced);
+    sight.tip_sigma_um = 0.2;
+    sight.membrane_sigma_um = 0.3;
+    sight.confidence = 0.7;
+    sight.flank_um = seen.flank_um;
+    sight.side_um = seen.side_um;
+    sight.shape_sigma_um = 0.3;  // flanks that leap as these do tell little
+    EXPECT_FALSE(verdict.judge(sight)) << seen.tip_um;
+    verdict.add(seen.tip_um, 0.1 * seen.tip_um);
+  }
+}
+
 }  // namespace
 }  // namespace pellucida

@@ -124,7 +124,7 @@ void PunctureOdds::weigh(const Evidence& now) noexcept {
     const double pierced = std::clamp(now.pierced, 0.0, 1.0);
     const double near = 2.0 * (1.0 - pierced) + kPictureLeaves, away = 2.0 * pierced + kPictureLeaves;
     picture = {.contact = near, .punctured = kStillNear_ratio * near + (1.0 - kStillNear_ratio) * away};
-    picture.misread = kTipMisread_ratio * 1.0 + (1.0 - kTipMisread_ratio) * picture.contact;
+    picture.misread = kTipMisread_ratio + (1.0 - kTipMisread_ratio) * picture.contact;
   }
   // Of the membrane under the tip: while the flanks are back a contour may stay tied there, as in contact, or be
   // anywhere on its way.

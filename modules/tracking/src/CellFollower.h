@@ -110,8 +110,8 @@ class CellFollower {
   /// taken off, px; needle needed. Nothing that the needle hides or the contour is tied to is in it. 0 where they lie
   /// elsewhere while nothing touches the cell: they say nothing.
   double side_bulge() const;
-  /// What the picture about the needle's tip says of the membrane there; nothing where it wasn't read.
-  const std::optional<PunctureReading>& puncture() const noexcept { return puncture_; }
+  /// How likely the needle is through the membrane by the picture about its tip, 0..1; nothing where it wasn't read.
+  std::optional<double> pierced_probability() const noexcept { return pierced_probability_; }
 
   /// How much deeper the outline is dented than it ever was since the cell was found, as a share of its radius, >= 0.
   double new_dent_ratio() const noexcept { return dent_ - least_dent_; }
@@ -266,7 +266,7 @@ class CellFollower {
   double flank_before_ = 0.0, flank_noise_ = 0.0;            // px, of a cell that nothing pushes: from frame to frame
   double resting_bulge_ = 0.0;                               // px, of the sides of a cell that nothing pushes
   double largest_bulge_ = 0.0, tip_at_largest_bulge_ = 0.0;  // likewise, of the sides
-  std::optional<PunctureReading> puncture_;                  // in this frame
+  std::optional<double> pierced_probability_;                // in this frame
   double dent_ = 0.0, least_dent_ = 0.0;                     // of the radius
   double dent_noise_ratio_ = 0.0;  // of an undented cell without a needle: from frame to frame, of late
   bool touching_ = false;

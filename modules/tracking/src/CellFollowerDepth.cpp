@@ -132,18 +132,18 @@ double CellFollower::sides_off_rest() const {
 }
 
 void CellFollower::read_puncture(const FrameInput& frame) {
-  puncture_.reset();
+  pierced_probability_.reset();
   if (!needle_.valid() || !frame.networks || tip_depth() < PunctureNetwork::kLeastDepth_px) return;
   const NeedleEstimate& n = needle_.estimate();
-  puncture_ = frame.networks->punctures().read(frame.image, {n.tip, n.direction}, tip_depth(), center_now());
+  pierced_probability_ = frame.networks->punctures().read(frame.image, {n.tip, n.direction}, tip_depth(), center_now());
 }
 
 bool CellFollower::is_seen_through() const noexcept {
-  return puncture_ && puncture_->probability > kSeenSurely;
+  return pierced_probability_ && *pierced_probability_ > kSeenSurely;
 }
 
 bool CellFollower::is_seen_pushed() const noexcept {
-  return puncture_ && puncture_->probability < 1.0 - kSeenSurely;
+  return pierced_probability_ && *pierced_probability_ < 1.0 - kSeenSurely;
 }
 
 // Something pushes the cell, by its sides where a network reads them and they bulge enough to say, else by the dimple's

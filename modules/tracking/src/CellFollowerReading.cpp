@@ -88,7 +88,7 @@ void CellFollower::read_where_it_was(const FrameInput& frame, const NeedleZone* 
 
 // A contour that is held to the tip stays there when the membrane gives way: where the picture about the tip shows it
 // through, both boundaries once more, from the resting outline and with nothing that wraps the tip. That counts if it
-// is seen about as well.
+// is seen better, and the cell's shape does not say that it is pushed.
 bool CellFollower::read_sprung_back(const FrameInput& frame, const NeedleZone& needle) {
   if (!is_seen_through() || measure_membrane_depth() < kOnTip_ratio * tip_depth()) return false;
   const SnakeContour outer = snakes_.outer(), inner = snakes_.inner();

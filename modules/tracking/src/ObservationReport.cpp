@@ -84,7 +84,7 @@ void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_u
   const Eigen::Vector2d entry = cell.rest().entry_point(cell.center_now(), n.tip, n.direction, cell.motion().angle_rad);
   out.rest_beyond_um = ((entry - cell.center_now()).norm() - cell.rest().outer_radius) * pixel_size_um;
   out.side_bulge_um = cell.side_bulge() * pixel_size_um;
-  if (cell.puncture()) out.pierced_probability = cell.puncture()->probability;
+  out.pierced_probability = cell.pierced_probability().value_or(out.pierced_probability);
   if (!contact) return;
   out.dimple_radius_um = pixel_size_um * dimple_radius(cell.snakes().outer().points, cell.center_now(),
                                                        entry + cell.membrane_depth() * n.direction, -n.direction);

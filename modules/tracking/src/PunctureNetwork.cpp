@@ -21,8 +21,7 @@ constexpr double kLeastShare = 0.0, kMostShare = 1.15;
 
 class PunctureNetwork::Impl {
  public:
-  PunctureReading read(const FrameSampler& image, const NeedleAxis& axis, double depth_px,
-                       const Eigen::Vector2d& center) {
+  double read(const FrameSampler& image, const NeedleAxis& axis, double depth_px, const Eigen::Vector2d& center) {
     const double spacing_px = std::clamp(depth_px / kDepthSamples, kFinestPatch_px, kCoarsestPatch_px);
     const double rest_px = (axis.at(depth_px, 0.0) - center).norm();
     float* within = patch_.ptr<float>(0, 2);
@@ -43,14 +42,12 @@ class PunctureNetwork::Impl {
 
     const Eigen::Map<const Eigen::Array<float, kShares, 1>> logits(out.ptr<float>());
     const Eigen::Array<float, kShares, 1> weights = (logits - logits.maxCoeff()).exp();
-    double sum = 0.0, mean = 0.0, through = 0.0;
+    double through = 0.0;
     for (int k = 0; k < kShares; ++k) {
-      const double share = kLeastShare + (kMostShare - kLeastShare) * k / (kShares - 1), weight = weights[k];
-      sum += weight;
-      mean += weight * share;
-      if (share < kLeastPushed_ratio) through += weight;
+      const double share = kLeastShare + (kMostShare - kLeastShare) * k / (kShares - 1);
+      if (share < kLeastPushed_ratio) through += double{weights[k]};
     }
-    return {mean / sum, through / sum};
+    return through / double{weights.sum()};
   }
 
  private:
@@ -65,8 +62,8 @@ PunctureNetwork::~PunctureNetwork() = default;
 PunctureNetwork::PunctureNetwork(PunctureNetwork&&) noexcept = default;
 PunctureNetwork& PunctureNetwork::operator=(PunctureNetwork&&) noexcept = default;
 
-PunctureReading PunctureNetwork::read(const FrameSampler& image, const NeedleAxis& axis, double depth_px,
-                                      const Eigen::Vector2d& center) {
+double PunctureNetwork::read(const FrameSampler& image, const NeedleAxis& axis, double depth_px,
+                             const Eigen::Vector2d& center) {
   return impl_->read(image, axis, depth_px, center);
 }
 

@@ -7,12 +7,6 @@
 
 namespace pellucida {
 
-/// Where along a needle the membrane crosses it, by one look at the picture about the needle's tip.
-struct PunctureReading {
-  double share = 1.0;        ///< the membrane's depth as a share of the tip's, 0..1.15, mean of the network's answer
-  double probability = 0.0;  ///< 0..1: of a share below `PunctureNetwork::kLeastPushed_ratio`
-};
-
 /// A small convolutional network that reads the patch of an image about a needle's tip that is past a cell's resting
 /// outline, laid along the needle, and says where the membrane crosses the needle, in any contrast: at the tip while
 /// the needle pushes it in, nearer to the resting outline once it has given way. Trained by
@@ -31,9 +25,10 @@ class PunctureNetwork {
   PunctureNetwork(PunctureNetwork&&) noexcept;
   PunctureNetwork& operator=(PunctureNetwork&&) noexcept;
 
-  /// Reads about the axis's tip, `depth_px` past the resting outline along the axis; `center`: of the cell at rest, px.
-  PunctureReading read(const FrameSampler& image, const NeedleAxis& axis, double depth_px,
-                       const Eigen::Vector2d& center);
+  /// How likely the needle is through the membrane, 0..1: that this lies nearer to the resting outline than
+  /// `kLeastPushed_ratio` says. Reads about the axis's tip, `depth_px` past the resting outline along the axis;
+  /// `center`: of the cell at rest, px.
+  double read(const FrameSampler& image, const NeedleAxis& axis, double depth_px, const Eigen::Vector2d& center);
 
  private:
   class Impl;
