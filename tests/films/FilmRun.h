@@ -20,6 +20,7 @@ struct FilmPicture {
 /// Lengths of cell and tools, um: as seen in the last frame before contact, and true; 0: not seen.
 struct FilmSizes {
   double radius_um = 0.0, thickness_um = 0.0, tip_radius_um = 0.0, holder_radius_um = 0.0;
+  double thickness_sigma_um = 0.0;  ///< as reported; 0: not
 };
 
 /// What a frame gave the verdict on a puncture, with the truth; depths past the resting membrane along the needle, um.

@@ -216,7 +216,7 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
          "badness,specimen,profile_force_rms_percent,radius_um,thickness_um,tip_radius_um,holder_radius_um,"
          "true_radius_um,true_thickness_um,true_tip_radius_um,true_holder_radius_um,given_percent,bias_percent,"
          "palpated_percent,in_whole,in_wide,true_sight_percent,deepest_ratio,aspect,suction_kPa,stiffening,angle_deg,"
-         "offset_um\n";
+         "offset_um,thickness_sigma_um\n";
   for (const FilmRun& run : runs) {
     std::vector<double> outer, inner, tip;
     collect(run.errors, &FrameError::outer_px, outer);
@@ -241,7 +241,7 @@ void write_csv(const std::string& file, const std::vector<FilmRun>& runs) {
     out << ',' << r.given_percent << ',' << r.bias_percent << ',' << r.palpated_percent << ',' << r.in_whole << ','
         << r.in_wide << ',' << run.true_sight_percent << ',' << r.deepest_ratio << ',' << r.specimen.aspect_ratio << ','
         << r.specimen.suction_kPa << ',' << r.specimen.stiffening << ',' << r.specimen.holder_angle_deg << ','
-        << r.specimen.offset_um;
+        << r.specimen.offset_um << ',' << run.seen_sizes.thickness_sigma_um;
     out << '\n';
   }
   if (!out.flush()) throw OutputError(file + " can't be written");

@@ -17,6 +17,8 @@ constexpr double kElsewhere_ratio = 0.08;
 constexpr double kAtRest_ratio = 0.5;
 // Of an outline's area, what is left of it in the next frame at least.
 constexpr double kKeptArea_ratio = 0.9;
+// Of the radius: what a zona's thickness is supposed to be where the boundaries don't show it.
+constexpr double kUsualZona_ratio = 0.1;
 
 }  // namespace
 
@@ -56,10 +58,19 @@ void CellFollower::learn_rest(const FrameInput& frame) {
   if (outer.inlier_ratio < 0.6 || inner_radius >= outer.radius || elsewhere) return;
   rest_.learn(motion_.undo(outer.center), outer.radius, inner_radius, oval.shape.turned_back(motion_.angle_rad),
               outer_sigma());
+  read_thickness(frame);
   if (snakes_.has_inner() || zona_.valid() || rest_.thin_zona.is_full()) return;
   const NeedleZone needle_zone = zone();
   rest_.thin_zona.add(ThinZona::read(frame.image, points, snakes_.outer().kind, snakes_.line_width_px(),
                                      needle_.valid() ? &needle_zone : nullptr));
+}
+
+// By the network that looks at all sides of the cell at once, from what the boundaries say, or from a usual zona.
+void CellFollower::read_thickness(const FrameInput& frame) {
+  if (!is_read_ || rest_.read_thickness.is_full()) return;
+  const double supposed_px =
+      rest_.inner_radius > 0.0 ? rest_.outer_radius - rest_.inner_radius : kUsualZona_ratio * rest_.outer_radius;
+  rest_.read_thickness.add(frame.reader->thicknesses().read(frame.image, snakes_.outer().points, supposed_px));
 }
 
 // Usual standard deviation of a place of the outer contour, px; 0 of one that follows lines.

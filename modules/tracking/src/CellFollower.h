@@ -201,6 +201,7 @@ class CellFollower {
   double apex_sigma() const;
   void learn_holder_motion(const FrameInput& frame);
   void learn_rest(const FrameInput& frame);
+  void read_thickness(const FrameInput& frame);
   double outer_sigma() const;
   Eigen::Vector2d entry_point() const;
   void learn_flank_noise();

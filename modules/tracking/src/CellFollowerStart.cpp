@@ -115,7 +115,10 @@ bool CellFollower::start(const FrameInput& frame, const DetectedCell& cell) {
   contact_.reset(!entered ? CellState::kFree : through ? CellState::kPunctured : CellState::kContact);
   touching_ = entered && !through;
   drift_.reset();
-  if (!entered) learn_rest(frame);
+  if (entered)
+    read_thickness(frame);
+  else
+    learn_rest(frame);
   quality_ = usual_quality_ = first_quality_ = quality_now();
   measure_dent();
   least_dent_ = dent_;

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ContourMath.h"
 
@@ -41,12 +42,13 @@ double dent_ratio(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center
   // The distance outside of the fitted ellipse, as a share of the radius.
   Harmonics fitted = Harmonics::Zero();
   fitted[0] = 1.0;
-  const auto ray = [&](Eigen::Index i) { return Ray(outline.col(contour::wrap(i, n)) - center, radius); };
+  std::vector<Ray> rays;
+  rays.reserve(static_cast<std::size_t>(n));
+  for (Eigen::Index i = 0; i < n; ++i) rays.emplace_back(outline.col(i) - center, radius);
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Matrix<double, 5, 5> normal = 1e-9 * Eigen::Matrix<double, 5, 5>::Identity();
     Harmonics right = Harmonics::Zero();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Ray point = ray(i);
+    for (const Ray& point : rays) {
       const double off = point.off(fitted) / kUsual_ratio, root = 1.0 / (1.0 + off * off), weight = root * root;
       normal += weight * point.shape * point.shape.transpose();
       right += weight * point.distance_ratio * point.shape;
@@ -57,12 +59,13 @@ double dent_ratio(const Eigen::Matrix2Xd& outline, const Eigen::Vector2d& center
   }
 
   const Eigen::Index half = std::max<Eigen::Index>(1, n / 60);
+  const auto off = [&](Eigen::Index i) { return rays[static_cast<std::size_t>(contour::wrap(i, n))].off(fitted); };
   double deepest = 0.0, sum = 0.0;  // of a window about point i
-  for (Eigen::Index k = -half; k <= half; ++k) sum += ray(k).off(fitted);
+  for (Eigen::Index k = -half; k <= half; ++k) sum += off(k);
   for (Eigen::Index i = 0; i < n; ++i) {
     const bool is_held = holder && (outline.col(i) - center).normalized().dot(*holder) > kBesideHolder;
     if (!is_held) deepest = std::max(deepest, -sum / static_cast<double>(2 * half + 1));
-    sum += ray(i + half + 1).off(fitted) - ray(i - half).off(fitted);
+    sum += off(i + half + 1) - off(i - half);
   }
   return deepest;
 }

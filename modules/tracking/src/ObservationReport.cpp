@@ -21,9 +21,6 @@ constexpr double kReadRounding_px = 0.6, kReadRounding_ratio = 0.08;
 constexpr double kReadSigma_ratio = 2.0, kReadInContact_px = 0.3;
 constexpr double kUsualTipSigma_px = 0.35;  // where the needle's tip comes without its own
 constexpr double kMostWhenUnseen = 0.5;     // confidence in a frame that shows a dent and not what makes it
-// Standard deviation of the distance between two contours that networks read, over the usual one that is reported of
-// the outer contour. Set on 164 films (tuning from 303001, wide from 307001); docs/method.md, 3.8.
-constexpr double kThicknessSigma_ratio = 2.2;
 
 // The indentation and its standard deviation. Under the tip the membrane is where the tip is: two measures of one
 // depth, weighted by their variances as long as they agree; the resting outline, from which both are taken, adds its
@@ -71,6 +68,10 @@ MembraneContour membrane(const CellFollower& cell, const SnakeContour& snake, Me
     result.confidence[i] = snake.confidence[k];
   }
   return result;
+}
+
+void move_outwards(MembraneContour& contour, double by_um) {
+  contour.points_um += by_um * contour::outward_normals(contour.points_um);
 }
 
 void fill_needle(const CellFollower& cell, Observation& out, double pixel_size_um) {
@@ -160,14 +161,18 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
     out.rest_outer_radius_um = cell.zona().rest_radius() * pixel_size_um;
     out.rest_inner_radius_um = cell.rest().outer_radius * pixel_size_um;
   }
-  if (out.rest_inner_radius_um <= 0.0) {
+  if (const ReadThickness& read = cell.rest().read_thickness; read.is_read() && !has_zona) {
+    const double thickness_um = read.mean_px() * pixel_size_um;
+    // Alike all round: the inner boundary is that of each normal by its shape, and by its distance that of them all.
+    if (out.inner) move_outwards(*out.inner, out.rest_outer_radius_um - out.rest_inner_radius_um - thickness_um);
+    out.rest_inner_radius_um = out.rest_outer_radius_um - thickness_um;
+    out.rest_thickness_sigma_um = read.log_sigma() * thickness_um;
+  } else if (out.rest_inner_radius_um <= 0.0) {
     const ThinZona thin = cell.rest().thin_zona.mean();
     if (thin.thickness_px > 0.0)
       out.rest_inner_radius_um = out.rest_outer_radius_um - thin.thickness_px * pixel_size_um;
     out.rest_thickness_sigma_um = thin.sigma_px * pixel_size_um;
     out.rest_thickness_limit_um = thin.limit_px * pixel_size_um;
-  } else if (cell.is_read()) {
-    out.rest_thickness_sigma_um = kThicknessSigma_ratio * kReadSigma_ratio * cell.rest().outer_sigma_px * pixel_size_um;
   }
   out.axis = axis;
   if (cell.needle().valid()) fill_needle(cell, out, pixel_size_um);

@@ -4,6 +4,7 @@
 
 #include "ContourMath.h"
 #include "OutOfRound.h"
+#include "ReadThickness.h"
 #include "ThinZona.h"
 
 namespace pellucida {
@@ -15,6 +16,7 @@ struct RestGeometry {
   double outer_radius = 0.0;
   double inner_radius = 0.0;
   double outer_sigma_px = 0.0;  ///< usual standard deviation of a place of the outer membrane, where networks read it
+  ReadThickness read_thickness;  ///< of the zona, where networks read it
   ThinZonaMean thin_zona;       ///< of frames in which no inner membrane is followed
   int frame_count = 0;          ///< undisturbed frames that went in
   bool seen_free = false;       ///< false while only the undeformed side was seen

@@ -73,6 +73,11 @@ BoundaryNetwork& SceneReader::boundaries() {
   return *boundaries_;
 }
 
+ThicknessNetwork& SceneReader::thicknesses() {
+  if (!thicknesses_) thicknesses_ = std::make_unique<ThicknessNetwork>();
+  return *thicknesses_;
+}
+
 TipNetwork& SceneReader::tips() {
   if (!tips_) tips_ = std::make_unique<TipNetwork>();
   return *tips_;

@@ -7,6 +7,7 @@
 #include "NeedleStart.h"
 #include "PunctureNetwork.h"
 #include "SceneReading.h"
+#include "ThicknessNetwork.h"
 #include "TipNetwork.h"
 #include "TipWidthNetwork.h"
 #include "ToolFinder.h"
@@ -20,8 +21,9 @@ class SceneReader {
   /// frame.
   SceneReading read(const GrayImage& image);
 
-  /// To read the boundaries of a cell that is followed, the tip of a needle, and its width there.
+  /// To read the boundaries and the zona's thickness of a cell that is followed, the tip of a needle, and its width there.
   BoundaryNetwork& boundaries();
+  ThicknessNetwork& thicknesses();
   TipNetwork& tips();
   TipWidthNetwork& tip_widths();
   /// To read whether the membrane lies on it.
@@ -35,6 +37,7 @@ class SceneReader {
   void look_at_tip(const GrayImage& image, SceneTool& needle, double scale);
   std::unique_ptr<SceneNetwork> network_;
   std::unique_ptr<BoundaryNetwork> boundaries_;
+  std::unique_ptr<ThicknessNetwork> thicknesses_;
   std::unique_ptr<TipNetwork> tips_;
   std::unique_ptr<TipWidthNetwork> tip_widths_;
   std::unique_ptr<PunctureNetwork> punctures_;
