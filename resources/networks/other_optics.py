@@ -292,7 +292,7 @@ def main():
     random = np.random.default_rng(options.seed)
     with (open(os.path.join(options.out, f"samples_{options.seed}.csv"), "w") as rows,
           open(os.path.join(options.out, f"contours_{options.seed}.csv"), "w") as contours):
-        table = csv.DictWriter(rows, FIELDS, lineterminator="\n")
+        table = csv.DictWriter(rows, FIELDS, extrasaction="ignore", lineterminator="\n")
         table.writeheader()
         for k in range(options.count):
             path, row, outlines = known[random.integers(len(known))]
