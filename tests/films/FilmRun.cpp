@@ -101,7 +101,8 @@ VirtualMicroscope microscope_of(const RandomFilm& film) {
 
 FilmSizes sizes_of(const Observation& o) {
   return {o.rest_outer_radius_um, o.rest_inner_radius_um > 0 ? o.rest_outer_radius_um - o.rest_inner_radius_um : 0.0,
-          o.needle ? o.needle->tip_radius_um : 0.0, o.holder ? o.holder->outer_radius_um : 0.0, o.rest_thickness_sigma_um};
+          o.needle ? o.needle->tip_radius_um : 0.0, o.holder ? o.holder->outer_radius_um : 0.0,
+          o.rest_thickness_sigma_um};
 }
 
 // The force by the profile's thickness, tip and holder.

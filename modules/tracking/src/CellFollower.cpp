@@ -65,11 +65,13 @@ void CellFollower::learn_rest(const FrameInput& frame) {
                                      needle_.valid() ? &needle_zone : nullptr));
 }
 
-// By the network that looks at all sides of the cell at once, from what the boundaries say, or from a usual zona.
+// By the network that looks at all sides of the cell at once: from what it said before, from what the boundaries say,
+// or from a usual zona.
 void CellFollower::read_thickness(const FrameInput& frame) {
   if (!is_read_ || rest_.read_thickness.is_full()) return;
-  const double supposed_px =
+  double supposed_px =
       rest_.inner_radius > 0.0 ? rest_.outer_radius - rest_.inner_radius : kUsualZona_ratio * rest_.outer_radius;
+  if (rest_.read_thickness.is_read()) supposed_px = rest_.read_thickness.mean_px();
   rest_.read_thickness.add(frame.reader->thicknesses().read(frame.image, snakes_.outer().points, supposed_px));
 }
 

@@ -15,11 +15,11 @@ struct RestGeometry {
   OutOfRound shape;  ///< of the outer membrane about its circle
   double outer_radius = 0.0;
   double inner_radius = 0.0;
-  double outer_sigma_px = 0.0;  ///< usual standard deviation of a place of the outer membrane, where networks read it
+  double outer_sigma_px = 0.0;   ///< usual standard deviation of a place of the outer membrane, where networks read it
   ReadThickness read_thickness;  ///< of the zona, where networks read it
-  ThinZonaMean thin_zona;       ///< of frames in which no inner membrane is followed
-  int frame_count = 0;          ///< undisturbed frames that went in
-  bool seen_free = false;       ///< false while only the undeformed side was seen
+  ThinZonaMean thin_zona;        ///< of frames in which no inner membrane is followed
+  int frame_count = 0;           ///< undisturbed frames that went in
+  bool seen_free = false;        ///< false while only the undeformed side was seen
 
   /// Takes in one frame's circle, what is beyond it, and `outer_sigma_px`; the mean of the last `memory` frames is
   /// kept.
