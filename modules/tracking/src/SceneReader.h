@@ -21,7 +21,8 @@ class SceneReader {
   /// frame.
   SceneReading read(const GrayImage& image);
 
-  /// To read the boundaries and the zona's thickness of a cell that is followed, the tip of a needle, and its width there.
+  /// To read the boundaries and the zona's thickness of a cell that is followed, the tip of a needle, and its width
+  /// there.
   BoundaryNetwork& boundaries();
   ThicknessNetwork& thicknesses();
   TipNetwork& tips();
