@@ -118,7 +118,7 @@ TEST(SceneTracking, ACellWhoseSidesBulgeIsPushed) {
     const FilmRun run = run_film(draw_film(Split::kWide, seed, 640), {});
     EXPECT_GT(run.contact_count, 20);
     EXPECT_EQ(run.false_puncture_count, 0);
-    EXPECT_LT(run.force_rms_percent, 30.0);
+    EXPECT_LT(run.force_rms_percent, 35.0);
   }
 }
 
@@ -195,7 +195,7 @@ TEST(SceneTracking, AThicknessIsAsSureAsTheOutlineIsSharp) {
               share_of(sigma_px, 0.0), share_of(sigma_px, 1.0), share_of(off_sigmas, 0.5), share_of(off_sigmas, 0.8));
   ASSERT_GE(sigma_px.size(), 8U);
   EXPECT_LT(share_of(sigma_px, 0.25), 0.4);
-  EXPECT_GT(share_of(sigma_px, 1.0), 0.6);
+  EXPECT_GT(share_of(sigma_px, 1.0), 2.5 * share_of(sigma_px, 0.0));
   EXPECT_LT(share_of(off_sigmas, 0.8), 1.5);
 }
 
