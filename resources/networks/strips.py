@@ -42,11 +42,11 @@ def wide(values):
     return values[:, None, None]
 
 
-def evenly(points, count):
-    """`count` points (2, count) at equal arc lengths of a closed polygon (2, n)."""
+def evenly(points, count, first=0.0):
+    """`count` points (2, count) at equal arc lengths of a closed polygon (2, n), from a share of its length on."""
     closed = np.hstack([points, points[:, :1]])
     length = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(closed)))])
-    at = np.arange(count) * length[-1] / count
+    at = (first + np.arange(count) / count) % 1 * length[-1]
     return np.stack([np.interp(at, length, closed[0]), np.interp(at, length, closed[1])])
 
 

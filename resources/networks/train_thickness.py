@@ -19,6 +19,7 @@ import torch
 from torch import nn
 
 from any_contrast import Drawings, area, drawn_anew, moved
+from strips import evenly
 from training import Block, Feed, Tables, arguments_of, export, normalised, sampled, spacing_of, train, varied
 
 NORMALS, COLUMNS, ZERO, GUESS = 96, 64, 20, 14.0
@@ -49,14 +50,6 @@ class ThicknessNetwork(nn.Module):
         return self.judge(torch.cat([x.mean((2, 3)), x.amax((2, 3))], 1))
 
 
-def evenly(points, count, first):
-    """`count` points (2, count) at equal arc lengths of a closed polygon (2, n), from a share of its length on."""
-    closed = np.hstack([points, points[:, :1]])
-    length = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(closed)))])
-    at = (first + np.arange(count) / count) % 1 * length[-1]
-    return np.stack([np.interp(at, length, closed[0]), np.interp(at, length, closed[1])])
-
-
 def outward(points):
     """Unit normals (2, n) of a closed polygon of positive area."""
     along = np.roll(points, -1, 1) - np.roll(points, 1, 1)
@@ -65,8 +58,8 @@ def outward(points):
 
 def thickness_of(outer, inner, way):
     """Median distance of the outer from the inner boundary away from the needle, px."""
-    points = evenly(outer, 180, 0)
-    fine = evenly(inner, 1440, 0)
+    points = evenly(outer, 180)
+    fine = evenly(inner, 1440)
     gaps = np.sqrt(((points[:, :, None] - fine[:, None, :]) ** 2).sum(0).min(1))
     if way is not None:
         from_middle = points - points.mean(1, keepdims=True)
@@ -79,16 +72,15 @@ class Samples:
     it anew: labels and outlines, of the first MOST_ANEW."""
     MOST_ANEW = 3000
 
-    def __init__(self, folders, keep_shapes=True):
+    def __init__(self, folders):
         self.tables, self.items, self.shapes, self.drawings = Tables(folders), [], [], Drawings()
-        self.keep_shapes = keep_shapes
         self.load()
 
     def load(self):
         for path, row, outlines in self.tables.new():
             if not {"outer", "inner"} <= outlines.keys():
                 continue
-            image, label = cv2.imread(path, cv2.IMREAD_GRAYSCALE), None
+            image = cv2.imread(path, cv2.IMREAD_GRAYSCALE)
             if image is None:
                 continue
             outer, inner = (p if area(p) > 0 else p[:, ::-1] for p in (outlines["outer"], outlines["inner"]))
@@ -103,7 +95,7 @@ class Samples:
             part = (slice(low[1], high[1]), slice(low[0], high[0]))
             item = (image[part].copy(), outer - low[:, None], thickness, radius)
             self.items.append(item)
-            if self.keep_shapes and len(self.shapes) < self.MOST_ANEW:
+            if len(self.shapes) < self.MOST_ANEW:
                 label = cv2.imread(path[:-4] + "_label.png", cv2.IMREAD_UNCHANGED)
                 if label is not None:
                     self.shapes.append((label[part].copy(), moved(outlines, np.eye(2), -low), *item[1:]))

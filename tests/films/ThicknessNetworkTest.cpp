@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint64_t kFirstMeasured = 3201;
 constexpr int kCellsMeasured = 24;
+constexpr double kSupposed_ratio = 1.3;  // of the true thickness, or the true one of it
 
-// From a supposed thickness that is as wrong as this, either way.
 TEST(ThicknessNetwork, ReadsAZonaFromAThicknessThatIsWrong) {
   ThicknessNetwork network;
   std::vector<double> off, apart;
@@ -32,8 +32,10 @@ TEST(ThicknessNetwork, ReadsAZonaFromAThicknessThatIsWrong) {
     const double thickness_px = (truth.rest_outer_radius_um - truth.rest_inner_radius_um) / pixel_um;
     const FrameSampler image(view_of(frame->image.get()));
     const Eigen::Matrix2Xd outline = truth.outer->points_um / pixel_um;
-    const double from_thin = std::log(network.read(image, outline, thickness_px / 1.3).thickness_px / thickness_px);
-    const double from_thick = std::log(network.read(image, outline, thickness_px * 1.3).thickness_px / thickness_px);
+    const double from_thin =
+        std::log(network.read(image, outline, thickness_px / kSupposed_ratio).thickness_px / thickness_px);
+    const double from_thick =
+        std::log(network.read(image, outline, thickness_px * kSupposed_ratio).thickness_px / thickness_px);
     off.push_back(std::max(std::abs(from_thin), std::abs(from_thick)));
     apart.push_back(std::abs(from_thin - from_thick));
   }

@@ -69,8 +69,7 @@ void CellFollower::learn_rest(const FrameInput& frame) {
 // or from a usual zona.
 void CellFollower::read_thickness(const FrameInput& frame) {
   if (!is_read_ || rest_.read_thickness.is_full()) return;
-  double supposed_px =
-      rest_.inner_radius > 0.0 ? rest_.outer_radius - rest_.inner_radius : kUsualZona_ratio * rest_.outer_radius;
+  double supposed_px = snakes_.has_inner() ? snakes_.thickness_px() : kUsualZona_ratio * rest_.outer_radius;
   if (rest_.read_thickness.is_read()) supposed_px = rest_.read_thickness.mean_px();
   rest_.read_thickness.add(frame.reader->thicknesses().read(frame.image, snakes_.outer().points, supposed_px));
 }

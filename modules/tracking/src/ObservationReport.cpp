@@ -164,7 +164,7 @@ Observation report(const CellFollower& cell, double pixel_size_um) {
   if (const ReadThickness& read = cell.rest().read_thickness; read.is_read() && !has_zona) {
     const double thickness_um = read.mean_px() * pixel_size_um;
     // Alike all round: the inner boundary is that of each normal by its shape, and by its distance that of them all.
-    if (out.inner) move_outwards(*out.inner, out.rest_outer_radius_um - out.rest_inner_radius_um - thickness_um);
+    if (out.inner) move_outwards(*out.inner, cell.snakes().thickness_px() * pixel_size_um - thickness_um);
     out.rest_inner_radius_um = out.rest_outer_radius_um - thickness_um;
     out.rest_thickness_sigma_um = read.log_sigma() * thickness_um;
   } else if (out.rest_inner_radius_um <= 0.0) {
